@@ -109,6 +109,8 @@ export class Address {
   write(step) {
     const { lab } = this;
     if (!lab.motions.lanes.length) return;
+    // a motion that is still in the hand is no step, and must not take the place of the one before
+    if (!lab.motions.history.holds(lab.motions.queries())) return;
     const link = lab.link();
     if (step === "step") history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);

@@ -37,6 +37,14 @@ export class History {
   }
 
   /**
+   * Whether what is shown is the step that was noted last.
+   * @param {string[]} queries
+   */
+  holds(queries) {
+    return this.now !== null && same(this.now, queries);
+  }
+
+  /**
    * What is to be shown one step back (-1) or on (1), if there is anything; `step` takes it once it is shown.
    * @param {-1 | 1} way
    */

@@ -178,7 +178,7 @@ export class Motions {
   arrive(queries) {
     return this.inTurn(async () => {
       await this.load(queries);
-      this.history.arrive(queries);
+      this.history.arrive(this.queries());
       this.listener.shown();
       this.listener.noted("travelled");
     });

@@ -46,7 +46,9 @@ def test_the_load_is_turned_and_the_motion_follows_the_hand(visit):
     _x, y = middle(page, "load")
     radius = center[1] - y
     # a quarter turn: the load comes to where the finger is
-    drag(page, "load", [(0.7 * radius, 0.3 * radius), (radius, radius)])
+    # so long that the address of the page is written while the hoop is in the hand
+    drag(page, "load", [(0.7 * radius, 0.3 * radius), (radius, radius)], hold=600)
+    assert page.evaluate("location.search") == "?start.speed=2"
     assert scenario(page).start.angle == pytest.approx(math.pi / 2, abs=0.03)
     assert page.evaluate("hophoopLab.motions.history.past.length") == 0  # still in the hand
     assert page.evaluate("hophoopLab.stage.options.ahead") is True

@@ -1,6 +1,6 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources c31344f641035035827bf4316dfee002 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 528390cd143c48efd67dbd36fbadcb0f */
 var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
-return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
+return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
 "2d").drawImage(i,0,0),o}toDataURL(e,t,n,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
@@ -146,7 +146,7 @@ o}})}),["getBoundingClientRect"].forEach(function(i){t[i]=function(){return e[i]
 ed type of context for SVGCanvas");return this.ctx};Ne.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"\
 image/svg+xml;charset=utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Pa.toDataURL(this.svg,this.width,this.height,s,e,t)};
 Ne.prototype.addEventListener=function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.
-prototype.getAttribute=function(s){return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Ns.Context=La;Ns.
+prototype.getAttribute=function(s){return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Is.Context=La;Is.
 Element=Ne});function ve(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Yi=s=>gt(s)>.2?"#111111":"#ffffff",bt=(s,e)=>`rgba(${ve(s).join(",")}\
 ,${e})`,El=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function gt(s){let[e,t,n]=ve(s).map(El);return .2126*e+.7152*t+.0722*n}function wt(s,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(gt(s)<.002)return"#eceef2";let t=s;for(let n=0;gt(t)<.2&&n<1;n+=.05)t=`#${ve(s).map(i=>Math.round(i+(255-i)*n).toString(
@@ -1324,31 +1324,31 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 要不为零它就会弹起","运动从接触开始：若环缘被抬起或抛起，它会弹跳，事件就不同了","滑动到达 p_σ = 0，那里接触力无界",
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
 处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],to=Object.fromEntries(Object.keys(tt).map((s,e)=>[
-s,Ll[e]]));var un=new Map;function me(s){try{return localStorage.getItem(s)??un.get(s)??null}catch{return un.get(s)??null}}function pe(s,e){un.set(s,e);try{localStorage.setItem(
-s,e)}catch{}}var kt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},mn={de:Qi,es:Xi,fr:eo,zh:to},Dl=new Set(["de","es","fr"]),io="hophoop-language",oo=4e3,
+s,Ll[e]]));var dn=new Map;function me(s){try{return localStorage.getItem(s)??dn.get(s)??null}catch{return dn.get(s)??null}}function pe(s,e){dn.set(s,e);try{localStorage.setItem(
+s,e)}catch{}}var kt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},pn={de:Qi,es:Xi,fr:eo,zh:to},Dl=new Set(["de","es","fr"]),io="hophoop-language",oo=4e3,
 Nl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Vt=/\{(\w+)\}/g,ke="en",ao=[],yt=new Map,vt=new Set,st=new Set,Re=()=>ke;
-function pn(s){ke=s in kt?s:"en",yt=new Map,vt=new Set,st.clear(),ao=Object.keys(mn[ke]??{}).filter(e=>e.includes("{")).map(ql).sort((e,t)=>so(t.key)-so(e.key))}
+function fn(s){ke=s in kt?s:"en",yt=new Map,vt=new Set,st.clear(),ao=Object.keys(pn[ke]??{}).filter(e=>e.includes("{")).map(ql).sort((e,t)=>so(t.key)-so(e.key))}
 function Il(){let s=me(io);return s&&s in kt?s:(globalThis.navigator?.languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in kt)??"en"}function ro(s){pe(
 io,s)}var so=s=>s.replace(Vt,"").length;function ql(s){let e=[...s.matchAll(Vt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
-return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var fe=s=>Dl.has(ke)?s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function v(s,e){let t=mn[ke];if(e)
+return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var fe=s=>Dl.has(ke)?s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function v(s,e){let t=pn[ke];if(e)
 return B(ho(t?.[s]??no(s),e));if(!t||!/\p{L}/u.test(s))return fe(s);if(vt.has(s))return s;let n=yt.get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??Ol(i,t)??
 no(i),a=s.replace(i,()=>o);return yt.size>oo&&yt.clear(),yt.set(s,a),B(a)}function B(s){return vt.size>oo&&vt.clear(),vt.add(s),s}var lo=(s,e)=>s.replace(Vt,(t,n)=>String(
 e[n])),ho=(s,e)=>s.replace(Vt,(t,n)=>n.startsWith("word")?String(e[n]):v(String(e[n])));function Ol(s,e){for(let{key:t,pattern:n,names:i}of ao){let o=s.match(n);
 if(o)return ho(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return Cl(s)}function Cl(s){if(s.includes(" → "))return s.split(" → ").map(e=>v(e)).join("\
- → ")}function co(s){if(!mn[ke])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],{comma:n,stop:i}=ke==="zh"?{comma:"，",stop:"。"}:{comma:", ",
+ → ")}function co(s){if(!pn[ke])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],{comma:n,stop:i}=ke==="zh"?{comma:"，",stop:"。"}:{comma:", ",
 stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>v(r)).join(n);return B(`${a[0]?.toLocaleUpperCase(ke)??""}${a.slice(1)}${i}${t?` ${v(
-t)}`:""}`)}function no(s){let e=/\p{L}{3,}/u.test(s)&&!Nl.test(s);return ke!=="en"&&e&&st.size<200&&st.add(s),fe(s)}var fn=new WeakMap,dn=new WeakMap;function gn(s){
-let e=document.createTextNode(v(s));return fn.set(e,s),e}function nt(s,e,t){let n=dn.get(s)??{};n[e]=t,dn.set(s,n),s.setAttribute(e,v(t))}function jl(s){let e=document.
-createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.nodeValue??"").replace(/\s+/g," ");n.trim()&&fn.set(t,n)}for(let t of s.
+t)}`:""}`)}function no(s){let e=/\p{L}{3,}/u.test(s)&&!Nl.test(s);return ke!=="en"&&e&&st.size<200&&st.add(s),fe(s)}var gn=new WeakMap,mn=new WeakMap;function bn(s){
+let e=document.createTextNode(v(s));return gn.set(e,s),e}function nt(s,e,t){let n=mn.get(s)??{};n[e]=t,mn.set(s,n),s.setAttribute(e,v(t))}function jl(s){let e=document.
+createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.nodeValue??"").replace(/\s+/g," ");n.trim()&&gn.set(t,n)}for(let t of s.
 querySelectorAll("[aria-label]"))nt(t,"aria-label",t.getAttribute("aria-label")??"");Zt(s)}function Zt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|
-NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=fn.get(t);n!==void 0&&(t.nodeValue=v(n));let i=dn.get(t);for(let[o,a]of Object.entries(i??{}))
-t.setAttribute(o,v(a))}}pn(Il());var Wl=new Set(["aria-label","title","placeholder","label"]);function m(s,e={},...t){let n=document.createElement(s),i=n;for(let[o,a]of Object.entries(e))a==null||
+NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=gn.get(t);n!==void 0&&(t.nodeValue=v(n));let i=mn.get(t);for(let[o,a]of Object.entries(i??{}))
+t.setAttribute(o,v(a))}}fn(Il());var Wl=new Set(["aria-label","title","placeholder","label"]);function m(s,e={},...t){let n=document.createElement(s),i=n;for(let[o,a]of Object.entries(e))a==null||
 a===!1||(o.startsWith("on")?n.addEventListener(o.slice(2),a):o==="class"?n.className=a:o in n&&o!=="list"&&typeof a!="string"?i[o]=a:Wl.has(o)?nt(n,o,String(a)):
-n.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||n.append(o.nodeType?o:gn(String(o)));return n}function P(s,e){e?s.replaceChildren(gn(e)):s.
+n.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||n.append(o.nodeType?o:bn(String(o)));return n}function P(s,e){e?s.replaceChildren(bn(e)):s.
 replaceChildren()}var Jt=s=>s!==null&&s.getRootNode().activeElement===s,ge=s=>s.getContext("2d");function V(s){let e=s.getBoundingClientRect(),t=Math.min(globalThis.
 devicePixelRatio||1,2.5),n=Math.max(Math.round(e.width*t),1),i=Math.max(Math.round(e.height*t),1);(s.width!==n||s.height!==i)&&(s.width=n,s.height=i);let o=ge(s);
 return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function Fl(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=ge(m("canvas",{width:1,height:1}));
-e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function bn(s){let e=getComputedStyle(
+e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function wn(s){let e=getComputedStyle(
 s),t=i=>e.getPropertyValue(i).trim(),n=i=>Fl(t(i));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--paper"),panel:n("--panel"),ground:n("--gro\
 und"),font:t("--font"),dark:gt(n("--paper"))<.2}}function it(s,e){let t=m("a",{href:URL.createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),
 setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
@@ -1369,10 +1369,10 @@ y)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=_(o,.05,60));let a=m
 b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]}),t}function mo(s,e){let t=(s??"").split(",").map(Number);return s&&t.length===e&&t.every(Number.
 isFinite)?t:null}var Hl=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),...s===null?[]:[s]]},Yt=class{constructor(e){
 this.lab=e,this.number=0,this.soon=ie(()=>this.write("same"),Gl),this.listen=()=>this.arrived(),addEventListener("popstate",this.listen)}close(){removeEventListener(
-"popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length)return;let n=t.link();e==="step"?history.pushState({number:++this.number},"",n):history.
-replaceState({number:this.number},"",n)}travel(e){return new Promise(t=>{let n=()=>t();addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){
-let e=history.state?.number??0,t=Hl();JSON.stringify(t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=
-e:e!==this.number&&history.go(this.number-e)}};var _t=[.05,.1,.25,.5,1,2,4],Qt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+"popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length||!t.motions.history.holds(t.motions.queries()))return;let n=t.link();e==="step"?history.
+pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(t=>{let n=()=>t();addEventListener("popstate",
+n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Hl();JSON.stringify(t)===JSON.stringify(this.lab.motions.queries())?
+this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var _t=[.05,.1,.25,.5,1,2,4],Qt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let e of this.listeners)e(this)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
 duration&&(this.time=0),this.changed()}faster(e){let t=_t.indexOf(this.speed);this.speed=_t[_(t+e,0,_t.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
@@ -1399,21 +1399,21 @@ e);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){
 replaceChildren(...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:n,keys:i}=bo[e.shape];return m("fieldset",{class:"part"},m("legend",{},n,this.parts.length>1&&
 m("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${n}`,onclick:()=>this.send(this.parts.filter((o,a)=>a!==t))},"×")),i.map(o=>this.field(
 e,t,o)))}field(e,t,n){let[i,o]=Zl[n],a=new ot({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),m("div",
-{},m("label",{},`${i} [${o}]`,a.input),a.error)}};var wn=Math.PI/180;function Yl({allowed:s,degrees:e}){if(!s)return;let t=e?1/wn:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
-var yn=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
+{},m("label",{},`${i} [${o}]`,a.input),a.error)}};var yn=Math.PI/180;function Yl({allowed:s,degrees:e}){if(!s)return;let t=e?1/yn:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
+var vn=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
 range=m("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:i(!0),onpointerup:i(!1),onpointercancel:i(!1),onblur:i(!1)});let{label:o,unit:a}=e,r=`${o}, exact value${a?` i\
 n ${a}`:""}`;this.entry=new ot({label:o,unit:a,name:r,range:Yl(e)},l=>this.send(l,!0)),this.element=m("div",{class:"control",title:e.help},m("label",{for:n},m("\
 span",{},o),m("span",{class:"symbol"},e.symbol)),this.range,m("span",{class:"entry"},this.entry.input,m("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(n)),this.say(n),this.send(n,e)}send(e,t){
-let n=this.info.degrees?e*wn:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",j(S(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?wn:1);this.
+let n=this.info.degrees?e*yn:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",j(S(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?yn:1);this.
 entry.show(n?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":v("auto {value}",{value:S(o,2)}),this.entry.input.title=
 n?j(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
 String(a)),this.say(o)}};function Ql(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
 o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ts=class{way;kind;gravity;apart;derived;film;constructor(e,t){
-this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new yn(i,this.onchange));this.choices=
+this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new vn(i,this.onchange));this.choices=
 new Map(e.choices.map(n=>[n.path,Ql(n,this.onchange)])),this.parts=new es(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.
 hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
 element}select(e,t,n){let i=m("select",{onchange:()=>n(i.value)},t.map(([o,a])=>m("option",{value:o},a)));return{select:i,element:m("label",{class:"choice"},m("\
@@ -1441,37 +1441,37 @@ p.load_fraction":o==="load_fraction","hoop.eccentricity":o==="eccentricity","hoo
 "start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,g]of Object.entries(h))this.
 at(p).hidden=!g;this.parts.element.hidden=o!=="parts",n.hoop.parts&&this.parts.show(n.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=o==="\
 eccentricity"?"":`ε = ${S(i["hoop.eccentricity"],5)}, κ = ${S(i["hoop.inertia_ratio"],5)}`+(o==="parts"?`, m = ${S(i["hoop.mass"],5)} kg`:"");let d=n;for(let[
-p,{select:g}]of this.choices){if(t.has(p))continue;let[f,b]=p.split(".");d[f]?.[b]!==void 0&&(g.value=d[f][b])}}};var vn=Math.PI/180;function yo(s,e){let{start:t,plane:n,contact:i,hoop:o}=s.scenario;return i.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
+p,{select:g}]of this.choices){if(t.has(p))continue;let[f,b]=p.split(".");d[f]?.[b]!==void 0&&(g.value=d[f][b])}}};var kn=Math.PI/180;function yo(s,e){let{start:t,plane:n,contact:i,hoop:o}=s.scenario;return i.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
 be level.":Math.abs(s.gravity-9.81)>1e-9?"It must be on Earth.":(n.restitution??0)!==0?"Restitution must be 0.":s.radius!==1||o.parts?"The radius must stay 1 m,\
  without parts.":s.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in o?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var vo=s=>s.events.filter(
 ({kind:e})=>e==="takeoff");function Xl(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var ko=(s,e)=>Math.min(Math.round(100*s/e),100),eh=1.596,
-th=.37,sh=.05,kn=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+th=.37,sh=.05,_n=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
 ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=yo(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
 0,...Xl(s));return t?{points:ko(t,eh),text:"It rises by {height}.",values:{height:ze(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
 0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=vo(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
 points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<sh)return{points:0,text:"The first hop is too low."};let i=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/vn,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
-from the top.",values:{off:G(i*vn)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/kn,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
+from the top.",values:{off:G(i*kn)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
 t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=yo(s,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*vn)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
+abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*kn)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
 plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=vo(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
 ({from:o})=>o<t.t);if(n.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
 ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:ko(i.height,th),text:"It rises by {height}.",values:{height:ze(i.height)}}:{points:0,
-text:"It does not hop."}}}],_n=s=>s>=95?3:s>=75?2:s>=40?1:0;var _o="hophoop-best-",nh=s=>"★".repeat(_n(s))+"☆".repeat(3-_n(s)),ss=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(kn.map(t=>[t.key,m("button",
+text:"It does not hop."}}}],xn=s=>s>=95?3:s>=75?2:s>=40?1:0;var _o="hophoop-best-",nh=s=>"★".repeat(xn(s))+"☆".repeat(3-xn(s)),ss=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(_n.map(t=>[t.key,m("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=m("p",{}),this.meter=m("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=m("p",{class:"challenge-result",role:"status"}),this.kept=m("p",{class:"hint"}),this.element=m("section",{class:"challen\
 ges card","aria-label":"Challenges",hidden:!0},m("header",{},m("h2",{},"Challenges"),m("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
 onclick:()=>this.close()},"×")),m("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
 kept,m("div",{class:"buttons"},m("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),m("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??kn[0]),this.element.scrollIntoView({block:"nearest"}),
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??_n[0]),this.element.scrollIntoView({block:"nearest"}),
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,n]of this.tabs)n.setAttribute(
 "aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let n=await t.backend.call("film",{query:e});t.clock.play(
 !1),t.clock.time=0,t.motions.replace(n)}catch(n){t.notice.fail(n)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:n,text:i,values:o={}}=e.score(t.film());
 this.meter.value=n;let a=v("{stars} {points} points. {what}",{stars:nh(n),points:n,what:v(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-me(_o+e.key)??0);n>r&&!t.stage.options.ahead&&pe(_o+e.key,String(n)),P(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var xo=.09,ih=.03,xn=Math.PI/180,ns=Math.PI/4,So=2*Math.PI,xt=s=>s-So*Math.round(s/So);function is(s,e){let t=s.at(e),n=e===0;return{angle:xt(t.angle),height:Math.
+me(_o+e.key)??0);n>r&&!t.stage.options.ahead&&pe(_o+e.key,String(n)),P(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var xo=.09,ih=.03,Sn=Math.PI/180,ns=Math.PI/4,So=2*Math.PI,xt=s=>s-So*Math.round(s/So);function is(s,e){let t=s.at(e),n=e===0;return{angle:xt(t.angle),height:Math.
 max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Eo=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Pe=s=>Number(s.toFixed(4))+0;function To(s,e,t){
 if(s==="plane")return[["plane.slope",Pe(e.slope)]];if(e.height>0)return[["start.angle",Pe(e.angle)],["start.height",Pe(e.height)],["start.vx",Pe(e.vx)],["start.\
 vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Pe(e.angle)],["start.speed",Pe(n)]]}var St=class{constructor(e,t,n,i,o){
@@ -1479,19 +1479,19 @@ this.grip=e,this.film=t,this.view=i,this.before=is(t,n),this.held={...this.befor
 i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
 let n=this.read(e),{radius:i}=this.film;if(this.turned+=xt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-ns,ns);
-this.held.slope=Math.abs(o)<xn?0:o}else if(this.grip==="load")this.held.angle=xt(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
+this.held.slope=Math.abs(o)<Sn?0:o}else if(this.grip==="load")this.held.angle=xt(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
 this.held.height=o<ih*i?0:o;let a=n.along-this.from.along;this.held.angle=xt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
 push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-xo;)this.trail.shift();return this.held}release(e){let{held:t,
 trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>xo,c=Eo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
 a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Mo(s,e,t,n,i){let o={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=xt(n.angle+(o||a)*5*xn*r);return{...n,angle:h}}if(s===
-"plane"){let h=_(n.slope+(o||-a)*xn*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Eo(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=xt(n.angle+(o||a)*5*Sn*r);return{...n,angle:h}}if(s===
+"plane"){let h=_(n.slope+(o||-a)*Sn*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Eo(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
 l);return{...n,height:c<1e-9?0:c,vx:u}}function J(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
 n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ao(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),n=t.size===2?i():null)}),s.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!n))return;let r=i();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
-n=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var oh=700,Sn=44,ah=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+n=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var oh=700,En=44,ah=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
 ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],os=class{static Pull=St;pull=null;held=null;before=null;constructor(e){this.
 lab=e,this.places=new Map(ah.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=m("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=m("div",
 {class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:n}=e.
@@ -1500,7 +1500,7 @@ o.preventDefault();n.addEventListener("touchmove",i,{passive:!1}),this.settle=ie
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.
 toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),
-u=this.onPlane(t),h=_(1.1*r*a,Sn,190),d=[["plane",u,Sn],["hoop",l,h],["load",c,Sn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
+u=this.onPlane(t),h=_(1.1*r*a,En,190),d=[["plane",u,En],["hoop",l,h],["load",c,En]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
 e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
 point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
 let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:ze(t.height),speed:S(t.vx,3)}),plane:G(
@@ -1532,7 +1532,7 @@ M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(s){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let n=document.createElementNS(e,"path");return n.setAttribute("d",rh[s]),t.append(n),t}function En(s){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{ro(e.value),pn(e.value),s()}},Object.entries(kt).map(([t,n])=>m("option",
+"icon");let n=document.createElementNS(e,"path");return n.setAttribute("d",rh[s]),t.append(n),t}function Tn(s){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{ro(e.value),fn(e.value),s()}},Object.entries(kt).map(([t,n])=>m("option",
 {value:t,lang:t},document.createTextNode(n))));return e.value=Re(),e}var Ro={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
@@ -1763,9 +1763,9 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
 "jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
-compliant_segment_bytes:536};var je=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Wm=je(x.cell),be=je(x.heads),Q=je(x.events),Tn=je(x.samples),zo=je(x.changes),Po=je(x.numbers),Mn=je(x.words),
+compliant_segment_bytes:536};var je=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Wm=je(x.cell),be=je(x.heads),Q=je(x.events),Mn=je(x.samples),zo=je(x.changes),Po=je(x.numbers),An=je(x.words),
 ch={newton:0,poisson:1,stronge:2};function Le(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
-er")),law:ch[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function An(s){let e=t=>t??
+er")),law:ch[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Rn(s){let e=t=>t??
 Number.NaN;return Float64Array.of(x.laws.indexOf(s.law),x.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
 e(s.rtol))}var _e={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
@@ -1777,14 +1777,14 @@ changes.length+zo[t]]:Number.NaN}of(e,t){return this.step*this.rate(e,t)}get fai
 this.events.slice(0,this.count)).map(({begin:e,top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.of(n,o)-this.of(e,o);return{begin:e,end:n,height:this.of(t<0?e:t,"he\
 ight"),distance:i("x"),duration:i("t")}})}};function fh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function No(s,e){
 let t=Math.abs(s);if(e==="°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?j(S(t,3),e):j(S(
-o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>mh*Math.max(e,.001);function Io(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${No(s,e)}`:"0":"–"}function Rn(s){
+o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>mh*Math.max(e,.001);function Io(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${No(s,e)}`:"0":"–"}function zn(s){
 let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:No(t,n)})).join(Re()==="zh"?"，":", ");return B(e)}var Do=["m","{amount} \
 further to the right","{amount} further to the left"],gh=["s","{amount} later","{amount} earlier"];function qo(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[
-r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,dh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Rn([[u,"m","{amount} higher","{amount} lower"],[p,
+r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,dh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=zn([[u,"m","{amount} higher","{amount} lower"],[p,
 "m","{amount} longer","{amount} shorter"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount\
 } earlier"]]);g&&n.push(i.length>1?v("Hop {number}: {list}.",{number:r+1,list:g}):v("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<
-t&&r!=="start"&&r!=="end");if(o>=0){let r=Rn([[s.of(o,"t"),...gh],[s.of(o,"x"),...Do]]);r&&n.push(v("The first event, {what}: {list}.",{what:v(_e[e[o].kind]),list:r}))}
-let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Rn([[s.of(a,"x"),...Do],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(v(
+t&&r!=="start"&&r!=="end");if(o>=0){let r=zn([[s.of(o,"t"),...gh],[s.of(o,"x"),...Do]]);r&&n.push(v("The first event, {what}: {list}.",{what:v(_e[e[o].kind]),list:r}))}
+let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=zn([[s.of(a,"x"),...Do],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(v(
 "At the end, after {time} s: {list}.",{time:S(e[a].t,4),list:l}))}return n}var We={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
 ↺",apex:"•"},ls=Object.keys(We);function Oo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),i=[];
 for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
@@ -1792,12 +1792,12 @@ x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}
 x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Co(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-c)<1e-6?h.
 wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,d]=[Math.
 max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){let f=Math.
-floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var jo=.7,Wo=34,bh=3,wh=400,yh=8,zn=13;function Fo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,wh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
+floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var jo=.7,Wo=34,bh=3,wh=400,yh=8,Pn=13;function Fo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,wh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
 of(a,"x"),dy:s.of(a,"height")}))}function Bo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&rs(r,e)).sort((r,l)=>r-l);if(!n.length)
 return 0;let i=Math.max(jo*e,Wo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function $o(s,e,t){
 let n=[],i=bh*Math.max(jo*s.film.radius,Wo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
 d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
-g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<zn-1&&E.low<w&&E.high>b);)y-=zn;if(g[1]-y>yh*zn)continue;n.push({low:b,high:w,base:y});
+g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<Pn-1&&E.low<w&&E.high>b);)y-=Pn;if(g[1]-y>yh*Pn)continue;n.push({low:b,high:w,base:y});
 let k=y-g[1];vh(s,g,[f[0],f[1]+k],k,{known:u,broken:d<1,mark:We[o]??""})}}function vh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
 hypot(n[0]-l[0],n[1]-l[1]),[u,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=g,s.fillStyle=g,
 s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=f,s.setLineDash(a?[5,6]:[]),s.beginPath(),
@@ -1855,9 +1855,9 @@ on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),thi
 this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,Vo),t.time>this.last)for(let a of Jo(e,this.last,t.time))this.knock(a);this.
 last=t.time}knock(e){let t=this.context,n=t.currentTime,i=t.createGain();i.gain.setValueAtTime(2.2*Uo*Math.sqrt(e),n),i.gain.exponentialRampToValueAtTime(1e-4,n+
 .18);let o=t.createOscillator();o.frequency.setValueAtTime(190,n),o.frequency.exponentialRampToValueAtTime(60,n+.15),o.connect(i).connect(t.destination),o.start(
-n),o.stop(n+.2)}close(){this.context?.close()}};var Pn=Math.PI/180,te=s=>e=>e.columns[s],Tt=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(i,o)=>e(n,o,t))),H={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:Tt("degrees",({angle:s},e)=>s[e]/Pn)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Tt(
-"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/Pn/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/Pn-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+n),o.stop(n+.2)}close(){this.context?.close()}};var Ln=Math.PI/180,te=s=>e=>e.columns[s],Tt=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(i,o)=>e(n,o,t))),H={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:Tt("degrees",({angle:s},e)=>s[e]/Ln)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Tt(
+"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/Ln/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/Ln-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
 m",values:te("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:te("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",
 values:Tt("rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:te("vx")},
 spin:{name:"speed of rotation",symbol:"R θ̇",unit:"m/s",values:Tt("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"\
@@ -1867,8 +1867,8 @@ friction_force")},utilization:{name:"use of friction",symbol:"|F|/μN",unit:"",v
 "kinetic")},potential:{name:"potential energy",symbol:"E_p",unit:"J",values:te("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Tt("total",({
 kinetic:s,potential:e},t)=>s[t]+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:te("friction_loss")},normal_loss:{name:"lost in impac\
 ts, normal part",symbol:"W_i",unit:"J",values:te("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:te("rolling_\
-resistance")}},Yo=({name:s,symbol:e})=>[s," ",e];var Eh=["time","angle","x","vx","spin","normal_force","friction_force"],Th=[1,.5,.2,.1,.05,.02,.01],Ln=601;function Qo(s,e,t){let n=Math.min(Math.floor(s.duration/
-t+1e-9)+1,Ln),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Mh(s,r,a))})}return i}function Mh(s,e,t){
+resistance")}},Yo=({name:s,symbol:e})=>[s," ",e];var Eh=["time","angle","x","vx","spin","normal_force","friction_force"],Th=[1,.5,.2,.1,.05,.02,.01],Dn=601;function Qo(s,e,t){let n=Math.min(Math.floor(s.duration/
+t+1e-9)+1,Dn),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Mh(s,r,a))})}return i}function Mh(s,e,t){
 if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let i=n.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
 i/360);let o=H[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var ms=class{film;rows=[];now;constructor(e){
 this.lab=e,this.columns=[...Eh],this.step=m("select",{onchange:()=>this.fill()},Th.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
@@ -1882,8 +1882,8 @@ this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoVie
 element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>H[c]);this.head.
 replaceChildren(m("tr",{},o.map(({name:c,symbol:u,unit:h})=>m("th",{scope:"col",title:c},u,h&&m("small",{},` ${h}`))),m("th",{scope:"col"},"mode")));let a=Qo(e,
 t,n);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((d,p)=>p===0?m("th",{scope:"row"},S(d,4)):m("td",
-{},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Ln+1e-6,l=v("The first {count}\
- rows.",{count:Ln});P(this.caption,r?e.summary:B(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+{},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Dn+1e-6,l=v("The first {count}\
+ rows.",{count:Dn});P(this.caption,r?e.summary:B(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("\
 now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${H[o].name} [${H[o].unit||"1"}]`),"mode"],i=Qo(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
 ...a,o].join(","));it(new Blob([[n.join(","),...i,""].join(`\r
@@ -1913,7 +1913,7 @@ table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which a
 {scope:"row"},n(`${Xo}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
 For teachers"),m("button",{type:"button",onclick:()=>print()},"Print"),m("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),m("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",m("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Dn="RSKHM",Dh=new Set(["x","angle","height"]),Nh=1/60,ta=8,Ih={x:"vx",angle:"omega",height:"vy"},De=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Nn="RSKHM",Dh=new Set(["x","angle","height"]),Nh=1/60,ta=8,Ih={x:"vx",angle:"omega",height:"vy"},De=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
 this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
 said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=
 this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=
@@ -1921,43 +1921,43 @@ this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this
 this.length)return null;let n=_(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=this.part.t[this.part.length-1])return null;
 let o=Math.max(n-.25*ta,0);return[o,Math.min(o+ta+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,
 part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return co(this.said)}findPhases(){let{mode:e}=this.columns,
-t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===Dn[e[n]]?i.to=this.t[n]:t.push({mode:Dn[e[n]],from:this.t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)
+t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===Nn[e[n]]?i.to=this.t[n]:t.push({mode:Nn[e[n]],from:this.t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)
 t[n].to=t[n+1].from;return t.filter(n=>n.to>n.from||t.length===1)}findExtent(){let{x:e,height:t,vx:n,vy:i,omega:o}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},
 r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(
 n[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,n=this.
 length;for(;n-t>1;){let i=t+n>>1;this.t[i]<=e?t=i:n=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.
 length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,from:0,to:e.length},{film:this,from:this.
 index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(t),o=Math.min(i+1,this.length-1),a=this.
-t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:Dn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){if(c==="t"||c==="mode")continue;let h=u[i],
+t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:Nn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){if(c==="t"||c==="mode")continue;let h=u[i],
 d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(Dh.has(c)){let p=this.columns[Ih[c]];l[c]=qh(h,d,p[i]*a,p[o]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){
 let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function qh(s,e,t,n,i){if(!Number.isFinite(t)||!Number.isFinite(n))return s+(e-s)*i;let o=1-
-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var qn=s=>s-360*Math.floor(s/360);function Oh(s,e){let t=Math.abs(qn(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function Ch(s,e){let t=Math.max(...e)-
+i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var On=s=>s-360*Math.floor(s/360);function Oh(s,e){let t=Math.abs(On(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function Ch(s,e){let t=Math.max(...e)-
 Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var jh=0;function Rt(s,e,t=!1){let n=`hh-guess-${++jh}`,
 i="",o=s.map(([a,r])=>{let l=m("input",{type:"radio",name:n,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
 {},r))}});return{element:m("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
 row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var xe=168,At=58,
-Nn=(s,e=At)=>{let t=s*Math.PI/180;return[xe/2+e*Math.sin(t),xe/2-e*Math.cos(t)]};function On(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
+In=(s,e=At)=>{let t=s*Math.PI/180;return[xe/2+e*Math.sin(t),xe/2-e*Math.cos(t)]};function Cn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=V(o),h=getComputedStyle(
 a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,xe,xe),u.strokeStyle=p,u.fillStyle=
 p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,xe/2+At),u.lineTo(xe-8,xe/2+At),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(xe/2,xe/2,At,0,2*Math.PI),u.stroke(),u.font=
-"11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Nn(b,At-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
-u.arc(...Nn(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...Nn(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
-l=u=>{i===null&&(t=qn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
+"11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=In(b,At-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
+u.arc(...In(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...In(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
+l=u=>{i===null&&(t=On(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
 u.preventDefault(),a.focus({preventScroll:!0}),c(u),J(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-qn(u),r(),Oh(t,i))}}var Mt=9,[we,ps,Fe,In]=[34,12,12,26];function sa({label:s,unit:e,most:t},n){let i=Array(Mt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+On(u),r(),Oh(t,i))}}var Mt=9,[we,ps,Fe,qn]=[34,12,12,26];function sa({label:s,unit:e,most:t},n){let i=Array(Mt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
 h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:k=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];E&&(k.preventDefault(),k.stopPropagation(),
 g(y,i[y]+E*t/(k.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
-h=w=>we+w/(Mt-1)*(u().width-we-ps),d=w=>Fe+(1-w/t)*(u().height-Fe-In),p=()=>{let{context:w,width:y,height:k}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
+h=w=>we+w/(Mt-1)*(u().width-we-ps),d=w=>Fe+(1-w/t)*(u().height-Fe-qn),p=()=>{let{context:w,width:y,height:k}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
 A).trim();w.clearRect(0,0,y,k),w.strokeStyle=R("--line"),w.fillStyle=R("--soft"),w.font="11px system-ui, sans-serif";for(let A=0;A<Mt;A+=2)w.textAlign="center",
-w.fillText(`${45*A}°`,h(A),k-8),w.strokeRect(h(A),Fe,0,k-Fe-In);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),we-6,d(A)+4),w.strokeRect(we,d(A),
+w.fillText(`${45*A}°`,h(A),k-8),w.strokeRect(h(A),Fe,0,k-Fe-qn);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),we-6,d(A)+4),w.strokeRect(we,d(A),
 y-we-ps,0);w.textAlign="left",w.fillText(e,we+4,Fe+10);let M=(A,D,O)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(O),w.beginPath(),A.forEach((C,ee)=>{let re=we+
 ee/(A.length-1)*(y-we-ps);ee?w.lineTo(re,d(_(C,0,t))):w.moveTo(re,d(_(C,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.
 forEach((A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),
 l[w].setAttribute("aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),k=_((w.clientX-y.left-we)/(y.width-we-ps),0,1),E=Math.round(k*
-(Mt-1)),R=t*(1-(w.clientY-y.top-Fe)/(y.height-Fe-In)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener(
+(Mt-1)),R=t*(1-(w.clientY-y.top-Fe)/(y.height-Fe-qn)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener(
 "pointerdown",w=>{w.preventDefault(),f=null,b(w),J(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
 p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Mt-1);return Ch(i,i.map((k,E)=>w[Math.round(E*y)]))}}}var gs=2*Math.PI,ne=(s,e)=>s.events.find(t=>t.kind===e),fs=s=>G(s-gs*Math.floor(s/gs));function Wh(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
 t;r++){let l=s.columns.angle[0]+gs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
@@ -1974,11 +1974,11 @@ s),until:([s])=>Fh(s,gs),answer:([s])=>{let e=Wh(s,"vx");return{truth:e,text:"Wi
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:s=>On("Angle of the load where it begins to slip",s),until:([s])=>(ne(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=ne(s,"slip_start"),t=s.at(e.t).normal_force/
+guess:s=>Cn("Angle of the load where it begins to slip",s),until:([s])=>(ne(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=ne(s,"slip_start"),t=s.at(e.t).normal_force/
 (s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:fs(e.
 angle),share:`${S(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>On("Angle of the load\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Cn("Angle of the load\
  where it takes off",s),until:([s])=>(ne(s,"takeoff")?.t??0)+.12,answer:([s])=>{let e=ne(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
  takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:fs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
 ane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at th\
@@ -2039,7 +2039,7 @@ let e=(n,i)=>m("button",{type:"button",onclick:()=>{t.open=!1,i()}},n),t=m("deta
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
 he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener(
 "pointerdown",n=>{t.contains(n.target)||(t.open=!1)}),t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector(
-"summary")?.focus())}),t}languages(){return En(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Re(),this.lab.hosted&&(document.
+"summary")?.focus())}),t}languages(){return Tn(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Re(),this.lab.hosted&&(document.
 documentElement.lang=Re(),document.title=v("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
 this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
 this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),ys=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
@@ -2055,11 +2055,11 @@ this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compa
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
  +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Hh=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Cn=(s,e,t=()=>!1)=>m("table",{},m("caption",{},s),e.map(([n,...i])=>m("\
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],jn=(s,e,t=()=>!1)=>m("table",{},m("caption",{},s),e.map(([n,...i])=>m("\
 tr",{},m("th",{scope:"row"},t(n),n),i.map(o=>m("td",{},o)))));function ia(s,e,t){let n=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
 p"),m("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),Cn("Modes",Gh,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),Cn("Marks on t\
-he bar of time",Hh),Cn("Keys",$h),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var vs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
+mething that rigid-body mechanics cannot decide. Move a slider and see."),jn("Modes",Gh,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),jn("Marks on t\
+he bar of time",Hh),jn("Keys",$h),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var vs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=m("p",{class:"preset-text"}),this.element=m("div",{class:"lanes"},
 this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var oa="hophoop-single-keys",Kh=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
 s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
@@ -2115,16 +2115,16 @@ deep(i),d=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-d,l-d,c).map(b=>b+d):l
 e.fillText(w,this.x(b/a),$e+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
 let g=h?` − ${String(d).replace("-","−")}`:"",f=`${v(o.label)}${g}${o.unit?` [${o.unit}]`:""}`;e.save(),e.textAlign="center",i==="x"?e.translate(this.left+.5*
 this.box.width,t-5):(e.translate(12,$e+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ge([s,e],[t,n]){let i=Math.min(e-s,n-
-t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function jn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
+t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function Wn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
 s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var rt=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,ac=.0018,ma=200,
 [rc,lc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Jt(n()))&&(o.preventDefault(),
 e(Math.exp(-Math.min(Math.max(o.deltaY,-ma),ma)*ac),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
-"=")e(rc);else if(o.key==="-")e(lc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),Ao(s,e)}var pa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},fa=48;function ga(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Wn(
+"=")e(rc);else if(o.key==="-")e(lc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),Ao(s,e)}var pa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},fa=48;function ga(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Fn(
 s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>cc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
-pointerType!=="touch"&&hc(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>uc(s,i))}function Wn(s,e){let t=s.body.getBoundingClientRect();
-return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function hc(s,e){s.tip.textContent=s.said(Wn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
+pointerType!=="touch"&&hc(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>uc(s,i))}function Fn(s,e){let t=s.body.getBoundingClientRect();
+return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function hc(s,e){s.tip.textContent=s.said(Fn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
 tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function cc(s,e,t,n){e.preventDefault(),
-s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Wn(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Fn(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
 r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(o,u,h),s.redraw(),s.soon())};J(s.body,e,l,(c,u)=>{
 u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function uc(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,pa[e.key]){let[n,i]=pa[e.key],{x:o,y:a}=s.
 axes.windows;s.pointed={x:_(t.x+n*(o[1]-o[0])/fa,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/fa,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
@@ -2166,16 +2166,16 @@ changes:n,...r,what:this.what},c=await ca(()=>this.backend.call("map",l,e),p=>{P
 ...ka(u));let h=ba(t,Object.values(this.axes.paths)),d=v(n.length?"{count} motions, with rigid contact":"{count} motions",{count:o*a});P(this.state,h?`${d}; ${v(
 h)}`:d),this.redraw()}this.level=xa.length}catch(o){let{name:a,message:r}=o;if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)
 return;let{look:e}=this,{context:t,width:n,height:i}=V(this.canvas);this.axes.fit(n,i),t.clearRect(0,0,n,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
-let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&jn(t,o.x(
-a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Jt(this.body)&&jn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{
+let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&Wn(t,o.x(
+a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Jt(this.body)&&Wn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{
 let[i,o]=n.split(".");return this.film.values[n]??this.film.scenario[i]?.[o]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
 y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${_a(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
-this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Ts=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
-null||Fn(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
-i),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,n]=e<0?[this.past,this.future]:[this.future,
-this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}arrive(e){if(!(this.now&&Fn(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:
-this.future,i=n.length-n.findLastIndex(o=>Fn(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
-Fn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var Ms=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ts,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Ms=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
+null||Ts(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
+i),this.past.length>500&&this.past.shift(),"step")}holds(e){return this.now!==null&&Ts(this.now,e)}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){
+let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}arrive(e){if(!(this.now&&Ts(this.
+now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,i=n.length-n.findLastIndex(o=>Ts(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.
+assign(this,{past:[],future:[],now:e,what:""})}}},Ts=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var As=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ms,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
 1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new De(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.since??=performance.now(),n.pending=[...(n.pending??[]).filter(([
@@ -2186,14 +2186,14 @@ for(let n of this.lanes){let{film:i}=n,o=n.refining||n.coarse===i?null:i.wanted(
 then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{n.coarse=i}).finally(()=>{n.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
 settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new De(
 e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
-travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(e),this.listener.
-shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
-lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
+travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),
+this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){
+this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
 this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
-Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var bc=6e3,As=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
+Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var bc=6e3,Rs=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var I=52,Se=10,z=8,Rs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var I=52,Se=10,z=8,zs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),n<o-4*r&&(n=o-.6*r),n=Math.min(n,0),i=Math.max(i,0),e&&([n,i]=[-Math.max(-n,i),Math.max(
 -n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function Ea(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
 i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=Z(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
@@ -2209,10 +2209,10 @@ soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(I+.5,z+.5,e.box.width-1,e.box
 PI,r=a-o>200?45:Z(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);s.beginPath(),s.moveTo(u,z+e.box.height),s.lineTo(u,z+e.box.height+
 4),s.stroke(),s.fillText(oe(c*r,r),u,z+e.box.height+15)}s.textAlign="right",s.fillText(v("angle θ within a turn [°]"),t-Se,n-3),s.textBaseline="middle";let l=e.
 top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,Z(l,5)),I-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,z+.5*e.box.height),
-s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var zs={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=zs[e].map((o,a)=>(n+=
+s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var Ps={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ls(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=Ps[e].map((o,a)=>(n+=
 o,`${a%2?"transparent":s??"var(--ink)"} ${n-o}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
-join(", ")})`}return t}var Ls=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
+join(", ")})`}return t}var Ds=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
 canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"\
 plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.
 element=m("section",{class:"phase"},m("header",{},m("h3",{},"Plane of θ and θ̇"),this.keys),this.body,m("p",{class:"hint"},"Colours: the mode that follows co\
@@ -2234,11 +2234,11 @@ return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return th
 this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.
 some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return I+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){
 return z+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:i,height:o}=V(
-this.canvas);if(this.box={width:i-I-Se,height:o-z-Rs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(I,z,this.box.width,this.box.height),n.clip(),this.pictures){
+this.canvas);if(this.box={width:i-I-Se,height:o-z-zs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(I,z,this.box.width,this.box.height),n.clip(),this.pictures){
 n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,u,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];n.fillStyle=
 t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ma(n,this,this.pictures[0].paradox)}for(let[a,r]of this.
 films.entries())this.way(n,r,a);if(n.restore(),Aa(n,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(
-r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ps(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
+r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ls(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
 columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?de(n,this.look.dark):this.look.ink,e.beginPath();let l=null;
 for(let c=0;c<t.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==
 l.lap){let d=u>l.lap?r:0;e.lineTo(this.x(d),this.y(o[c])),e.moveTo(this.x(r-d),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));
@@ -2256,20 +2256,20 @@ ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.midd
 shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.
 films)for(let i of this.abscissa(n))i<e&&(e=i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??
 this.fullRange(),this.legend(this.shades(e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:i,width:o,height:a}=V(this.canvas);this.box={width:o-I-Se,height:a-
-z-Rs},i.clearRect(0,0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.
+z-zs},i.clearRect(0,0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.
 shared.axis==="time"&&this.bands(i,t[n],e),Ea(i,this,o,a),i.save(),i.beginPath(),i.rect(I,z,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,
 l);if(t.length>1)for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.
-curves(e).map(o=>({...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(zs);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return I+
+curves(e).map(o=>({...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(Ps);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return I+
 (e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
 let t=[];for(let{film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(
 i[a])}return Sa(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),I,I+this.box.width),a=_(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
 bt(n.modes[i.mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
-zs[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
+Ps[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
 isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
 [])}letter(e,{film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.
 isFinite(i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
 e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+
-t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ps(i.color,
+t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ls(i.color,
 i.dash),i.name," ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.
 films.length>1?`${"AB"[a]}: `:"",u={name:v(i),low:S(r,3),high:S(l,3)};return l>=r?`${c}${v("{name} from {low} to {high}",u)}`:""}),n=v("Diagram: {title} in {uni\
 t}.",{title:v(this.title),unit:v(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{
@@ -2295,7 +2295,7 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
-friction_force,values:e.columns.utilization}]}]}var Ds=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+friction_force,values:e.columns.utilization}]}]}var Ns=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
 redraw()},this.plots=[...yc(t).map(i=>new lt(i,this.shared)),Ra(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
 i.element,!0]));let n=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
 plots)n.observe(i.element);this.axis=m("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
@@ -2318,7 +2318,7 @@ stead.");let t=m("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.hei
 n.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
 s.afterFrame=()=>{Oa(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await o,s.afterFrame=null,s.clock.loop=a,new Blob(i,{type:n.
 mimeType})}var kc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],Is=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
+)"]],qs=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
 this.item("Copy the link",()=>this.copyLink()),kc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
 ture (PNG)",()=>this.picture("png",Ia)),this.item("Picture (SVG)",()=>this.picture("svg",qa)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
 "Show me the Python",()=>this.code()))),this.dialog=m("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
@@ -2330,7 +2330,7 @@ e …":`Fetching ${e} …`),it(await this.lab.backend.file(e,t.query),`hophoop-$
 call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let n=0;n<
 e.length;n+=2){let i=e[n+1],o=m("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.writeText(i).catch(()=>{}),P(o,"Copied")},t.push(
 m("header",{},m("h2",{},e[n]),o),m("pre",{tabindex:"0"},m("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(...t,m("button",{type:"button",class:"\
-close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Wa=120,qs=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
+close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Wa=120,Os=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
 common=h,this.pose=i.at(o);let d=i.radius,{left:p,right:g}=i.extent,{top:f}=h;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let b=2*h.radius+Math.min(
 f,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(g-p)*this.cosine+2.6*d,k=(g-p)*Math.abs(this.sine)+2.6*d+f;this.scale=Math.min(t/y,.86*n/k,w)*
 c,this.focus=[.5*(p+g),0],this.place=[.5*t+u[0],(i.slope?.62:.8)*n+u[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=
@@ -2369,20 +2369,20 @@ f);for(let[R,M]of[[c.paper,6],[o,3]])l.strokeStyle=R,l.fillStyle=R,l.lineWidth=M
 l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[R,M]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
 c.paper,l.lineWidth=2,l.beginPath();for(let A of[-3,3])l.moveTo(R+b*(A-3)-w*7,M+w*(A-3)+b*7),l.lineTo(R+b*(A+3)+w*7,M+w*(A+3)-b*7);l.stroke()}l.font=`600 12px ${c.
 font}`;let k=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let E=r?[p[0]-.5*k-32*this.sine,p[1]+32*this.cosine]:[g[0]+
-12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-k-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Os=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-k-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,n]=[0,0]){let{width:i,
 height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
 let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
 let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
 u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,d)=>{e.save(),e.beginPath(),
-e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new qs(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Os(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
 p,d),i.length>1&&(p.mark("AB"[d],de(d,r.dark)),e.fillStyle=de(d,r.dark),e.font=`700 17px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
 d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Un(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=s[4*a+i]*e[4*n+a];t[4*n+i]=o}return t}function Fa(s,e,t,n){
-let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Ba(s,e){let t=He(Vn(s,e)),n=He(Cs([0,1,0],t)),
-i=Cs(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Kn(n,s),-Kn(i,s),-Kn(t,s),1])}var Vn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
-Kn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],Cs=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function He(s){let e=Math.hypot(...s)||1;return[
-s[0]/e,s[1]/e,s[2]/e]}function js(s,e,t,n){let i=He(e),o=He(Cs(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=Cs(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
+let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Ba(s,e){let t=He(Vn(s,e)),n=He(js([0,1,0],t)),
+i=js(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Kn(n,s),-Kn(i,s),-Kn(t,s),1])}var Vn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
+Kn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],js=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function He(s){let e=Math.hypot(...s)||1;return[
+s[0]/e,s[1]/e,s[2]/e]}function Ws(s,e,t,n){let i=He(e),o=He(js(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=js(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
 map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function Zn(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
 16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ht(s,e,t){let n=s.createProgram(),i=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
 l),!s.getShaderParameter(l,s.COMPILE_STATUS))throw new Error(String(s.getShaderInfoLog(l)));s.attachShader(n,l)}if(s.linkProgram(n),!s.getProgramParameter(n,s.LINK_STATUS))
@@ -2451,7 +2451,7 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Ws=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fs=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
 e,this.sun=He(n),this.dark=i,this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=ht(a,Ha[0],Ha[1]),this.body=ht(a,Ka[0],Ka[1]),this.line=ht(a,Ua[0],Ua[1]),this.torus=$a(
 a),this.sphere=Ga(a),this.cylinder=Yn(a,1),this.cone=Yn(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
@@ -2464,11 +2464,11 @@ o,a]of Object.entries(i)){let r=e.uniforms[o];r!==void 0&&(typeof a=="number"?n.
 r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
 t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,n,{shadow:i=!1,lit:o=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:n,shadow:i?
-this.dark:0,lit:Number(o)}),ct(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,js(e,[0,1,0],t,t),n,{shadow:i})}ring({
+this.dark:0,lit:Number(o)}),ct(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,Ws(e,[0,1,0],t,t),n,{shadow:i})}ring({
 center:e,radius:t,tube:n,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:u}=this;this.use(this.rim,{center:e,size:[t,n,i,o],motion:[...a,r],most:this.
 fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ct(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,u.UNSIGNED_SHORT,0)}rod(e,t,n,i,o,a=!1){
-this.solid(this.cylinder,js(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
-n-a,.029*i,o),this.solid(this.cone,js(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
+this.solid(this.cylinder,Ws(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
+n-a,.029*i,o),this.solid(this.cone,Ws(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
 r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ke(this.gl,i,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:n,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:n,distance:i,
 shift:o,depth:a}),ct(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
@@ -2480,7 +2480,7 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Ws(e,et,_c,xc,{keep:!0}),this.floor=ht(this.space.gl,Ya[0],Ya[1]),this.corners=Ke(this.
+   }`],Bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Fs(e,et,_c,xc,{keep:!0}),this.floor=ht(this.space.gl,Ya[0],Ya[1]),this.corners=Ke(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Lt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
 this.turned.distance/e,1.6,60):this.turned={...Lt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Lt.azimuth&&t===Lt.height&&n===
@@ -2504,15 +2504,15 @@ sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.norma
 let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
 l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
 h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Sc=["hoop","mode","time","angle","v","R θ̇","gap"],Bs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Os(this.plane,t),this.deep=
+this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Sc=["hoop","mode","time","angle","v","R θ̇","gap"],$s=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Cs(this.plane,t),this.deep=
 null,this.outputs=Sc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
 legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Ut.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
 ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.element=
 m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
 ({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),n(e.airborne,
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:i,inks:o}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Fs(this.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Bs(this.
 space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",v(this.colors.mode_names[o.mode]),
 fe(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?ze(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
@@ -2520,7 +2520,7 @@ outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hi
 mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",`${v("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,
 flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({options:e,zoom:t,pan:n,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var $s=class{film;items;current;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m("ol",{class:"\
+options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Gs=class{film;items;current;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m("ol",{class:"\
 story-list"}),this.heading=m("h2",{},"What happens"),this.live=m("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=m("section",{class:"sto\
 ry","aria-label":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.live)}draw(e,t,n){this.film=e[t],P(this.heading,e.length>1?`What hap\
 pens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,o)=>[e.length>1?m("b",{},`${"AB"[o]}: `):"",i.summary,i.status==="event_li\
@@ -2530,14 +2530,14 @@ m("span",{class:"when"},`${S(i.t,4)} s`),m("span",{},i.text)))),this.list.replac
 live,e)}announce(e){this.say(B(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.
 current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.
 items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>
-this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}},Gs=class{constructor(){this.list=m("dl",{}),this.heading=m("h2",
+this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}},Hs=class{constructor(){this.list=m("dl",{}),this.heading=m("h2",
 {},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What theory says of hoop ${t}`:"What the\
-ory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var Qa="hophoop-theme",Ec=["gravity_center","airborne","normal_force","friction_force"],Hs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
+ory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var Qa="hophoop-theme",Ec=["gravity_center","airborne","normal_force","friction_force"],Ks=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=bn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?me(Qa):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=bn(this.root),this.inks={...this.colors};for(let e of Ec)
+this.mark(),this.look=wn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?me(Qa):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=wn(this.root),this.inks={...this.colors};for(let e of Ec)
 this.inks[e]=wt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&pe(Qa,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ks=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
+k",this.hosted&&pe(Qa,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Us=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
 this.element=m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
 erleave",()=>this.tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
@@ -2562,7 +2562,7 @@ font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=Yi(r),e.textAlign="cent
 etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
 c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Oo(r))e.
 fillText(l,_(c,6,o-6),i-4)}};var Tc=1/60,Mc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ac={three:"In space"},Ie=(s,e,t)=>m(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Xa=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Us=class{titled="";constructor(e,t,n,i,o){
+"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Xa=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Vs=class{titled="";constructor(e,t,n,i,o){
 this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Ie(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},_t.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
 "1",this.switches=new Map(Mc.map(([a,r,l])=>{let c=`${a==="three"?Ac.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
@@ -2577,12 +2577,12 @@ flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==
 o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${v(`Hoop ${"AB"[r]}`)}: `:"",c=v(_e[a.kind]??a.kind);this.
 tell(B(`${l}${v("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var ut=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,la(e,i);let{colors:r}=n;
-this.known=n.presets,this.address=i?new Yt(this):null,this.clock=new Qt,this.motions=new Ms(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
-story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new As,this.theme=new Hs(
-e,r,i,()=>this.show()),this.stage=new Bs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Us(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Ks(this.clock),this.story=new $s(this.clock),this.theory=new Gs,this.plots=new Ds(this.clock,r),this.phase=
-new Ls(t,this.clock,r),this.map=new Es(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new ts(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Is(this),this.singleKeys=new ks(i),this.help=ia(n.version,r,this.singleKeys.element),
+this.known=n.presets,this.address=i?new Yt(this):null,this.clock=new Qt,this.motions=new As(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Rs,this.theme=new Ks(
+e,r,i,()=>this.show()),this.stage=new $s(r,()=>{this.request(),this.address?.soon()}),this.transport=new Vs(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Us(this.clock),this.story=new Gs(this.clock),this.theory=new Hs,this.plots=new Ns(this.clock,r),this.phase=
+new Ds(t,this.clock,r),this.map=new Es(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new ts(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new qs(this),this.singleKeys=new ks(i),this.help=ia(n.version,r,this.singleKeys.element),
 this.hoops=new vs(l=>this.motions.choose(l)),this.header=new ys(n.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
 compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=ha(this,o),this.extras=new ws(this),this.requested=
 !1,this.surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=ie(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=
@@ -2618,7 +2618,7 @@ size=n,this.limit=i,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.id
 resolve(new Xn(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,i=[]){
 n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new Qn(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),n?.removeEventListener(
-"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Vs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
+"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Zs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
 i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Rc=150,zc=240,Pc=6e3,[db,er,tr]=[0,1,2],Lc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
@@ -2627,18 +2627,18 @@ min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Rc),zc),Pc),c=x.events
 for(let b=0;b<i;b++){let w=Math.min(n[b*c+Q.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
 0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Dc(d,g,p,f)}function Dc(s,e,t,n){let i=s.length+t.length,o=x.samples.length,a=new Float64Array(i),r=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=s[h],r.set(e.subarray(h*o,(h+1)*o),l*
-o),l++;let u={t:a};for(let[h,d]of Object.entries(Lc)){let p=new Float64Array(i);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Tn[g]];u[h]=p}return u.mode=Nc(r,
+o),l++;let u={t:a};for(let[h,d]of Object.entries(Lc)){let p=new Float64Array(i);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Mn[g]];u[h]=p}return u.mode=Nc(r,
 i,u.omega),u}function Nc(s,e,t){let n=x.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=Math.
-sign(t[a])||o;let r=s[a*n+Tn.mode],l=r===er?-1:r===tr?1:0;i[a]=l===0?r:l*o<0?er:tr}return i}function sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=Ic(s.subarray(i*x.keys,(i+1)*x.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
+sign(t[a])||o;let r=s[a*n+Mn.mode],l=r===er?-1:r===tr?1:0;i[a]=l===0?r:l*o<0?er:tr}return i}function sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=Ic(s.subarray(i*x.keys,(i+1)*x.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
 get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function Ic(s){let e="";for(let t of s){let n=t;for(let i=0;i<x.letters_a_key&&
-n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var qc=256,Oc=2048,Cc=4096,jc=2e5,Wc=x.statuses.indexOf("buffer"),Fc=new Set(["turn","apex","kane_gain","rest"]),ti=s=>Number.isFinite(s)?s:null,Zs=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Vs(this.exports),this.mostEvents=qc,this.mostSegments=Oc,this.mostRows=
+n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var qc=256,Oc=2048,Cc=4096,jc=2e5,Wc=x.statuses.indexOf("buffer"),Fc=new Set(["turn","apex","kane_gain","rest"]),ti=s=>Number.isFinite(s)?s:null,Js=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Zs(this.exports),this.mostEvents=qc,this.mostSegments=Oc,this.mostRows=
 Cc}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;for(;;){let i=t.
 room("table",8*n*this.mostEvents),o=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
 x.heads.length).slice(),r=a[be.events];if(a[be.status]===Wc)this.makeRoom(e,a[be.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
 let l=t.floats(i,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[be.duration],segments:a[be.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.
 put("cell",Le(e)),a=i.room("events",x.event_bytes*this.mostEvents),r=i.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
-r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",Le(e)),r=o.put("contact",An(t)),l=o.room("events",x.event_bytes*this.mostEvents),
+r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",Le(e)),r=o.put("contact",Rn(t)),l=o.room("events",x.event_bytes*this.mostEvents),
 c=o.room("rows",x.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,jc,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.
 mostRows=t:this.mostSegments*=4}motion(e){return nr(this.compute(e))}film(e){let t=this.compute(e);return{motion:nr(t),columns:ei(this,t)}}columns(e,t){return ei(
 this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),i=x.samples.length;return Object.fromEntries(x.samples.map((o,a)=>[o,Float64Array.from(
@@ -2658,12 +2658,12 @@ o],a,r){let{memory:l}=this,c=l.put("cell",Le(e)),u=l.room("modes",a*r),h=l.room(
 return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.
 room("numbers",8*e*x.numbers.length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],p=x.wanted[n];this.call(
 "map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return sr(new BigUint64Array(g,c,e*x.keys),e);let f=new Float64Array(
-e);if(n in Mn){let b=new Int32Array(g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+Mn[n]]}else{let b=o.floats(r,e*x.numbers.length);for(let w=0;w<
+e);if(n in An){let b=new Int32Array(g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+An[n]]}else{let b=o.floats(r,e*x.numbers.length);for(let w=0;w<
 e;w++)f[w]=b[w*x.numbers.length+Po[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*x.thresholds.length);return this.call("ideal_hoop",e,t),this.
 memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
 let{memory:n}=this,i=n.put("parts",t.flatMap(Bc)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
 o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let n=t.put("cell",Le(e)),i=t.put("contact",An(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.
+"The contact is rigid.");let n=t.put("cell",Le(e)),i=t.put("contact",Rn(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.
 floats(o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
 depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Bc(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.
 shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
@@ -2678,7 +2678,7 @@ t=s[Q.from_mode],n={t:s[Q.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[Q.
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Zs(e),this.motions=new dt(t,e,2,si);let i=navigator.hardwareConcurrency||
+var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Js(e),this.motions=new dt(t,e,2,si);let i=navigator.hardwareConcurrency||
 2;this.maps=new dt(t,e,Math.max(1,Math.min(i-1,8)),si)}static async load(e){let t=await ar(new URL(`hophoop.wasm?${x.module}`,e)),n=()=>ar(new URL(`hophoop-deri\
 vatives.wasm?${x.derivatives}`,e)),i=new URL(`kernel.js?${x.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
 n):new s(t,or(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await rr(e),or(t),async()=>rr(await n()))}motion(e,t){return this.motions.
@@ -2713,21 +2713,21 @@ a.at(-1))%2===0?Nt(s)+a:Nt(s)+n}function W(s,e){return s.replace(/\{(\w+)(!r)?(?
 ce(r):a==="g"?Ee(r,o===""?6:Number(o)||1):a==="e"?su(r,Number(o)):a==="f"?ri(r,Number(o)):String(r)})}function ce(s,e=!0){return s==null?"None":s===!0?"True":s===
 !1?"False":typeof s=="number"?e?Ve(s):gr(s):typeof s=="string"?dr(s):Array.isArray(s)?`[${s.map(n=>ce(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${dr(
 n)}: ${ce(i,e)}`).join(", ")}}`}function gr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ve(s)}function It(s){return typeof s=="number"?gr(s):
-typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${Js(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
-ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var Js=(s,e)=>s.toString(16).padStart(e,"0"),nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${Ys(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
+ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var Ys=(s,e)=>s.toString(16).padStart(e,"0"),nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
 br=s=>s===" "||!nu.test(s);function wr(s){if(s===`
-`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${Js(e,2)}`:e<65536?`\\u${Js(e,4)}`:`\\U${Js(e,8)}`}function dr(s){
+`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${Ys(e,2)}`:e<65536?`\\u${Ys(e,4)}`:`\\U${Ys(e,8)}`}function dr(s){
 let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:br(n)?n:wr(n));return e+t.join("")+e}var yr=s=>[...s].map(e=>br(e)?e:wr(
-e)).join("");function Ys(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var mr="[\\s\\x1c-\\x1f\\x85]*",iu=new RegExp(`^${mr}([+-]?)(?:(in\
+e)).join("");function Qs(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var mr="[\\s\\x1c-\\x1f\\x85]*",iu=new RegExp(`^${mr}([+-]?)(?:(in\
 f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${mr}$`,"i");function vr(s){let e=iu.exec(s);if(!e||s.includes(
 "\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:kr,scenario:_r}=T,L=class extends Error{constructor(e){super(yr(e)),this.name="InputError"}},X=class extends L{},N=(s,e={})=>W(kr[s],e),ue=s=>s!==null&&
 typeof s=="object"&&!Array.isArray(s);function Oe(s=()=>!1,e=""){return{said:[],above:e,float:s}}function F(s,e,t,n,i){Ze(s,e,t,N(n,i))}function Ze(s,e,t,n){let i=typeof t==
-"bigint"?String(t):ce(t,s.float(e)),o=s.above+e||kr.whole_scenario;s.said.push(N("finding",{path:o,shown:Ys(i),allowed:n}))}function qt(s,e,t,n,i={}){let{fields:o,
+"bigint"?String(t):ce(t,s.float(e)),o=s.above+e||kr.whole_scenario;s.said.push(N("finding",{path:o,shown:Qs(i),allowed:n}))}function qt(s,e,t,n,i={}){let{fields:o,
 place:a}=_r.models[s];if(!ue(e))return F(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(Ot(a,c,Object.keys(o))),null;
 let r=n.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,n):Object.
 hasOwn(e,c)?l[c]=li(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=Et(u.default)}return n.said.length===r?{values:l,
 given:new Set(Object.keys(e))}:null}function Ot(s,e,t){let n=ur(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
-{path:`${s}${Ys(e)}`,hint:i})}function li(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return au(e,t,n);if(s.kind==="word")return s.options.
+{path:`${s}${Qs(e)}`,hint:i})}function li(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return au(e,t,n);if(s.kind==="word")return s.options.
 includes(e)||F(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return F(n,t,e,"number");if(i&&!(o>=0))return F(n,
 t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return F(n,t,e,"whole");if(!i&&!Number.isFinite(o))return F(n,t,e,"finite_number");for(let[a,r]of s.limits??
 [])if(!ou(a,o,r))return F(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!Ce(s.range,o)?F(n,t,e,"range",s.range):o+0}function ou(s,e,t){return s===
@@ -2736,7 +2736,7 @@ return Array.isArray(s)?s.map((n,i)=>ru(n,`${e}.${i}`,t)):F(t,e,s,"list")}functi
 let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function hi(s,e,t,n,i,o){if(!ue(s))return F(i,n,
 s,"table"),null;let a=Object.hasOwn(s,e)?s[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${n}.${e}`})),null;if(typeof a=="stri\
 ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ce(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
-at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:Ys(ce(r)),allowed:u};return i.said.push(N("finding",h)),null}function Ct(s){let e=s.
+at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:Qs(ce(r)),allowed:u};return i.said.push(N("finding",h)),null}function Ct(s){let e=s.
 length-1;return e?N(e===1?"other_problem":"other_problems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var xr=T.scenario.ends,ci=s=>Object.hasOwn(xr,s)?xr[s]:[];function di(s){let e=s.indexOf(".");return e<0?[s,""]:[s.slice(0,e),s.slice(e+1)]}function jt(s){for(let e of s){
 let[t]=di(e),n=ci(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Sr=new Set(T.scenario.paths),lu=new Set(
 T.map.words),Tr=/^hoop\.parts\.\d+\.(\w+)$/,Mr=Object.assign(Object.create(null),...Object.values(T.scenario.parts).map(s=>T.scenario.models[s].fields));function Ar(s){
@@ -2766,17 +2766,17 @@ c>se.turns)throw new X(q("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_tur
 map_turns}))}function zr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
 s}var Wt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Pr(s,e){let t=du[s.startsWith("plane.mu")?"plane.mu":s];return!t||Ce(
 t,e)}var{scenario:mt}=T,yu=["load_fraction","eccentricity","inertia_ratio"],Nr=["mu_static","mu_kinetic"],vu=["height","vx","vy","omega"],Je=class extends Error{};function $(s,e){
-throw new Je(N(s,e))}function Qs(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function Ir({values:s,given:e},t){let n={...s},i=yu.filter(
-u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),Qs("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,ku(n.radius,n.parts,
-t))):n.load_fraction!==null||!i.length?(Qs("hoop","load_fraction",i),n.load_fraction??=mt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
+throw new Je(N(s,e))}function Xs(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function Ir({values:s,given:e},t){let n={...s},i=yu.filter(
+u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),Xs("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,ku(n.radius,n.parts,
+t))):n.load_fraction!==null||!i.length?(Xs("hoop","load_fraction",i),n.load_fraction??=mt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
 n.inertia_ratio=t.ideal(n.load_fraction)):i.length===1&&$("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
 load_fraction:r,eccentricity:l}=n,c=mt.ranges;if(Ce(c["hoop.mass"],o)||$("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!Ce(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
 hoop.inertia_ratio"];$(n.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&$("massless_eccentricity",{eccentricity:l}),
 n}function ku(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+mt.touch));return o>=0&&$("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
-radius:s}),i}function qr({values:s,given:e}){let t={...s};t.apart=Nr.some(r=>e.has(r)),t.mu!==null?(Qs("plane","mu",Nr.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+radius:s}),i}function qr({values:s,given:e}){let t={...s};t.apart=Nr.some(r=>e.has(r)),t.mu!==null?(Xs("plane","mu",Nr.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:n,mu_kinetic:i,slope:o}=t;i>n&&$("kinetic_above_static",{mu_kinetic:i,mu_static:n}),Math.abs(
 o)<.5*Math.PI||$("vertical",{slope:o});let a=mt.ranges["plane.slope"];return Ce(a,o)||$("slope",{slope:o,words:a.words}),t}function Or({values:s,given:e}){let t={
-...s};return t.speed!==null?(Qs("start","speed",vu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function Cr({values:s}){let e=s;
+...s};return t.speed!==null?(Xs("start","speed",vu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function Cr({values:s}){let e=s;
 return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&$("together",{section:"contact",other:"restitution",way:"damping"}),e}function jr(s,e,t){let{
 hoop:n,plane:i,contact:o}=s,a=n.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&$("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
 a&&$("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(n.eccentricity,n.inertia_ratio);c!==void 0&&!(l<c)&&$("resistance",{given:l,most:c}),a&&
@@ -2788,16 +2788,16 @@ Map))throw new L(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}
 get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",Su(i)),bi(t)}function Su(s){let e=Array.from({length:s.size},(n,i)=>String(
 i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new L(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function bi(s){return Array.isArray(
 s)?s.map(bi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,bi(t)])):s}function Fr(s){return Br(s,"").map(([e,t])=>`${e}=${Eu(e,t)}`).join("&")}function Br(s,e){
-return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>Br(n,e?`${e}.${t}`:t))}function Eu(s,e){return Xs(s,e).replace("e+","e").replace(
-/\.0$/,"")}function Xs(s,e){return typeof e=="string"?e:Tu.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ve(e)}var Tu=new Set(Object.values(T.scenario.models).flatMap(
+return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>Br(n,e?`${e}.${t}`:t))}function Eu(s,e){return en(s,e).replace("e+","e").replace(
+/\.0$/,"")}function en(s,e){return typeof e=="string"?e:Tu.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ve(e)}var Tu=new Set(Object.values(T.scenario.models).flatMap(
 ({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Me}=T,Mu={rigid:"Rigid",compliant:"Compliant"};function wi(s,e,t=Oe()){let n=yi(s,e,t);if(!n)throw new L(Ct(t.said));return n}function yi(s,e,t){let{
 fields:n,place:i}=Me.models.Scenario;if(!ue(s))return F(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
 Ot(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Me.default[r];return[r,vi(r,l,e,t)]}));return t.said.
-length?null:Gr(t,()=>ki(a,e))}function vi(s,e,t,n){if(s==="hoop")return en("Hoop",e,s,n,o=>Ir(o,t));if(s==="plane")return en("Plane",e,s,n,qr);if(s==="start")return en(
-"Start",e,s,n,Or);if(s!=="contact")return li(Me.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&en(i,e,s,n,Cr)}function ki(s,e){return jr(
-s,e,K),s}function en(s,e,t,n,i){let o=qt(s,e,t,n);return o&&Gr(n,()=>i(o))}function Gr(s,e){try{return e()}catch(t){if(!(t instanceof Je))throw t;return s.said.
-push(t.message),null}}function _i(s,e){return wi(Wr(s),e,Oe(()=>!0))}function tn(s,e,t){let n=pi(s,Ae(s),e,(i,o,a)=>Hr(i,o,t,a));return wi(n,t,Oe(mi([...e.keys()])))}
-function sn(s,e,t){let n=Oe();try{let i=pi(s,Ae(s),e,(r,l,c)=>Hr(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vi(r,i[r],t,n)]);return n.
+length?null:Gr(t,()=>ki(a,e))}function vi(s,e,t,n){if(s==="hoop")return tn("Hoop",e,s,n,o=>Ir(o,t));if(s==="plane")return tn("Plane",e,s,n,qr);if(s==="start")return tn(
+"Start",e,s,n,Or);if(s!=="contact")return li(Me.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&tn(i,e,s,n,Cr)}function ki(s,e){return jr(
+s,e,K),s}function tn(s,e,t,n,i){let o=qt(s,e,t,n);return o&&Gr(n,()=>i(o))}function Gr(s,e){try{return e()}catch(t){if(!(t instanceof Je))throw t;return s.said.
+push(t.message),null}}function _i(s,e){return wi(Wr(s),e,Oe(()=>!0))}function sn(s,e,t){let n=pi(s,Ae(s),e,(i,o,a)=>Hr(i,o,t,a));return wi(n,t,Oe(mi([...e.keys()])))}
+function nn(s,e,t){let n=Oe();try{let i=pi(s,Ae(s),e,(r,l,c)=>Hr(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vi(r,i[r],t,n)]);return n.
 said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof L)return null;throw i}}function Hr(s,e,t,n){let i=Oe(n),o=vi(s,e,t,i);if(i.said.length)throw new L(
 Ct(i.said));return o}var Au=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,Au(s[t])])),xi=s=>Object.keys(Me.models[s].fields);
 function Ae({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:Ru(e),plane:zu(t),start:Pu(n),contact:Ft(i,xi(i.model==="rigid"?"Rigid":"Compl\
@@ -2810,62 +2810,62 @@ fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void
 if(Bt(n,i))continue;if(!ue(n)){e[t]=n;continue}let o=Si(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Bt(o[r],l));e[t]=a.length?Object.fromEntries(
 a):n}return Fr(e)}function Bt(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
 Object.keys(e).length&&t.every(n=>Bt(s[n],e[n]))}var Lu=8,{cell:Ei,laws:Du,quantities:Kr}=T.map;async function Ti(s,{x:e,y:t},n,i){let o=Wt(e),a=Wt(t),r=Nu(s,e.path,t.path)?Iu(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
-[[t.path,a[p]],[e.path,o[d]]]);return sn(s,g,n)},l=o.length*a.length,c=new Float64Array(Ei.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
+[[t.path,a[p]],[e.path,o[d]]]);return nn(s,g,n)},l=o.length*a.length,c=new Float64Array(Ei.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
 now()-h>Lu&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&Ou(Object.assign(u,g),n);
 if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ei.length;w++)c[w*l+b]=qu[w](f)}}return{count:l,rows:c}}function Nu({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
 if(n[0]===n[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(n.includes("hoop")&&i&&s.speed!==null)}function Iu(s,{x:e,y:t},[n,
-i],o){let a=n.map(l=>sn(s,new Map([[e.path,l]]),o)),r=i.map(l=>sn(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var qu=Ei.map(s=>s==="l\
+i],o){let a=n.map(l=>nn(s,new Map([[e.path,l]]),o)),r=i.map(l=>nn(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var qu=Ei.map(s=>s==="l\
 aw"?({impact_law:e})=>Du[e]:s==="strike"?({painleve:e})=>+(e==="impact"):s==="allowed"?()=>1:e=>Number(e[s]));function Ou(s,e){try{return K(ki(s,e))}catch(t){if(!(t instanceof
 Je))throw t;return null}}var Mi=s=>Kr[s].span;function Ai({x:s,y:e,what:t},n){let{label:i,unit:o,words:a}=Kr[t],{values:r,names:l}=Cu(n,o===""?a:null),c=o===""?
 l.map(u=>({name:u,text:cr(u,t),color:hr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function Cu({values:s,sequences:e},t){
 if(!t)return{values:s,names:[]};let n=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=
-0?i?.[a]??a:Number.NaN),names:n}}var{scenario:on}=T,ju=30;function Ur(s,e){for(let t of on.sections[s]??["Scenario"]){let n=on.models[t].fields[e];if(n)return n.unit}return""}function Zr(s,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):Xs(s,e)}function Vr(s,e,t){let n=`${s} = ${Zr(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(ju)} # ${t}`}function an(s){
+0?i?.[a]??a:Number.NaN),names:n}}var{scenario:an}=T,ju=30;function Ur(s,e){for(let t of an.sections[s]??["Scenario"]){let n=an.models[t].fields[e];if(n)return n.unit}return""}function Zr(s,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):en(s,e)}function Vr(s,e,t){let n=`${s} = ${Zr(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(ju)} # ${t}`}function rn(s){
 let{duration:e,...t}=Ae(s),n=[Vr("duration",e,Ur("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
 isArray(r))n.push(Vr(a,r,Ur(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${Zr(u,h)}`);n.push(`  { ${c.join(", ")}\
  },`)}n.push("]")}}return`${n.join(`
 `)}
-`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Ae(s),t=Bt(e.contact,on.default.contact)?"":`    contact=${nn(
+`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Ae(s),t=Bt(e.contact,an.default.contact)?"":`    contact=${on(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
 `,`motion = hh.simulate(
-`,`    ${nn("hoop",e.hoop)},
-`,`    ${nn("plane",e.plane)},
-`,`    ${nn("start",e.start)},
+`,`    ${on("hoop",e.hoop)},
+`,`    ${on("plane",e.plane)},
+`,`    ${on("start",e.start)},
 `,`    duration=${zi("duration",e.duration)},
 `,t,`)
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function nn(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":Wu[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Si(
+`].join("")}function on(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":Wu[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Si(
 s,t.model),a=Object.entries(t).filter(([r,l])=>Fu.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${zi(r,l)}`);return e&&a.push(`parts=[${e.map(Bu).join(", ")}]`),`hh\
-.${i}(${a.join(", ")})`}function Bu({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${zi(n,i)}`);return`hh.${on.parts[s]}(${t.join(", ")})`}function zi(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ce(e):Xs(s,e)}var{letters:Yr,modes:Li,verbs:Di,events:$u,statuses:Gu,story:Ye,summary:pt}=T.words,Hu=["turn","apex","end"],Ku=400,[,Pi,Jr,Uu,Vu]=Li,Zu="⁰¹²³⁴⁵⁶⁷⁸⁹";
+.${i}(${a.join(", ")})`}function Bu({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${zi(n,i)}`);return`hh.${an.parts[s]}(${t.join(", ")})`}function zi(s,e){
+return e==="inf"?'float("inf")':typeof e=="string"?ce(e):en(s,e)}var{letters:Yr,modes:Li,verbs:Di,events:$u,statuses:Gu,story:Ye,summary:pt}=T.words,Hu=["turn","apex","end"],Ku=400,[,Pi,Jr,Uu,Vu]=Li,Zu="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Qr(s,e){let{omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Ni=s=>[...s.keys()].filter(e=>Qr(s,e)),Ii=(s,e)=>.5*(s[e].t+s[e+1].t);
 function qi(s,e=Ku){let t=[],n=0,i=el(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Yu(s,o,a):W(Ye.more_bounces,
-{count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:Yr[Li.indexOf(rn(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:W(Ye.left_out,
+{count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:Yr[Li.indexOf(ln(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:W(Ye.left_out,
 {count:n})}),t}var Xr=s=>s.kind==="impact"&&s.to==="H"&&s.collision!==!1;function el(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&
 (Xr(a)||i.length&&a.kind==="apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);
 n.set(r[e],r.length-e)}i=[]}return n}function Oi(s,e=6){let t=[],n=0,i=el(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(
-W(pt.more_bounces,{count:u}));continue}if(c.kind==="start"||!t.length){t.push(Di[rn(s,l)]);continue}let h=Ju(s,l,c);h&&(n++,n<=e&&t.push(W(pt.change,{phrase:h,where:Xe(
+W(pt.more_bounces,{count:u}));continue}if(c.kind==="start"||!t.length){t.push(Di[ln(s,l)]);continue}let h=Ju(s,l,c);h&&(n++,n<=e&&t.push(W(pt.change,{phrase:h,where:Xe(
 c.angle)})))}let o=n>e?W(pt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Gu[s.
 status]};return W(pt.sentence,r).trim()}function Ju(s,e,t){return t.collision===!1?pt.without_collision:Xr(t)?pt.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||tl(t)?Di[rn(s,e)]:Hu.includes(t.kind)?"":$u[t.kind]}function Yu(s,e,t){let n=rn(s,e),i={where:Xe(t.angle),verb:Di[n],kind:t.kind.replaceAll("_"," ")},o=Qu(
+t.kind)||tl(t)?Di[ln(s,e)]:Hu.includes(t.kind)?"":$u[t.kind]}function Yu(s,e,t){let n=ln(s,e),i={where:Xe(t.angle),verb:Di[n],kind:t.kind.replaceAll("_"," ")},o=Qu(
 s.events,e,n,i);return W(Ye[o]??Ye.other,i)}function Qu(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=Qe(i.vx),n.started=W(t===Uu?Ye.started_flight:
 t===Vu?Ye.started_skim:Ye.started,n)),o==="slip_start"&&t===Pi?"slip_start_spin":o==="takeoff"?Xu(s,e,n):o==="impact"?(n.speed=Qe(i.before.vy===null?null:Math.abs(
 i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&tl(i)?"turn_in_slip":(o==="apex"&&(n.gap=sl(i.height)),o==="\
 kane_gain"&&(n.gain=Qe(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Xu(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=Math.max(i,s[o].
 height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=sl(i),t.time=Qe(s[o].t-n),
-"takeoff_and_landing"}return"takeoff"}function rn(s,e){let t=s.events[e];return ed(t.to,Qr(s.events,e)?s.omega(e):t.omega)}function ed(s,e){return s==="S"?e>0?Pi:
+"takeoff_and_landing"}return"takeoff"}function ln(s,e){let t=s.events[e];return ed(t.to,Qr(s.events,e)?s.omega(e):t.omega)}function ed(s,e){return s==="S"?e>0?Pi:
 Jr:s==="K"?e<0?Pi:Jr:Li[Yr.indexOf(s)]}var tl=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),Xe=s=>`${ri(s*(180/Math.PI),1)}°`.replaceAll("-","−");function sl(s){
 return s>=.995?`${Qe(s)} m`:s>=.00995?`${Qe(s*100)} cm`:`${Qe(s*1e3)} mm`}function Qe(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Ee(s,3).split("e"),n=t===
-void 0?"":`·10${td(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var td=s=>[...String(s)].map(e=>e==="-"?"⁻":Zu[Number(e)]).join("");var nl=2e3,sd=s=>s===1/0?"inf":s;function ln(s,{status:e,sequence:t,events:n,final:i,energy:o}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:Ae(
-s),status:e,sequence:t,events:n,final:i,energy:o}}function Ci(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{...ln(s,e),events:e.events.slice(0,
+void 0?"":`·10${td(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var td=s=>[...String(s)].map(e=>e==="-"?"⁻":Zu[Number(e)]).join("");var nl=2e3,sd=s=>s===1/0?"inf":s;function hn(s,{status:e,sequence:t,events:n,final:i,energy:o}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:Ae(
+s),status:e,sequence:t,events:n,final:i,energy:o}}function Ci(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{...hn(s,e),events:e.events.slice(0,
 nl),query:$t(s),duration:e.duration,values:nd(s),automatic:id(s,n),massless:s.hoop.inertia_ratio===0,summary:Oi(i),story:qi(i),ending:T.words.statuses[e.status],
 shortened:e.events.length>nl}}function nd(s){let{speed:e}=s.start,t={...s,start:{...qe(s.start,s.hoop.radius),speed:e}},n=i=>{let[o,a]=i.split(".");return sd(t[o][a])};
 return Object.fromEntries(T.shown.map(i=>[i,n(i)]))}function id(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:n}=e.compliance(
-K(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:od,variables:ji}=T.table,{letters:ad}=T.words,Wi=(s,e)=>JSON.stringify(ln(s,e),null,1);function Fi(s){let e=Math.min(Math.max(Math.floor(s*od)+1,2),T.limits.
+K(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:od,variables:ji}=T.table,{letters:ad}=T.words,Wi=(s,e)=>JSON.stringify(hn(s,e),null,1);function Fi(s){let e=Math.min(Math.max(Math.floor(s*od)+1,2),T.limits.
 samples),t=s/(e-1);return Float64Array.from({length:e},(n,i)=>i===e-1?s:i*t)}function Bi(s,e){let t=Object.keys(ji),n=t.map(l=>ji[l]==="1"?l:`${l} [${ji[l]}]`),
 {kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let u=t.map(h=>h==="mode"?ad[a.
 mode[l]]:Ve(a[h][l]));r.push([Ve(c),...u].join(","))}return`${r.join(`\r
@@ -2878,12 +2878,12 @@ isArray(s)||s.length!==n)return Ze(t,e,s,i);let o=t.said.length;return s.forEach
 n}function ud(s,e,t){let n=ll(s,e,t,4,q("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<ol.widest);return i<o&&a<r&&l||Ze(t,e,s,q("window")),
 n}function il(s,e,t){return qt("Axis",s,e,t,{number_path:dd})?.values??null}function dd(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Ar(s);return n?
 t.said.push(n):Rr(s)||Ze(t,e,s,q("number_path")),s}function md(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Object.keys(ld.quantities);return n.includes(
-s)||Ze(t,e,s,q("one_of",{known:n.join(", ")})),s}var{limits:hn}=T;function cn(s,e,t){let n=al(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Oe(),l=null;i!==void 0&&!ue(i)?F(r,"scenario",
+s)||Ze(t,e,s,q("one_of",{known:n.join(", ")})),s}var{limits:cn}=T;function un(s,e,t){let n=al(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Oe(),l=null;i!==void 0&&!ue(i)?F(r,"scenario",
 i,"table"):i!==void 0&&(l=yi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&F(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!fd(
 h)).map(gd)):F(r,"changes",a,"list");let c=rl(s,e,r);if(r.said.length)throw new L(Ct(r.said));pd(a.length,c),(o!==null||!l)&&(l=_i(o??"",t));let u=new Map;for(let[
-h,d]of a)jt([...u.keys(),h])&&(l=tn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?tn(l,u,t):l}}var ft=(s,e)=>cn("film",s,e).checked;function pd(s,{x:e,
-y:t}){if(s>hn.changes)throw new X(q("too_many_changes",{pairs:s,most:hn.changes}));if(!e)return;if(e.path===t.path)throw new L(q("equal_axes",{path:e.path}));let n=e.
-cells*t.cells;if(n>hn.cells)throw new X(q("too_many_cells",{cells:n,most:hn.cells}))}var fd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",gd=s=>q("no\
+h,d]of a)jt([...u.keys(),h])&&(l=sn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?sn(l,u,t):l}}var ft=(s,e)=>un("film",s,e).checked;function pd(s,{x:e,
+y:t}){if(s>cn.changes)throw new X(q("too_many_changes",{pairs:s,most:cn.changes}));if(!e)return;if(e.path===t.path)throw new L(q("equal_axes",{path:e.path}));let n=e.
+cells*t.cells;if(n>cn.cells)throw new X(q("too_many_cells",{cells:n,most:cn.cells}))}var fd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",gd=s=>q("no\
 t_a_pair",{change:new Ue(It(s).slice(0,60))});var bd=[[-2,1/12],[-1,-2/3],[1,2/3],[2,-1/12]],ul=[[1,4],[2,-3],[3,4/3],[4,-1/4]],wd=ul.map(([s,e])=>[-s,-e]),hl=.001,cl=1e-6;function $i(s,e,t,n){let i=o=>{try{
 return Le(K(Te(ft({scenario:s,changes:[[e,o]]},n))))}catch(a){if(a instanceof L||a instanceof X)return null;throw a}};for(let o=hl*Math.max(Math.abs(t),1);o>cl*
 hl;o*=.1){let[a,r]=[-1,1].map(l=>i(t+l*cl*o)!==null);for(let l of[bd,ul,wd]){let c=l.map(([u])=>i(t+u*o));if(!c.some(u=>u===null))return{rates:yd(c,l,o,i(t)),smaller:a,
@@ -2898,9 +2898,9 @@ U.rest_at,{where:Xe(r)})),n}function Gi(s,e,t){return s<T.words.least_speed?W(t,
 mu_static:e}){return Number.isFinite(s)?W(s<=e?U.friction_enough:U.friction_short,{mu:Ee(s,3)}):U.no_friction}function kd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
 null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return W(n,{mu:Ee(s,3),where:Xe(e)})}var xd=360,Sd=240,Ki={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Ed=["motion.nc","motion.mp4","mo\
 tion.gif"],Gt=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
-keys(Ki),...i?Ed:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=cn(e,t,this.mechanics);if(e==="fi\
+keys(Ki),...i?Ed:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=un(e,t,this.mechanics);if(e==="fi\
 lm")return this.film(i,n);if(e==="samples"){let a=K(Te(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
-python:Ri(i),toml:an(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(K(i),n);return{header:{thresholds:Hi(i,a)},arrays:{}}}if(e==="regions"){
+python:Ri(i),toml:rn(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(K(i),n);return{header:{thresholds:Hi(i,a)},arrays:{}}}if(e==="regions"){
 let{window:a}=o,r=K(i),l=await this.kernel.regions(r,a,xd,Sd,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(`The \
 page does not answer ${e}.`)}async film(e,t){let n=K(Te(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
 t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:$t(e)},t);let r=await this.turning(n,i,t),
@@ -2910,7 +2910,7 @@ from(i,r=>Ii(t,r)),{omega:a}=await this.kernel.samples(e,o,n);return r=>a[i.inde
 return null;let{rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,i);return{count:u.count,smaller:l?u.smaller:null,larger:c?u.larger:null}}async map(e,{
 x:t,y:n,what:i},o){let a=Mi(i),r=gi(e,{x:t,y:n,what:i}),l=await Ti(r,{x:t,y:n},this.mechanics,o);return Ai({x:t,y:n,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){
 if(!(e in Ki)){if(this.server)return this.server.file(e,t);throw new L(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Ki[e]})}async fileText(e,t){
-let n=ft({query:t},this.mechanics);if(e==="motion.toml")return an(n);let i=Te(n),o=K(i),a=await this.kernel.motion(o);if(e==="motion.json")return Wi(i,a);let r=Fi(
+let n=ft({query:t},this.mechanics);if(e==="motion.toml")return rn(n);let i=Te(n),o=K(i),a=await this.kernel.motion(o);if(e==="motion.json")return Wi(i,a);let r=Fi(
 a.duration);return Bi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Ui(s,e,t){let n=e&&new _s(e);try{let i=await Dt.load(s);return new Gt(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function dl(s){
 navigator.serviceWorker?.register(s).catch(()=>{})}async function ml(s){let e=new xs(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Dt.
 unpack(s.get("module"),s.get("worker"),t);return new Gt(n,n.mechanics,{server:e})}catch{return e}}var Td=new URL("./",import.meta.url);async function Md(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
@@ -2920,4 +2920,4 @@ location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(nu
 e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new ut(s,i,o,{panels:n});return await a.open([t]),a}async function Ad({model:s,el:e}){let t=document.
 createElement("div");e.append(t);let n=await ml(s),i=new ut(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
 i.motions.set([at(s.get("film"))]),i.begin();let o=()=>i.motions.replace(at(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Re as current,ky as default,En as languageMenu,vy as mount,Zt as repeat,v as t,st as untranslated};
+i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Re as current,ky as default,Tn as languageMenu,vy as mount,Zt as repeat,v as t,st as untranslated};
