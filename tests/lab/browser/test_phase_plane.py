@@ -59,8 +59,8 @@ def test_a_part_of_an_earlier_zoom_does_not_take_the_place_of_a_later_one(zoomed
     wait_for(page, "globalThis.letGo")
     page.evaluate("() => { globalThis.earlier = letGo; letGo = null; }")
     page.keyboard.press("+")
-    wait_for(page, "globalThis.letGo")
-    page.evaluate(SETTLED)
+    # theory that is told once more asks for it again
+    wait_for(page, "(globalThis.letGo?.(), lab.phase.pictures.length === 2)")
     later = page.evaluate("hophoopLab.phase.pictures[1].window")
     page.evaluate("() => { letGo = earlier; }")
     page.evaluate(SETTLED)
