@@ -4,8 +4,27 @@ import shutil
 
 import pytest
 
+# Off, what playwright turns off (of two such lists Chromium takes the last), and what a window has that nobody types an address
+# into: the list under its address bar is two pages of Chromium's own, which cost as much as the page of a test.
+OFF = (
+    "AvoidUnnecessaryBeforeUnloadCheckSync",
+    "DestroyProfileOnBrowserClose",
+    "HttpsUpgrades",
+    "HttpsFirstBalancedModeAutoEnable",
+    "LensOverlay",
+    "MediaRouter",
+    "PaintHolding",
+    "ThirdPartyStoragePartitioning",
+    "OptimizationHints",
+    "NetworkTimeServiceQuerying",
+    "AimEnabled",
+    "PreconnectToSearch",
+    "PreloadTopChromeWebUI",
+    "WebUIOmniboxPopup",
+    "WebUIOmniboxAimPopup",
+)
 # WebGL without a graphics card
-FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--mute-audio"]
+FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--mute-audio", f"--disable-features={','.join(OFF)}"]
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 
 
