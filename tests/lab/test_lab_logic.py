@@ -36,16 +36,14 @@ def js():
     return evaluate
 
 
-@pytest.mark.parametrize(
-    ("typed", "value"),
-    [
-        ("3.1", 3.1), ("3,1", 3.1), (",5", 0.5), ("−2", -2), (" 1e-3 ", 1e-3), ("inf", "Infinity"), ("∞", "Infinity"),
-        ("-inf", "-Infinity"), ("3·10⁻⁵", 3e-5), ("2×10^6", 2e6), ("1 000", 1000), ("3.1 m/s", 3.1),
-        ("1,234.5", "NaN"), ("1.2.3", "NaN"), ("abc", "NaN"), ("", "NaN"), ("--1", "NaN"), ("1e", "NaN"), ("0x10", "NaN"),
-    ],
-)  # fmt: skip
-def test_what_is_typed_is_read_as_it_is_meant(js, typed, value):
-    assert js("entry.js", "return lab.readNumber(typed, 'm/s')", typed=typed) == value
+def test_what_is_typed_is_read_as_it_is_meant(js):
+    meant = {
+        "3.1": 3.1, "3,1": 3.1, ",5": 0.5, "−2": -2, " 1e-3 ": 1e-3, "inf": "Infinity", "∞": "Infinity",
+        "-inf": "-Infinity", "3·10⁻⁵": 3e-5, "2×10^6": 2e6, "1 000": 1000, "3.1 m/s": 3.1,
+        "1,234.5": "NaN", "1.2.3": "NaN", "abc": "NaN", "": "NaN", "--1": "NaN", "1e": "NaN", "0x10": "NaN",
+    }  # fmt: skip
+    said = js("entry.js", "return typed.map((text) => lab.readNumber(text, 'm/s'))", typed=list(meant))
+    assert dict(zip(meant, said, strict=True)) == meant
 
 
 def test_a_refusal_names_the_field_in_its_own_unit(js):
