@@ -78,7 +78,7 @@ def test_it_plays_and_is_scrubbed(visit):
     assert page.evaluate("hophoopLab.clock.time") == motion.find("impact")[0].t
 
 
-def test_the_film_between_frames_is_the_motion(visit):
+def test_the_film_between_frames_is_the_motion_and_its_energies_are_booked_alike(visit):
     page = visit()
     times = [0.1234, 0.7, 1.3337, 2.7182, 5.9]
     poses = page.evaluate("times => times.map((t) => hophoopLab.film().at(t))", times)
@@ -87,6 +87,14 @@ def test_the_film_between_frames_is_the_motion(visit):
         assert pose["mode"] == sample.mode[i]
         for name, size in (("x", 1e-5), ("angle", 1e-5), ("height", 1e-6)):
             assert pose[name] == pytest.approx(getattr(sample, name)[i], abs=size), (name, times[i])
+    # energies are booked as in every plot
+    drawn = page.evaluate(
+        "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
+    )
+    ledger = hh.simulate(hh.Scenario()).ledger
+    assert dict(drawn)["lost to friction"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
+    assert dict(drawn)["lost in impacts, normal part"] == pytest.approx(ledger.impact_normal, rel=1e-6)
+    assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 
 def test_a_link_opens_the_same_motion(visit):
@@ -188,17 +196,6 @@ def test_two_hoops_are_told_apart(visit):
     # the hop of B is marked and found while A is chosen
     page.keyboard.press("h")
     assert page.evaluate("hophoopLab.clock.time") == hh.simulate(hh.Scenario()).find("takeoff")[0].t
-
-
-def test_energies_are_booked_as_in_every_plot(visit):
-    page = visit()
-    drawn = page.evaluate(
-        "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
-    )
-    ledger = hh.simulate(hh.Scenario()).ledger
-    assert dict(drawn)["lost to friction"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
-    assert dict(drawn)["lost in impacts, normal part"] == pytest.approx(ledger.impact_normal, rel=1e-6)
-    assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 
 def test_real_parts_and_compliant_contact(visit):

@@ -31,13 +31,16 @@ def address(folder, site_address):
     return site_address
 
 
-def test_the_hop_is_computed_in_the_browser(visit):
+def test_the_hop_and_a_map_are_computed_in_the_browser(visit):
     page = visit()
     wait_for(page, "lab.theory.list.children.length > 4")
     assert page.evaluate("hophoopLab.backend.constructor.name !== ''")
     takeoff = page.evaluate("hophoopLab.film().events.find((event) => event.kind === 'takeoff').t")
     assert takeoff == pytest.approx(hh.simulate(hh.Scenario()).find("takeoff")[0].t, rel=1e-12)
     assert "hops at 315.6°" in page.locator(".summary").inner_text()
+    # and a map, in workers
+    page.locator(".map canvas").first.scroll_into_view_if_needed()
+    wait_for(page, "lab.map.layers.length > 0")
 
 
 def test_a_slider_a_link_and_a_compliant_contact(visit):
@@ -55,12 +58,6 @@ def test_what_is_not_allowed_is_said(visit):
     mass.fill("-1")
     mass.press("Enter")
     page.wait_for_selector("text=must be", timeout=PATIENCE)
-
-
-def test_a_map_is_computed_in_workers(visit):
-    page = visit()
-    page.locator(".map canvas").first.scroll_into_view_if_needed()
-    wait_for(page, "lab.map.layers.length > 0")
 
 
 def test_it_opens_without_a_network_after_the_first_visit(browser, address):

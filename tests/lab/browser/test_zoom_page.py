@@ -18,31 +18,32 @@ def fingers(page):
     return touch
 
 
-@pytest.mark.parametrize("selector", [".map-body", "[data-plot=forces] .plot-body", ".phase .plot-body", ".stage canvas"])
-def test_two_fingers_zoom_and_take_no_motion(visit, selector):
+# what two fingers zoom, and how wide the part is that it shows
+ZOOMED = {
+    ".stage canvas": "1 / hophoopLab.stage.flat.zoom",
+    "[data-plot=forces] .plot-body": "hophoopLab.plots.shared.range?.reduce((low, high) => high - low) ?? 6",
+    ".phase .plot-body": "hophoopLab.phase.range[1] - hophoopLab.phase.range[0]",
+    ".map-body": "hophoopLab.map.axes.windows.x[1] - hophoopLab.map.axes.windows.x[0]",
+}
+
+
+def test_two_fingers_zoom_and_take_no_motion(visit):
     page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
-    target = page.locator(selector).first
-    target.scroll_into_view_if_needed()
-    wait_for(page, "!lab.surrounding")
-    width = """() => ({
-      map: hophoopLab.map.axes.windows.x[1] - hophoopLab.map.axes.windows.x[0],
-      plot: hophoopLab.plots.shared.range ? hophoopLab.plots.shared.range[1] - hophoopLab.plots.shared.range[0] : 6,
-      phase: hophoopLab.phase.range[1] - hophoopLab.phase.range[0],
-      stage: 1 / hophoopLab.stage.flat.zoom,
-    })"""
-    name = {".m": "map", "[d": "plot", ".p": "phase", ".s": "stage"}[selector[:2]]
-    before = page.evaluate(width)[name]
-    box = target.bounding_box()
-    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
     touch = fingers(page)
-    touch("touchStart", (x - 20, y))
-    touch("touchStart", (x - 20, y), (x + 20, y))
-    for spread in range(25, 81, 5):
-        touch("touchMove", (x - spread, y), (x + spread, y))
-    touch("touchEnd", (x - 80, y))
-    touch("touchEnd")
-    after = page.evaluate(width)[name]
-    assert after == pytest.approx(before / 4, rel=0.15)
+    for selector, width in ZOOMED.items():
+        target = page.locator(selector).first
+        target.scroll_into_view_if_needed()
+        wait_for(page, "!lab.surrounding")
+        before = page.evaluate(width)
+        box = target.bounding_box()
+        x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
+        touch("touchStart", (x - 20, y))
+        touch("touchStart", (x - 20, y), (x + 20, y))
+        for spread in range(25, 81, 5):
+            touch("touchMove", (x - spread, y), (x + spread, y))
+        touch("touchEnd", (x - 80, y))
+        touch("touchEnd")
+        assert page.evaluate(width) == pytest.approx(before / 4, rel=0.15), selector
     page.wait_for_timeout(300)
     assert page.evaluate("hophoopLab.motions.history.past.length") == 0
     assert page.evaluate("hophoopLab.film().query") == ""
