@@ -60,6 +60,15 @@ def test_a_margin_that_is_zero_but_for_rounding_counts_as_zero(floor):
     assert fall(below, floor=floor)[0] == -1.0
 
 
+@pytest.mark.parametrize("power", [2, 3, 4, 5])
+def test_a_margin_that_begins_with_rounding_and_falls_has_fallen_at_its_begin(power):
+    """Its fall was passed over where the first piece of it stayed within the rounding, and ended the next panel instead."""
+    falls = -1e-4 * (1.0 + NODES) ** power
+    assert fall(falls + 3e-17, floor=3e-14)[0] == -1.0
+    assert fall(1e-12 * falls + 3e-17, floor=3e-14)[0] == NOT_FOUND  # a touch
+    assert fall(falls + 1e-6, floor=3e-14)[0] == pytest.approx(-1.0 + 0.01 ** (1.0 / power), abs=1e-12)
+
+
 @pytest.mark.parametrize("place", [-0.6, 0.1, 0.9])
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
 def test_a_parabola_that_touches_zero_is_near_it(place, size):

@@ -58,7 +58,10 @@ def fall_of(row, state_is_fresh, floor, scratch):
             if row[i] < -floor:
                 return -1.0, near
         return NOT_FOUND, near
-    return first_fall(scratch.series, floor, scratch.stack), near
+    found = first_fall(scratch.series, floor, scratch.stack)
+    if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest <= floor:
+        return -1.0, near  # only rounding has it above zero at its start
+    return found, near
 
 
 @inline_jit
