@@ -144,6 +144,14 @@ def test_a_strike_at_the_very_end_is_one():
     assert not skim(body_of(), state, math.nextafter(after.t, 0.0))[0]
 
 
+@pytest.mark.parametrize("angle", [1e-160, -1e-160, 1e-9, -1e-9])
+def test_without_gravity_a_load_at_the_top_strikes_in_the_future_or_never(angle):
+    """Its rise of 1e-160 counted as a fall that had been over for 1e160 units of time."""
+    strikes, after, _, segment = skim(body_of(gravity=0.0), state_of(angle, om=1.5), 7.0)
+    assert not strikes
+    assert (after.t, segment["t_end"]) == (7.0, 7.0)
+
+
 def test_without_gravity_a_load_at_rest_never_strikes():
     strikes, after, _, _ = skim(body_of(gravity=0.0), state_of(2.0, vt=0.25), 7.0)
     assert (strikes, after.t, after.x) == (False, 7.0, pytest.approx(7.0 * 0.25))

@@ -44,7 +44,8 @@ def skim(body, state, t_end, log):
     way = 1.0 if state.om > 0.0 or (state.om == 0.0 and math.sin(state.th) > 0.0) else -1.0
     c = math.cos(state.th)
     along = state.vt + state.om * (1.0 + c)
-    duration = skim_duration(body, c, math.sin(state.th) * state.om)
+    # within rounding of the top the load may still rise
+    duration = skim_duration(body, c, max(math.sin(state.th) * state.om, 0.0))
     left = time_left(state, t_end)
     strikes = duration <= left
     tau = duration if strikes else left

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources a0e69fe8627a6fffb137ba2f48069d9b */
-var l={sources:"b8d3afefab52c2b85bfaa9dc028362d8",module:"17e75d4b7ecf4ffd",derivatives:"209bdf2a13cf6373",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 1ddcfa6794524acd8cdf55110ffd4ca4 */
+var l={sources:"6a04a9907bb94d90858d98dcbc957fe3",module:"6ce51b7c6439adcf",derivatives:"e09ea4af466dfb57",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
