@@ -443,6 +443,11 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "a table of events has one axis, which is its first and its last": (
         ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] >= 0 else events.shape[ -1]"),
     ),
+    "the equality of two rounded numbers beside a limit that may be another by as much": (
+        ("contact_phase", "advance_contact", "if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:", "if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) >= LOST * panel.u:"),
+        ("panel_events", "fall_of", "if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest <= floor:", "if found == NOT_FOUND and not state_is_fresh and lowest <= -floor and highest <= floor:"),
+        ("panel_events", "fall_of", "if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest <= floor:", "if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest < floor:"),
+    ),
     # the module flight_phase
     "from which angle on a flight counts as blurred may be another by a rad, or by none": (
         ("flight_phase", "", "BLURRED = 1e9", "BLURRED = 1000000001.0"),

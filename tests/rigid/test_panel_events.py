@@ -47,6 +47,7 @@ def test_a_margin_below_zero_at_the_begin_of_a_panel_has_fallen_there():
     """Unless the phase begins there, where a margin of zero is none yet."""
     assert fall(-0.5 - 0.1 * NODES)[0] == -1.0
     assert fall(-0.5 + NODES)[0] == -1.0
+    assert fall(np.zeros(16))[0] == -1.0
     assert fall(NODES + 1.0 - 1e-13)[0] == -1.0  # also where no node shows it
     assert fall(1.0 * (NODES + 1.0), fresh=True)[0] == NOT_FOUND
 
