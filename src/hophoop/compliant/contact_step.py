@@ -109,7 +109,8 @@ def accept(phase, after, behind, length, log, rows, work):
         for m in range(SIZE):
             work.start[m] = poly_value(work.poly, m, s)
         work.start[OM] = 0.0
-        note(log, TURN, phase.mode, phase.mode, phase.t + s * length, phase.turns, work.start)
+        when = min(phase.t + s * length, after)  # which may be rounded the other way
+        note(log, TURN, phase.mode, phase.mode, when, phase.turns, work.start)
     if spin != 0.0:
         way = 1.0 if spin > 0.0 else -1.0
     for m in range(SIZE):
