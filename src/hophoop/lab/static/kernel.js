@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 1ddcfa6794524acd8cdf55110ffd4ca4 */
-var l={sources:"6a04a9907bb94d90858d98dcbc957fe3",module:"6ce51b7c6439adcf",derivatives:"e09ea4af466dfb57",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 4015edfd75168a098d888f3888c3520f */
+var l={sources:"4b8c96cf73632de45ec8d5ff7adbf686",module:"a4d6e12c114a84ec",derivatives:"e09ea4af466dfb57",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
