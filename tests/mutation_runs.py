@@ -37,7 +37,7 @@ WAITS = 30.0  # times more
 LONGEST = 5.0  # s; a test that takes longer without a change is left out
 BRIEF = 1.0  # s that the tests of a change take that nothing can see, as is said
 MEMORY = 8 * 2**30  # bytes; what eats more has been seen
-WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore")
+WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore", "--timeout=0")
 
 SEEN, UNSEEN, UNREACHED = "seen", "unseen", "unreached"
 IMPORTED = "imported"  # to be tried where the module is imported

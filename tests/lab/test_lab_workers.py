@@ -55,9 +55,6 @@ class Process:
             time.sleep(0.002)
         return ANSWER, b"done"
 
-    def read(self):
-        return STOPPED, None
-
     def interrupt(self):
         self.stopped.set()
         return True
@@ -268,19 +265,61 @@ async def _until_free(computing):
     return time.monotonic() - begin
 
 
-@POSIX
-def test_each_interrupt_is_answered_once():
-    """Also one that comes when nothing is computed any more."""
+def one_cell(speed):
+    """A map of one cell, which is answered in no time, and differs from one speed to the next."""
+    axes = {name: {**AXES[name], "from": at, "to": at, "cells": 1} for name, at in {"x": speed, "y": 0.7}.items()}
+    return Job(calls.read("map", {**axes, "what": "end_angle", "scenario": {"duration": 0.2}}, USUAL), USUAL, "packed")
+
+
+@pytest.fixture
+def process():
     process = Worker()
-    try:
-        film = Job(calls.read("film", {"query": "duration=0.5"}), USUAL, "packed")
-        assert process.exchange(film)[0] == ANSWER
-        for _ in range(3):
-            process.interrupt()
-            assert process.read() == (STOPPED, None)
-        assert process.exchange(film)[0] == ANSWER
-    finally:
-        process.end()
+    yield process
+    process.end()
+
+
+def test_a_process_that_has_ended_says_so(process):
+    process.end()
     assert not process.running
     with pytest.raises(Ended):
-        process.exchange(film)
+        process.exchange(one_cell(1.0))
+
+
+@POSIX
+def test_interrupts_when_nothing_is_computed_stop_nothing(process):
+    """Many at once stood in each other's way, so that the process never answered again."""
+    job = one_cell(1.0)
+    answer = process.exchange(job)
+    assert answer[0] == ANSWER
+    for _ in range(2000):
+        process.interrupt()
+    assert process.exchange(job) == answer
+
+
+@POSIX
+def test_whenever_it_is_interrupted_a_job_has_its_own_answer_or_none(process):
+    """Before it is read, while it is computed, while it is answered: nobody is given the answer to another job."""
+    jobs = [one_cell(speed) for speed in (1.0, 2.0, 3.0)]
+    answers = [process.exchange(job) for job in jobs]
+    assert len({content for _, content in answers}) == 3
+    begin = time.perf_counter()
+    process.exchange(jobs[0])
+    usual = time.perf_counter() - begin
+    outcomes = []
+    with ThreadPoolExecutor(1) as beside:
+        for index in range(150):
+            exchange = beside.submit(process.exchange, jobs[index % 3])
+            time.sleep(1.3 * usual * (index % 50) / 50)
+            process.interrupt()
+            outcomes.append(exchange.result())
+    for index, said in enumerate(outcomes):
+        assert said in (answers[index % 3], (STOPPED, None))
+    assert {said for said, _ in outcomes} == {ANSWER, STOPPED}
+    assert [process.exchange(job) for job in jobs] == answers
+
+
+@POSIX
+def test_a_job_that_is_given_up_before_it_comes_is_not_begun(process):
+    process._say(1, None)
+    assert process.exchange(one_cell(1.0)) == (STOPPED, None)
+    assert process.exchange(one_cell(1.0))[0] == ANSWER

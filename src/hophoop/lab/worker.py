@@ -1,7 +1,10 @@
 """A process that computes for the lab and can be stopped: jobs come on standard input, answers go to standard output.
 
-The kernel cannot be stopped from within its process: a motion runs to its end. A process can. It is asked first, by an
-interrupt, which ends a map, a film or a file at once and keeps the process; one that is deep in a motion is ended.
+The kernel cannot be stopped from within its process: a motion runs to its end. A process can. It is told first which job is
+not wanted any more, which ends a map, a film or a file at once and keeps the process; one that is deep in a motion is ended.
+
+Jobs have numbers, and every job has exactly one answer, with its number: so that whenever it is given up, before it is read,
+while it is computed or when its answer is on the way, nobody takes an answer for that to another job.
 """
 
 from __future__ import annotations
@@ -9,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import os
 import pickle
+import queue
 import signal
 import struct
 import subprocess
@@ -25,7 +29,6 @@ from hophoop._processes import python_beside
 ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
 BEGINS = 4.0  # seconds that a process may need until it can report
 REPORT = 0.25  # seconds between two reports that code is compiled
-_IDLE, _COMPUTING, _WRITING, _PREPARING = range(4)
 
 
 @dataclass(frozen=True)
@@ -63,6 +66,8 @@ class Worker:
             start_new_session=True,
         )
         self._compiled = time.monotonic() + BEGINS
+        self._number = 0  # of the last job
+        self._writing = threading.Lock()
 
     @property
     def compiling(self) -> bool:
@@ -70,43 +75,46 @@ class Worker:
         return time.monotonic() - self._compiled < 4.0 * REPORT
 
     def exchange(self, job: Job) -> tuple[str, Any]:
-        """Hand over a job and wait for its answer.
+        """Hand over a job and wait for its answer; one job at a time.
+
+        Parameters
+        ----------
+        job : Job
+
+        Returns
+        -------
+        said : (str, object)
+            As `outcome`, or `STOPPED` and None for a job that was interrupted before its end.
 
         Raises
         ------
         Ended
             If the process has ended.
         """
+        self._number += 1
+        number = self._number
         try:
-            _write(self._process.stdin, job)  # type: ignore[arg-type]
-        except (OSError, ValueError):  # its pipe is broken, or closed
+            self._say(number, job)
+            while True:
+                said: tuple[int, str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
+                if said[1] == COMPILING:
+                    self._compiled = time.monotonic()
+                elif said[0] == number:
+                    return said[1:]
+        except (EOFError, OSError, ValueError):  # a pipe is broken, or closed
             raise Ended from None
-        return self.read()
-
-    def read(self) -> tuple[str, Any]:
-        """Wait for what the process says next.
-
-        Raises
-        ------
-        Ended
-            If the process has ended.
-        """
-        while True:
-            try:
-                said: tuple[str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
-            except (EOFError, OSError, ValueError):
-                raise Ended from None
-            if said[0] != COMPILING:
-                return said
-            self._compiled = time.monotonic()
 
     def interrupt(self) -> bool:
-        """Ask it to stop what it computes; False where that is not possible."""
+        """Ask it to stop the job that it computes; False where that is not possible. Its answer comes all the same."""
         if os.name != "posix":
             return False
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(self._process.pid, signal.SIGINT)
+        with contextlib.suppress(OSError, ValueError):  # it has ended
+            self._say(self._number, None)
         return True
+
+    def _say(self, number: int, job: Job | None) -> None:
+        with self._writing:
+            _write(self._process.stdin, (number, job))  # type: ignore[arg-type]
 
     def end(self) -> None:
         """End the process, and all that it has started."""
@@ -132,63 +140,63 @@ class _Stopped(KeyboardInterrupt):
 
 
 class _Loop:
-    """Takes jobs one by one; to every interrupt it says `STOPPED` exactly once."""
+    """Takes jobs one by one, and gives each its one answer."""
 
     def __init__(self, inward: BinaryIO, outward: BinaryIO) -> None:
         self.inward, self.outward = inward, outward
-        self.state = _IDLE
-        self.owed = 0
+        self.jobs: queue.SimpleQueue[tuple[int, Job] | None] = queue.SimpleQueue()
+        self.preparing = True
+        self.computing = 0  # the number of the job that is computed
+        self.unwanted = 0  # no job up to this number is wanted any more, but for those that are answered
         self.compiles = 0
         self.lock = threading.Lock()
 
-    def say(self, said: tuple[str, Any]) -> None:
+    def say(self, number: int, said: tuple[str, Any]) -> None:
         with self.lock:
-            _write(self.outward, said)
+            _write(self.outward, (number, *said))
 
-    def pay(self) -> bool:
-        """Answer an interrupt that came while it could not be answered; whether there was one."""
-        if self.owed == 0:
-            return False
-        self.owed -= 1
-        self.say((STOPPED, None))
-        return True
+    def listen(self) -> None:
+        """Take what comes, also while a job is computed."""
+        while True:
+            try:
+                number, job = _read(self.inward)
+            except EOFError:
+                self.jobs.put(None)
+                return
+            if job is not None:
+                self.jobs.put((number, job))
+                continue
+            self.unwanted = number
+            if self.computing == number:
+                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
 
     def report(self) -> None:
         """Say now and then that code is compiled."""
         while True:
             time.sleep(REPORT)
-            compiles = self.state == _COMPUTING and (self.compiles or busy())
-            if compiles or self.state == _PREPARING:
+            compiles = self.computing and (self.compiles or busy())
+            if compiles or self.preparing:
                 with contextlib.suppress(OSError):
-                    self.say((COMPILING, None))
+                    self.say(0, (COMPILING, None))
 
     def interrupted(self, *_: Any) -> None:
-        if self.state == _COMPUTING:
-            self.state = _WRITING
+        """Stop the job that is computed; one that was answered just now, or comes next, goes on."""
+        if 0 < self.computing <= self.unwanted:
+            self.computing = 0
             raise _Stopped
-        if self.state == _IDLE:
-            self.say((STOPPED, None))
-        else:
-            self.owed += 1
 
     def run(self) -> None:
-        while True:
-            try:
-                job = _read(self.inward)
-            except EOFError:
-                return
-            if self.pay():  # it was given up before it began
-                continue
-            try:
-                self.state = _COMPUTING
-                said = outcome(job)
-                self.state = _WRITING
-            except _Stopped:
-                said = (STOPPED, None)
-            self.say(said)
-            while self.pay():
-                pass
-            self.state = _IDLE
+        while (job := self.jobs.get()) is not None:
+            self.say(job[0], self.answer(*job))
+
+    def answer(self, number: int, job: Job) -> tuple[str, Any]:
+        try:
+            self.computing = number  # from here on it is interrupted; if it was given up before, it is not begun
+            said = outcome(job) if number > self.unwanted else (STOPPED, None)
+            self.computing = 0
+        except _Stopped:
+            return STOPPED, None
+        return said
 
 
 def outcome(job: Job) -> tuple[str, Any]:
@@ -223,14 +231,14 @@ def main() -> None:
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
     loop = _Loop(inward, outward)
     signal.signal(signal.SIGINT, loop.interrupted)
-    threading.Thread(target=loop.report, daemon=True).start()
+    for thread in (loop.listen, loop.report):
+        threading.Thread(target=thread, daemon=True).start()
     usual = sys.unraisablehook
     # what is stopped within a callback says so to nobody
     sys.unraisablehook = lambda found: None if isinstance(found.exc_value, _Stopped) else usual(found)
     _follow_compiler(loop)
-    loop.state = _PREPARING  # an interrupt meanwhile is for the first job
     _prepare()
-    loop.state = _IDLE
+    loop.preparing = False
     loop.run()
 
 

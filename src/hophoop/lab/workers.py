@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from hophoop.lab.limits import Limits, TooBusy, TooMuch
-from hophoop.lab.worker import ERROR, FAILED, STOPPED, Ended, Job, Worker
+from hophoop.lab.worker import ERROR, FAILED, Ended, Job, Worker
 
 logger = logging.getLogger("hophoop.lab")
 
@@ -242,9 +242,7 @@ class Workers:
             while worker.compiling and not exchange.done():  # that is of use to others, and stops by itself
                 await asyncio.wait({exchange}, timeout=GRACE)
             async with asyncio.timeout(GRACE):
-                said, _ = await asyncio.shield(exchange)
-                while said != STOPPED:  # the answer came before the interrupt
-                    said, _ = await self._beside(worker.read)
+                await asyncio.shield(exchange)
         except (TimeoutError, Ended):
             self._dismiss(worker)
             exchange.add_done_callback(_forget)
