@@ -89,6 +89,13 @@ class _PartLibrary(_Library):
     def _leaves_out(self, library: Any) -> bool:
         return isinstance(library, _ApartLibrary | _OuterApartLibrary)
 
+    def _optimize_final_module(self) -> None:
+        self._link_again()
+        # Numba has cheaper passes first, for what counts references. The whole is optimised with both: here they gain nothing
+        made = self._codegen._module_pass_manager()
+        passes, *builder = made if isinstance(made, tuple) else (made,)  # alone before Numba 0.61
+        passes.run(self._final_module, *builder)
+
     def _finalize_final_module(self) -> None:
         self._finalize_dynamic_globals()
         self._verify_declare_only_symbols()
