@@ -285,6 +285,12 @@ def test_a_process_that_has_ended_says_so(process):
         process.exchange(one_cell(1.0))
 
 
+def test_a_process_that_cannot_read_a_job_ends(process):
+    process._process.stdin.write(bytes([4, 0, 0, 0, 0, 0, 0, 0]) + b"what")
+    with pytest.raises(Ended):
+        process.exchange(one_cell(1.0))
+
+
 @POSIX
 def test_interrupts_when_nothing_is_computed_stop_nothing(process):
     """Many at once stood in each other's way, so that the process never answered again."""

@@ -156,19 +156,20 @@ class _Loop:
             _write(self.outward, (number, *said))
 
     def listen(self) -> None:
-        """Take what comes, also while a job is computed."""
-        while True:
-            try:
+        """Take what comes, also while a job is computed; the process ends where nothing comes any more, or no sense."""
+        try:
+            while True:
                 number, job = _read(self.inward)
-            except EOFError:
-                self.jobs.put(None)
-                return
-            if job is not None:
-                self.jobs.put((number, job))
-                continue
-            self.unwanted = number
-            if self.computing == number:
-                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+                if job is not None:
+                    self.jobs.put((number, job))
+                    continue
+                self.unwanted = number
+                if self.computing == number:
+                    signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+        except EOFError:
+            pass
+        finally:
+            self.jobs.put(None)
 
     def report(self) -> None:
         """Say now and then that code is compiled."""
