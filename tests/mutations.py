@@ -2,7 +2,7 @@
 
 The operators of Cosmic Ray (signs, factors, comparisons, numbers, conditions, loops) change one place of a room at a time, and
 the tests of that room run. A change that no test sees is printed, and makes the exit status 1, unless
-`mutations_explained.py` says why nothing can see it. Kernels are interpreted (NUMBA_DISABLE_JIT=1) where they are
+`mutations_explained` says why nothing can see it. Kernels are interpreted (NUMBA_DISABLE_JIT=1) where they are
 changed.
 
 Cosmic Ray's own runner starts Python for every change, which takes longer here than the tests: `mutation_runs.py` forks

@@ -1,0 +1,48 @@
+"""States, phases and logs for the tests of contact step by step."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+import hophoop as hh
+from hophoop._jit import interpreted
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.records.writing import new_log
+from hophoop.rigid import contact_phase
+from hophoop.rigid.phase import Phase
+
+STARTED = {"t": 3.0, "t_low": 1e-17, "x": 2.0, "x_low": -1e-17, "turns": 2.0, "friction": 0.125, "impact_n": 0.25}
+STARTED |= {"impact_t": 0.375, "resisted": 0.5}
+
+
+def body_of(gamma=0.75, slope=0.0, mu=0.5, **plane):
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, slope=slope, **plane)).to_body()
+
+
+def state_of(angle, om=0.0, vt=0.0, anchor=None):
+    state = interpreted(start_state)(0.0, 0.0, angle, vt, 0.0, om)
+    return state if anchor is None else state._replace(anchor=anchor)
+
+
+def log_of(room=10):
+    scratch = new_scratch()
+    return interpreted(new_log)(np.zeros(room, EVENT), np.zeros(room, SEGMENT), scratch), scratch
+
+
+def phase_at(mode, state, level=5):
+    return Phase(mode, state, False, 0, 0.0, level, 0.75, 0, -1)
+
+
+def events_of(log):
+    return [tuple(row) for row in log.events[: log.written[0]][["kind", "before_mode", "after_mode"]].tolist()]
+
+
+def sliding(sigma, th=math.pi):
+    """Slip over the load, which does not turn at θ = π without friction on the load's arm."""
+    mode = contact_phase.SKID if sigma > 0 else contact_phase.SPIN
+    state = state_of(th, 0.0, 1.5 * sigma)._replace(**STARTED)
+    return phase_at(mode, state)
