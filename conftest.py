@@ -1,6 +1,7 @@
 """Set up before anything imports hophoop, for the tests and for the doctests in src/ alike."""
 
 import os
+import signal
 import tempfile
 from pathlib import Path
 
@@ -11,6 +12,10 @@ import pytest
 if "NUMBA_CACHE_DIR" not in os.environ:
     user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
     os.environ["NUMBA_CACHE_DIR"] = str(Path(tempfile.gettempdir()) / f"hophoop-tests-{user}")
+
+# Some tests are about Ctrl-C, which a shell has what it starts in the background ignore; workers take over what is set here.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Figures are drawn without a display.
 os.environ.setdefault("MPLBACKEND", "agg")

@@ -41,6 +41,7 @@ def pulls(fit):
     return [(fit.values[name] - true) / fit.error(name) if name in fit.free else np.nan for name, true in TRUTH.items()]
 
 
+@pytest.mark.long
 def test_a_film_of_a_hoop_that_rocks(tmp_path):
     """Let go beside its lowest place it rolls to and fro about that, and never slips."""
     motion = hh.simulate(hh.Hoop.ideal(0.6, radius=RADIUS), hh.Plane(mu=0.6), hh.Start(angle=2.2), duration=2.0)

@@ -96,7 +96,7 @@ def test_eight_threads_give_the_same_bits(monkeypatch):
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("method", ["spawn", "fork"])
+@pytest.mark.parametrize("method", [pytest.param("spawn", marks=pytest.mark.long), "fork"])
 def test_other_processes_give_the_same_bits(method, monkeypatch):
     if method not in multiprocessing.get_all_start_methods():
         pytest.skip(f"this system has no {method}")

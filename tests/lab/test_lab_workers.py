@@ -271,24 +271,11 @@ def one_cell(speed):
     return Job(calls.read("map", {**axes, "what": "end_angle", "scenario": {"duration": 0.2}}, USUAL), USUAL, "packed")
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def process():
     process = Worker()
     yield process
     process.end()
-
-
-def test_a_process_that_has_ended_says_so(process):
-    process.end()
-    assert not process.running
-    with pytest.raises(Ended):
-        process.exchange(one_cell(1.0))
-
-
-def test_a_process_that_cannot_read_a_job_ends(process):
-    process._process.stdin.write(bytes([4, 0, 0, 0, 0, 0, 0, 0]) + b"what")
-    with pytest.raises(Ended):
-        process.exchange(one_cell(1.0))
 
 
 @POSIX
@@ -326,6 +313,21 @@ def test_whenever_it_is_interrupted_a_job_has_its_own_answer_or_none(process):
 
 @POSIX
 def test_a_job_that_is_given_up_before_it_comes_is_not_begun(process):
-    process._say(1, None)
+    process._say(process._number + 1, None)
     assert process.exchange(one_cell(1.0)) == (STOPPED, None)
     assert process.exchange(one_cell(1.0))[0] == ANSWER
+
+
+def test_a_process_that_cannot_read_a_job_ends_and_one_that_has_ended_says_so():
+    process = Worker()
+    try:
+        process._process.stdin.write(bytes([4, 0, 0, 0, 0, 0, 0, 0]) + b"what")
+        for _ in range(2):
+            with pytest.raises(Ended):
+                process.exchange(one_cell(1.0))
+        process._process.wait(10.0)
+        assert not process.running
+    finally:
+        process.end()
+    with pytest.raises(Ended):
+        process.exchange(one_cell(1.0))

@@ -148,12 +148,13 @@ def test_the_impact_closes_the_ledger_where_the_moment_of_inertia_is_small(omega
 @pytest.mark.parametrize(
     ("hoop", "plane", "start"),
     [  # at the top the singular angle is 1e-11 rad away, and the arm of the normal force is zero
-        (hh.Hoop.ideal(1.0 - 4.1e-11), hh.Plane(mu=0.71), hh.Start(vx=-8.68, omega=-0.043)),
+        pytest.param(hh.Hoop.ideal(1.0 - 4.1e-11), hh.Plane(mu=0.71), hh.Start(vx=-8.68, omega=-0.043), marks=pytest.mark.long),
         (hh.Hoop.ideal(1.0 - 1.4e-12), hh.Plane(mu=2.36), hh.Start(vx=-1.6, omega=-0.48)),
-        (
+        pytest.param(
             hh.Hoop.ideal(0.9999999999976574, radius=1.033069641828321, mass=4.611411676610286),
             hh.Plane(mu=0.57791866516764, slope=-0.7396073216713517, impact_law="poisson", painleve="impact"),
             hh.Start(vx=-2.434263341914896, omega=-1.846214099227036, vy=1.4017369727992153),
+            marks=pytest.mark.long,
         ),
     ],
 )

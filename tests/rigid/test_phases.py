@@ -47,10 +47,11 @@ def check_at_random(count):
     assert len(seen) >= 6, seen
 
 
-def test_random_motions():
+@pytest.mark.parametrize("count", [20, pytest.param(60, marks=pytest.mark.long)])
+def test_random_motions(count):
     """Interpreted: a step by itself is half a minute to compile, and nothing else here calls it."""
     with forced("interpreted"):
-        check_at_random(60)
+        check_at_random(count)
 
 
 @pytest.mark.slow

@@ -86,7 +86,7 @@ def test_grazing_friction_is_not_sticking():
     assert slips[:2] == "RK"
 
 
-@pytest.mark.parametrize("mu", [0.4, 0.5, 0.9])
+@pytest.mark.parametrize("mu", [0.4, *(pytest.param(mu, marks=pytest.mark.long) for mu in (0.5, 0.9))])
 def test_the_neighbours_of_the_first_slip(mu):
     """Within a few units in the last place of the critical speed: pure rolling below, a minute slip above."""
     critical = hh.theory.first_slip_speed(hh.Hoop.ideal(0.75), hh.Plane(mu=mu))

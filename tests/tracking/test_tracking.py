@@ -74,6 +74,7 @@ def test_a_lens_out_of_axis_with_a_rolling_shutter(films, motion):
     assert np.ptp(off) > 10 * np.ptp(x)
 
 
+@pytest.mark.long
 def test_a_rolling_shutter_is_put_right(films, motion):
     path, film = films("tilted")
     with_delay, without = tracked(film, path), hh.track(path, RADIUS, Hints(exposure=film.shutter))

@@ -36,7 +36,7 @@ def decoded(block, name, folder):
     return size, [np.frombuffer(frame, np.uint8) for frame in reader]
 
 
-@pytest.mark.parametrize("view", ["plane", "space"])
+@pytest.mark.parametrize("view", ["plane", pytest.param("space", marks=pytest.mark.long)])
 def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
     # few pixels and a short film: what is recorded is drawn by the processor
     page = visit("?duration=0.5", viewport={"width": 900, "height": 540})

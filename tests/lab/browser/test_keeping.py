@@ -55,6 +55,7 @@ def test_a_picture_has_more_pixels_than_the_screen(visit, tmp_path):
     assert np.abs(np.diff(grey, axis=1)).max() > 100
 
 
+@pytest.mark.long
 def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(visit, tmp_path):
     page = visit("?duration=1#t=0.5&show=tfc3&from=-0.5,0.31,6", viewport={"width": 1440, "height": 540})
     wait_for(page, "!lab.surrounding && lab.stage.options.three")
@@ -84,6 +85,7 @@ def test_a_picture_of_lines_is_what_the_screen_shows(visit, browser, tmp_path):
     reader.close()
 
 
+@pytest.mark.long
 def test_a_film_of_two_hoops_is_recorded_in_the_browser(visit, tmp_path):
     ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="the extra 'films' is not installed")
     page = visit(TWO, viewport={"width": 1000, "height": 700})

@@ -203,8 +203,7 @@ def test_arrows_lead_to_where_it_would_be(visit):
 def test_a_link_keeps_it(visit):
     page = turned_on(visit, "start.speed=2.9", "hoop.load_fraction")
     wait_for(page, SHOWN)
-    page.wait_for_timeout(600)
-    assert "more=hoop.load_fraction" in page.url
+    page.wait_for_function("() => location.href.includes('more=hoop.load_fraction')")
     page.reload()
     page.wait_for_selector("[data-ready]")
     wait_for(page, SHOWN)

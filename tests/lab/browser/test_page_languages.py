@@ -38,7 +38,8 @@ def test_another_language_falls_back_to_english(visit):
     assert page.evaluate("document.documentElement.lang") == "en"
 
 
-@pytest.mark.parametrize("code", LOCALES)
+# one language every time, and the others in CI
+@pytest.mark.parametrize("code", [code if code == "zh" else pytest.param(code, marks=pytest.mark.long) for code in LOCALES])
 def test_nothing_stays_in_english(visit, code):
     page = visit(locale=LOCALES[code], reduced_motion="reduce", viewport={"width": 390, "height": 844})
     # longer words still fit on a phone

@@ -22,7 +22,7 @@ def address(site_address):
     return site_address
 
 
-@pytest.mark.parametrize("where", WHERE)
+@pytest.mark.parametrize("where", ["desktop", *(pytest.param(name, marks=pytest.mark.long) for name in list(WHERE)[1:])])
 def test_it_is_whole(visit, where):
     page = visit("?start.speed=3.1", **WHERE[where])
     wait_for(page, SETTLED)

@@ -10,7 +10,7 @@ import hophoop as hh  # noqa: E402
 from lab_page_tools import picture, summary  # noqa: E402
 
 
-@pytest.mark.parametrize("alone", [True, False])
+@pytest.mark.parametrize("alone", [pytest.param(True, marks=pytest.mark.long), False])
 def test_the_widget_is_the_same_player(visit, alone):
     """With the page's own kernel, and with the notebook's where the page may not run it."""
     pytest.importorskip("anywidget")
