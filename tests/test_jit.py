@@ -455,6 +455,7 @@ print(small_kernels.__file__, len(compiled.buffer))
 """
 
 
+@pytest.mark.long
 def test_another_copy_of_the_source_finds_compiled_code(tmp_path):
     """Its folder is named by what a kernel is made of: a new environment with the same version compiles nothing."""
     given = Path(small_kernels.__file__).read_text(encoding="utf-8")

@@ -17,6 +17,7 @@ def small(monkeypatch):
         monkeypatch.setattr(article, name, value)
 
 
+@pytest.mark.long
 def test_all_films_are_made(tmp_path, small):
     told = []
     paths = article_films(tmp_path / "films", lambda *pair: told.append(pair))

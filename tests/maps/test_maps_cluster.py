@@ -86,6 +86,7 @@ def test_a_cluster_that_loses_a_worker_makes_the_same_bytes(tmp_path):
     assert contents(path) == contents(local)
 
 
+@pytest.mark.long
 def test_a_cluster_of_this_machine_takes_up_a_stopped_map(tmp_path):
     local = tmp_path / "local.zarr"
     axes = {name: values[::5] for name, values in AXES.items()}

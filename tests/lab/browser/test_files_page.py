@@ -53,6 +53,7 @@ def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
     assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
 
 
+@pytest.mark.long
 def test_a_film_is_made_by_the_server(visit, tmp_path):
     page = visit("?duration=0.4")
     page.locator(".menu summary").click()

@@ -93,6 +93,7 @@ def test_a_flick_gives_the_speed_of_the_hand(visit):
     )
 
 
+@pytest.mark.long
 def test_it_is_pulled_up_and_dropped_and_escape_takes_it_back(visit):
     page = visit("?start.speed=0&start.angle=0.5", reduced_motion="reduce")
     still(page)
@@ -116,6 +117,7 @@ def test_it_is_pulled_up_and_dropped_and_escape_takes_it_back(visit):
     wait_for(page, f"lab.film().query === {hh.Scenario.to_query(motion.scenario)!r}")
 
 
+@pytest.mark.long
 def test_keys_turn_lift_push_and_tilt(visit):
     page = visit("?start.speed=0", reduced_motion="reduce")
     still(page)
@@ -140,6 +142,7 @@ def test_keys_turn_lift_push_and_tilt(visit):
     assert page.evaluate("hophoopLab.clock.playing") is False  # who wants no motion plays by hand
 
 
+@pytest.mark.long
 def test_a_finger_tilts_the_plane_without_scrolling_the_page(visit):
     page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
     still(page)

@@ -42,6 +42,7 @@ def difference(one, other):
     return float(np.abs(a - b)[20:, 40:-40].mean())
 
 
+@pytest.mark.long
 def test_a_picture_has_more_pixels_than_the_screen(visit, tmp_path):
     page = visit(TWO)
     wait_for(page, "!lab.surrounding && lab.films().length === 2")

@@ -50,6 +50,7 @@ def test_a_slider_loses_no_key_and_no_entry_is_lost_without_a_word(visit):
     assert friction.input_value() == "∞"
 
 
+@pytest.mark.long
 def test_what_is_said_of_a_preset_goes_when_it_is_changed_and_comes_back_with_undo(visit):
     page = visit()
     presets = page.locator(".presets")
@@ -76,6 +77,7 @@ def test_what_is_said_of_a_preset_goes_when_it_is_changed_and_comes_back_with_un
     wait_for(page, "lab.film().values['start.speed'] === 2.5")
 
 
+@pytest.mark.long
 def test_back_goes_one_change_at_a_time_and_a_link_holds_what_is_seen(visit):
     page = visit("?start.speed=2")
     for speed in ("2.2", "2.4"):
@@ -137,6 +139,7 @@ def test_a_server_that_is_gone_is_named_and_no_step_is_lost(visit):
     assert said.startswith("The server does not answer.")
 
 
+@pytest.mark.long
 def test_a_screen_reader_hears_little_and_what_matters(visit):
     page = visit()
     wait_for(page, SETTLED)
@@ -208,6 +211,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
     assert page.evaluate("hophoopLab.timeline.window") is None
 
 
+@pytest.mark.long
 def test_a_map_does_not_leave_what_is_allowed_and_scrolls_on_until_it_is_clicked(visit):
     page = visit()
     page.locator(".map-body").scroll_into_view_if_needed()

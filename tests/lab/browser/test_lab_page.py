@@ -114,6 +114,7 @@ def test_a_link_that_holds_no_scenario_says_so(visit):
     assert "hops" in summary(page)
 
 
+@pytest.mark.long
 def test_every_preset_plays(visit):
     page = visit()
     wait_for(page, "!lab.surrounding")
@@ -145,6 +146,7 @@ def test_in_space(visit):
     wait_for(page, "lab.stage.space.width === lab.stage.space.clientWidth")
 
 
+@pytest.mark.long
 def test_dark_and_on_a_phone(visit):
     page = visit(viewport={"width": 390, "height": 844}, device_scale_factor=2, has_touch=True, color_scheme="dark")
     assert page.evaluate("hophoopLab.root.dataset.theme") == "dark"

@@ -31,6 +31,7 @@ def answer(page):
     return page.locator(".visit-answer").inner_text()
 
 
+@pytest.mark.long
 def test_a_first_visit_is_offered_once(visit):
     page = visit()
     page.get_by_role("button", name="Not now").click()
@@ -58,6 +59,7 @@ def test_nothing_tells_the_answer_before_the_guess(visit):
     assert page.locator(".timeline").is_visible()
 
 
+@pytest.mark.long
 def test_a_drawn_curve_and_a_mark_on_the_circle_are_compared_with_the_motion(visit):
     page = visit(reduced_motion="reduce")
     step(page, 1)
@@ -111,6 +113,7 @@ def test_the_landing_and_the_highest_hop_are_those_of_the_library(visit):
         assert f"{100 * height:.3g} cm" in said
 
 
+@pytest.mark.long
 def test_challenges_are_scored_from_the_motion(visit):
     page = visit()
     page.evaluate("hophoopLab.extras.challenges.open()")
@@ -192,6 +195,7 @@ def test_any_quantity_stands_on_either_axis(visit):
     assert hh.simulate(hh.Scenario()).at(time).x == pytest.approx(7, abs=0.1)
 
 
+@pytest.mark.long
 def test_sound_follows_the_contact_force(visit):
     page = visit()
     times = [0.0, 0.2, 0.4, 1.3, 2.0]

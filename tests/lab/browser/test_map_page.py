@@ -33,6 +33,7 @@ def test_a_click_on_the_map_takes_that_motion(visit):
     picture(page, "map", full_page=True)
 
 
+@pytest.mark.long
 def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page = visit("?contact.model=compliant&duration=0.5")
     page.locator(".map-body").scroll_into_view_if_needed()
@@ -40,6 +41,7 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     assert page.locator(".map-head .hint").inner_text() == "31104 motions, with rigid contact"
 
 
+@pytest.mark.long
 def test_a_map_waits_for_its_kernel_and_says_so(visit, monkeypatch):
     left = [(k, 187) for k in (150, 90, 0)]
     monkeypatch.setattr("hophoop.lab.calls.maps_compiling", lambda: left.pop() if left else None)

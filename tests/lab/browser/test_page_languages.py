@@ -13,6 +13,7 @@ def address(site_address):
     return site_address
 
 
+@pytest.mark.long
 def test_the_browser_chooses_and_the_visitor_switches(visit):
     page = visit("?start.speed=2.8", locale="de-AT")
     wait_for(page, "!lab.surrounding && lab.theory.list.children.length > 4")

@@ -42,6 +42,7 @@ def test_it_sharpens_where_it_is_zoomed(zoomed):
     wait_for(page, "lab.phase.pictures.length === 1")
 
 
+@pytest.mark.long
 def test_a_part_that_comes_after_the_whole_was_asked_for_is_not_shown(zoomed):
     page = zoomed
     page.evaluate(HELD)
@@ -52,6 +53,7 @@ def test_a_part_that_comes_after_the_whole_was_asked_for_is_not_shown(zoomed):
     assert page.evaluate("hophoopLab.phase.pictures.length") == 1
 
 
+@pytest.mark.long
 def test_a_part_of_an_earlier_zoom_does_not_take_the_place_of_a_later_one(zoomed):
     page = zoomed
     page.evaluate(HELD)

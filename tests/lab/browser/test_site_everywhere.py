@@ -46,6 +46,7 @@ NAMED = (
 )
 
 
+@pytest.mark.long
 def test_keys_alone_reach_and_change_everything(visit):
     page = visit("?start.speed=2")
     wait_for(page, SETTLED)

@@ -27,6 +27,7 @@ ZOOMED = {
 }
 
 
+@pytest.mark.long
 def test_two_fingers_zoom_and_take_no_motion(visit):
     page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
     touch = fingers(page)
