@@ -346,6 +346,26 @@ def test_code_for_other_machines_is_not_kept_for_this_one(tmp_path):
     assert not [*tmp_path.rglob("*.nb?")]
 
 
+UNOPTIMISED = """
+from numba import types
+import small_kernels
+from hophoop._jit.plain import leave_unoptimised, plain
+leave_unoptimised()
+code, name = plain(small_kernels.summed, (types.int64, types.float64[::1]))
+for made in code.split("define ")[1:]:
+    first, _, body = made.partition(chr(10))
+    print("alloca" in body.split(chr(10) + "}")[0], first)
+"""
+
+
+def test_no_part_of_code_for_other_machines_is_optimised_for_this_one(tmp_path):
+    """Numba's passes for this machine lay out pointers of 8 bytes, and the module read beside its arrays."""
+    lines = python(UNOPTIMISED, NUMBA_CACHE_DIR=str(tmp_path)).splitlines()
+    for name in ("summed", "passed"):
+        (line,) = [line for line in lines if f"small_kernels{len(name)}{name}" in line]
+        assert line.startswith("True"), line  # variables stand in memory still
+
+
 def test_a_constant_argument_compiles_nothing_anew(fresh):
     dispatchers.compile_for(small_kernels.with_constants, (describe(1.0),))
     signatures = dispatchers.inner(small_kernels.scaled).signatures

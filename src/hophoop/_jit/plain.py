@@ -19,6 +19,8 @@ def leave_unoptimised() -> None:
     """
     codegen.CPUCodeLibrary._optimize_functions = lambda self, module: None
     codegen.CPUCodeLibrary._optimize_final_module = lambda self: None
+    # parts have passes of their own; they are linked still
+    dispatchers._PartLibrary._optimize_final_module = dispatchers._Library._optimize_final_module  # type: ignore[method-assign]
 
 
 def _callee(kernel: Source, function: FunctionType) -> Any:
