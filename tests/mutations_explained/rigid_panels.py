@@ -14,7 +14,7 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     "the equality of two rounded numbers on the way to a panel: either side gives one": (
         ("panel_choice", "levels_away", "if slope * way <= 0.0 or begin.stiffness <= 0.0:", "if slope * way < 0.0 or begin.stiffness <= 0.0:"),
-        ("panel_choice", "turns_within", "if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) < 0.0:", "if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) <= 0.0:"),
+        ("panel_choice", "turns_within", "if u_on_panel(body, panel, panel.way * sine, 2.0 * half * half, panel.way * reach) < 0.0:", "if u_on_panel(body, panel, panel.way * sine, 2.0 * half * half, panel.way * reach) <= 0.0:"),
         ("panel_choice", "solve_arrival", "if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:", "if not (totals.tail < RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:"),
         ("panel_choice", "solve_arrival", "if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:", "if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) < START_ROUNDING * before.u:"),
         ("panel_choice", "solve_arrival", "if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:", "if totals.u > 0.0 and abs(totals.u - u) >= 1e-9 * u:"),

@@ -12,6 +12,7 @@ import pytest
 
 import hophoop as hh
 import hophoop.simulation
+from contact_tools import sines_of
 from hophoop import arbitration
 from hophoop.numerics import roots
 from hophoop.panels import landing
@@ -301,8 +302,8 @@ def solving(monkeypatch, change):
 
 def choose(state, body):
     scratch = new_scratch()
-    state = panel_choice.anchored.py_func(body, 0, state, scratch)
-    return panel_choice.choose_panel.py_func(body, 0, state, panel_choice.START_LEVEL, scratch), scratch
+    state = panel_choice.anchored.py_func(body, 0, state, *sines_of(state), scratch)
+    return panel_choice.choose_panel.py_func(body, 0, state, *sines_of(state), panel_choice.START_LEVEL, scratch), scratch
 
 
 @pytest.mark.parametrize("omega", [0.0, 1.0, 1e-10, 1e-150])

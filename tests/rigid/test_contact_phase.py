@@ -11,7 +11,7 @@ from mpmath import mp, mpf
 from scipy.integrate import solve_ivp
 
 import hophoop as hh
-from contact_tools import STARTED, body_of, state_of
+from contact_tools import STARTED, body_of, sines_of, state_of
 from hophoop._jit import forced, interpreted
 from hophoop.numerics.collocation import NODES, ORDER, lagrange
 from hophoop.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
@@ -195,8 +195,8 @@ def solved_panel(body, sigma, th, om):
     """(panel, totals, state at its start, arrays) as the kernel chooses it."""
     scratch = new_scratch()
     state = state_of(th, om, 0.75 * sigma)._replace(**STARTED)
-    state = interpreted(contact_phase.anchored)(body, sigma, state, scratch)
-    panel, totals, _ = interpreted(contact_phase.choose_panel)(body, sigma, state, 2, scratch)
+    state = interpreted(contact_phase.anchored)(body, sigma, state, *sines_of(state), scratch)
+    panel, totals, _ = interpreted(contact_phase.choose_panel)(body, sigma, state, *sines_of(state), 2, scratch)
     assert totals.tail < 2e-13
     interpreted(contact_phase.fill_inside)(panel, scratch.work)
     return panel, totals, state, scratch

@@ -10,6 +10,7 @@ from mpmath import mp, mpf
 from scipy.optimize import brentq
 
 import hophoop as hh
+from contact_tools import sines_of
 from hophoop._jit import interpreted
 from hophoop.panels.anchor import FREE, ROLLING, SLIPPING
 from hophoop.panels.panel import ARRIVE, LEAVE, LINEAR, Begin, leaving_panel, linear_panel
@@ -35,11 +36,11 @@ def state_of(th, om, vt=0.0):
 
 
 def begin_of(body, sigma, state, scratch=None):
-    return interpreted(panel_choice.begin_of)(body, sigma, state, scratch or new_scratch())
+    return interpreted(panel_choice.begin_of)(body, sigma, state, *sines_of(state), scratch or new_scratch())
 
 
 def anchored(body, sigma, state):
-    return interpreted(panel_choice.anchored)(body, sigma, state, new_scratch())
+    return interpreted(panel_choice.anchored)(body, sigma, state, *sines_of(state), new_scratch())
 
 
 # where a panel begins
@@ -322,7 +323,7 @@ def test_the_first_panel_of_slip_that_hardly_turns():
 def chosen(body, sigma, state, level):
     """(panel, totals, level of the next one, how many were tried)."""
     scratch = new_scratch()
-    panel, totals, after = interpreted(panel_choice.choose_panel)(body, sigma, state, level, scratch)
+    panel, totals, after = interpreted(panel_choice.choose_panel)(body, sigma, state, *sines_of(state), level, scratch)
     return panel, totals, after, scratch.written[2]
 
 

@@ -10,6 +10,7 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 import hophoop as hh
+from contact_tools import sines_of
 from hophoop._jit import interpreted
 from hophoop.numerics.collocation import NODES
 from hophoop.numerics.roots import NOT_FOUND
@@ -221,7 +222,7 @@ def rolled(body, th, om, level=2):
     """(panel, totals, scratch) of a solved panel of rolling."""
     scratch = new_scratch()
     state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, om)
-    begin = interpreted(panel_choice.begin_of)(body, 0, state, scratch)
+    begin = interpreted(panel_choice.begin_of)(body, 0, state, *sines_of(state), scratch)
     panel = interpreted(linear_panel)(0, level, math.copysign(1.0, om), begin)
     return panel, interpreted(panel_choice.solve)(body, panel, scratch.work), scratch
 
@@ -364,7 +365,7 @@ def test_the_limits_of_a_panel_up_to_a_turning_point(way):
     state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, way * 1e-2)
     scratch = new_scratch()
     with np.errstate(all="ignore"):  # of panels that are given up
-        panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 0, state, 2, scratch)
+        panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 0, state, *sines_of(state), 2, scratch)
     assert panel.kind == ARRIVE
     assert earliest(body, panel, totals, state, scratch) == (1.0, panel_events.TURNED)
     for part in (0.25, 0.75):
@@ -376,7 +377,7 @@ def test_a_ring_that_slips_until_it_rolls():
     """At 2 μ g the slip is lost, on a level: no limit of it is passed."""
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.5)).to_body()
     state, scratch = interpreted(start_state)(0.0, 0.0, 0.5, 0.125, 0.0, 2.0), new_scratch()
-    panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 1, state, 2, scratch)
+    panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 1, state, *sines_of(state), 2, scratch)
     xi, what = earliest(body, panel, totals, state, scratch)
     turned = 2.0 * 0.125 + 0.5 * 0.5 * 0.125**2  # in 1/8
     assert (xi, what) == (pytest.approx(2.0 * turned / panel.extent - 1.0, abs=1e-13), panel_events.STOP)

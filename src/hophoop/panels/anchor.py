@@ -75,7 +75,7 @@ def fallen(body, bend, psi):
 
 
 @apart_jit
-def rolling_anchor(body, th, low, u):
+def rolling_anchor(body, th, low, s, c, u):
     """The anchor of a rolling phase that begins at θ with θ̇² = u."""
     if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
         return NONE
@@ -84,8 +84,6 @@ def rolling_anchor(body, th, low, u):
     if body.gt != 0.0:
         base, base_low = rolling_hilltop(body)
     bend = -rest_curvature(body, math.sin(base), math.cos(base))
-    s = math.sin(th) + low * math.cos(th)
-    c = math.cos(th) - low * math.sin(th)
     psi = offset_from(th, low, base, base_low)
     energy = inertia_at_height(body, load_height(s, c)) * u
     excess = energy - 2.0 * fallen(body, bend, psi)

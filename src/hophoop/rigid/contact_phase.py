@@ -236,11 +236,12 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         count_panel(log)
         if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
             state = with_velocities(state, state.vt, state.vn, 0.0)
+        s, c = sine_cosine(state.th, state.th_low)
         if begins:
-            state = anchored(body, sigma, state, scratch)
+            state = anchored(body, sigma, state, s, c, scratch)
         if state.om == 0.0 and stays(body, sigma, state):
             return STILL, state, level
-        panel, totals, level = choose_panel(body, sigma, state, level, scratch)
+        panel, totals, level = choose_panel(body, sigma, state, s, c, level, scratch)
         if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:
             state = regained(body, state, panel.u)
             continue

@@ -7,7 +7,7 @@ import math
 from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.roots import NOT_FOUND, first_fall
-from hophoop.numerics.trigonometry import sine_cosine, versine_of
+from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.anchor import (
     NONE,
     SLIPPING,
@@ -57,23 +57,21 @@ NARROWEST = 2000
 
 
 @apart_jit
-def anchored(body, sigma, state, scratch):
-    """The state at the begin of a phase, with the anchor of the phase."""
+def anchored(body, sigma, state, s, c, scratch):
+    """The state at the begin of a phase, with the anchor of the phase; s and c are sin θ and cos θ there."""
     if body.resist > 0.0:
         return with_anchor(state, NONE)  # nothing is conserved
     u = state.om * state.om
     if sigma == 0:
-        return with_anchor(state, rolling_anchor(body, state.th, state.th_low, u))
+        return with_anchor(state, rolling_anchor(body, state.th, state.th_low, s, c, u))
     if body.mu_k == 0.0 and state.anchor.kind == SLIPPING:
         return state  # without friction the direction of slip changes nothing
-    s, c = sine_cosine(state.th, state.th_low)
     return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
 
 
 @inline_jit
-def begin_of(body, sigma, state, scratch):
-    """Where the next panel begins."""
-    s, c = sine_cosine(state.th, state.th_low)
+def begin_of(body, sigma, state, s, c, scratch):
+    """Where the next panel begins, with sin θ and cos θ there."""
     u = state.om * state.om
     if sigma == 0:
         arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
@@ -126,11 +124,13 @@ def levels_away(body, sigma, way, begin):
 @apart_jit
 def turns_within(body, panel, reach):
     """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
+    sine = math.sin(reach)
     while reach >= 0.5 * panel.extent:
-        versine = versine_of(reach)
-        if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) < 0.0:
+        half = math.sin(0.5 * reach)  # gives 1 − cos as in `versine_of`, and is the sine of the next angle
+        if u_on_panel(body, panel, panel.way * sine, 2.0 * half * half, panel.way * reach) < 0.0:
             return True
         reach *= 0.5
+        sine = half
     return False
 
 
@@ -196,13 +196,13 @@ def first_extent(body, sigma, vt, begin):
 
 
 @inline_jit
-def choose_panel(body, sigma, state, level, scratch):
-    """A panel from here, as wide as is resolved.
+def choose_panel(body, sigma, state, s, c, level, scratch):
+    """A panel from here, where sin θ and cos θ are s and c, as wide as is resolved.
 
     Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
     """
     work = scratch.work
-    begin = begin_of(body, sigma, state, scratch)
+    begin = begin_of(body, sigma, state, s, c, scratch)
     if state.om == 0.0:
         way = 1.0 if begin.arm > 0.0 else -1.0
         extent = first_extent(body, sigma, state.vt, begin)
@@ -251,7 +251,8 @@ def outlasts(totals, left):
 @apart_jit
 def shortened(body, panel, totals, state, left, scratch):
     """A narrower panel, for one that `outlasts` the time left."""
-    begin = begin_of(body, panel.sigma, state, scratch)
+    s, c = sine_cosine(state.th, state.th_low)
+    begin = begin_of(body, panel.sigma, state, s, c, scratch)
     if panel.kind == LEAVE:
         part = 4.0 * left / totals.time
         extent = panel.extent * part * part

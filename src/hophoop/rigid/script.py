@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import aside_jit, jit
+from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, no_panel
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.modes import slip_direction
@@ -61,7 +62,8 @@ def repeat(body, script, log, scratch):
     phase = entered(body, mode, state, 0.0, ON, scratch)
     if script[last]["t"] > script[last - 1]["t"]:  # inside a phase
         if mode != FLIGHT:
-            state = anchored(body, slip_direction(mode), state, scratch)
+            s, c = sine_cosine(state.th, state.th_low)
+            state = anchored(body, slip_direction(mode), state, s, c, scratch)
         return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, 0.0, ON, phase.status)
     if script[last - 1]["kind"] == SLIP_START:
         return slipping(body, phase, mode, state, ON)
