@@ -1,5 +1,6 @@
 """Set up before anything imports hophoop, for the tests and for the doctests in src/ alike."""
 
+import gc
 import os
 import signal
 import tempfile
@@ -31,3 +32,13 @@ def pytest_sessionstart(session):
     if compile_ahead.asked(session.config):
         with session.config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
             compile_ahead.compile_ahead()
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_collection():
+    gc.disable()  # it makes millions of objects that stay: to look through them, then and at the end, took half of the time
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()

@@ -2,6 +2,7 @@
 
 import ast
 import functools
+import gc
 import importlib
 import inspect
 import re
@@ -52,6 +53,11 @@ def test_types_hold():
 
 def test_dependencies_run_one_way():
     run(sys.executable, "-c", "from importlinter.cli import lint_imports_command as lint; lint()")
+
+
+def test_only_collecting_tests_leaves_cycles_where_they_are():
+    assert gc.isenabled()
+    assert gc.get_freeze_count() > 0
 
 
 def test_one_version():
