@@ -211,7 +211,7 @@ def start_of(scenario: Scenario) -> State:
     second = time_unit(hoop, scenario.plane)
     given = scenario.start.state(hoop)
     speed = hoop.radius / second
-    start: State = start_state(
+    start: State = interpreted(start_state)(
         given.x / hoop.radius,
         given.height / hoop.radius,
         given.angle,

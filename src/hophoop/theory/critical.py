@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._jit import interpreted
 from hophoop.physics.body import Body, Mode
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -52,7 +53,7 @@ class _Trials:
 
     def angles(self, body: Body, speed: float) -> tuple[float, float]:
         """Angles of the first slip and the first lift-off, nan where there is none."""
-        start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
+        start = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
         none = np.empty(0, SEGMENT)
         _, count, _ = run(
             body, start, kernels.ANY_TIME, TURN, kernels.STOP, self.events, none, self.scratch, self.events[:0]
