@@ -1,6 +1,8 @@
 """Processes that compute for the lab: work that ends when it is due, and waiting that is honest."""
 
 import asyncio
+import subprocess
+import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -316,6 +318,30 @@ def test_a_job_that_is_given_up_before_it_comes_is_not_begun(process):
     process._say(process._number + 1, None)
     assert process.exchange(one_cell(1.0)) == (STOPPED, None)
     assert process.exchange(one_cell(1.0))[0] == ANSWER
+
+
+IMPORTING = """
+import sys, time
+from hophoop.lab import worker
+loop = worker._Loop(None, None)
+loop.heed()
+loop.computing = loop.unwanted = 1
+sys.path.insert(0, sys.argv[1])
+try:
+    import interrupted_module
+    time.sleep(60.0)
+except worker._Stopped:
+    print(hasattr(sys.modules.get("interrupted_module"), "END"), loop.computing)
+"""
+
+
+@POSIX
+def test_an_interrupt_leaves_no_module_half_imported(tmp_path):
+    """Maps failed in a process whose first one was given up while it imported pandas."""
+    (tmp_path / "interrupted_module.py").write_text("import signal\nsignal.raise_signal(signal.SIGINT)\nEND = True\n")
+    words = [sys.executable, "-c", IMPORTING, str(tmp_path)]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=30.0, check=False)
+    assert done.stdout == "True 0\n", done.stderr
 
 
 def test_a_process_that_cannot_read_a_job_ends_and_one_that_has_ended_says_so():

@@ -21,6 +21,7 @@ import threading
 import time
 import traceback
 from dataclasses import dataclass
+from types import FrameType
 from typing import Any, BinaryIO
 
 from hophoop._jit.beside import busy
@@ -29,6 +30,7 @@ from hophoop._processes import python_beside
 ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
 BEGINS = 4.0  # seconds that a process may need until it can report
 REPORT = 0.25  # seconds between two reports that code is compiled
+AGAIN = 0.01  # seconds until a job that is importing a module is interrupted again
 
 
 @dataclass(frozen=True)
@@ -180,11 +182,20 @@ class _Loop:
                 with contextlib.suppress(OSError):
                     self.say(0, (COMPILING, None))
 
-    def interrupted(self, *_: Any) -> None:
+    def interrupted(self, _: int, frame: FrameType | None) -> None:
         """Stop the job that is computed; one that was answered just now, or comes next, goes on."""
         if 0 < self.computing <= self.unwanted:
+            if importing(frame):  # half a module would fail all jobs to come
+                signal.setitimer(signal.ITIMER_REAL, AGAIN)
+                return
             self.computing = 0
             raise _Stopped
+
+    def heed(self) -> None:
+        """Heed interrupts from now on, and those that were put off."""
+        signal.signal(signal.SIGINT, self.interrupted)
+        if os.name == "posix":
+            signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
 
     def run(self) -> None:
         while (job := self.jobs.get()) is not None:
@@ -198,6 +209,15 @@ class _Loop:
         except _Stopped:
             return STOPPED, None
         return said
+
+
+def importing(frame: FrameType | None) -> bool:
+    """Whether a module is being imported where a signal came."""
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            return True
+        frame = frame.f_back
+    return False
 
 
 def outcome(job: Job) -> tuple[str, Any]:
@@ -231,7 +251,7 @@ def main() -> None:
     outward = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
     loop = _Loop(inward, outward)
-    signal.signal(signal.SIGINT, loop.interrupted)
+    loop.heed()
     for thread in (loop.listen, loop.report):
         threading.Thread(target=thread, daemon=True).start()
     usual = sys.unraisablehook
@@ -265,6 +285,7 @@ def _prepare() -> None:
 
     with contextlib.suppress(ValueError, ImportError):
         calls.film_of(calls.computed(Scenario()))
+        import xarray  # noqa: F401  a map needs it, and a process that is importing cannot be stopped at once
 
 
 def _write(stream: BinaryIO, value: Any) -> None:
