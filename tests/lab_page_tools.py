@@ -1,6 +1,7 @@
 """What the tests of the lab's page in a browser share."""
 
 import os
+import time
 from pathlib import Path
 
 PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parent / "results" / "lab"))
@@ -12,6 +13,14 @@ def summary(page):
 
 def wait_for(page, expression):
     page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
+
+
+def until(page, holds, seconds=30.0):
+    """Wait for something outside of the page; what the page says is heard meanwhile."""
+    end = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < end, f"not so after {seconds:g} s"
+        page.wait_for_timeout(20)
 
 
 def picture(page, name, **options):

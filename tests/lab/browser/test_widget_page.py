@@ -7,7 +7,7 @@ import pytest
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
 import hophoop as hh  # noqa: E402
-from lab_page_tools import picture, summary  # noqa: E402
+from lab_page_tools import picture, summary, until  # noqa: E402
 
 
 @pytest.mark.parametrize("alone", [pytest.param(True, marks=pytest.mark.long), False])
@@ -65,14 +65,12 @@ def test_the_widget_is_the_same_player(visit, alone):
     assert page.locator(".map").count() == 0
     page.locator("input[data-path='start.speed']").fill("2")
     page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
-    assert widget.motion.scenario.start.speed == 2.0
-    page.wait_for_timeout(200)
-    assert widget.query == "duration=2&start.speed=2"
+    # the page shows what it computed and tells the notebook then
+    until(page, lambda: widget.motion.scenario.start.speed == 2.0 and widget.query == "duration=2&start.speed=2")
     # undo takes the notebook's motion back as well
     page.get_by_role("button", name="Undo (z)").click()
     page.wait_for_function("() => document.querySelector('.summary').textContent.includes('hops')")
-    page.wait_for_timeout(200)
-    assert widget.motion.scenario.start.speed == 3.1
+    until(page, lambda: widget.motion.scenario.start.speed == 3.1 and widget.query == "duration=2")
     picture(page, "widget")
     page.get_by_role("button", name="Arrows").click()
     if alone:
