@@ -220,7 +220,7 @@ def test_a_hoop_in_another_page_has_them(visit, site_folder):
     )
     page = visit("other.html", ready=False)
     page.get_by_role("button", name="Arrows").click()
-    page.wait_for_function("() => document.querySelector('hophoop-motion').lab.extras.more.changes")
+    page.wait_for_function("() => document.querySelector('hophoop-motion').lab?.extras.more.changes")
     assert "The hop: " in page.locator(".more-said").inner_text()
 
 
