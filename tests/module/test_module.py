@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import json
 import math
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import hophoop as hh
 from hophoop import maps
+from hophoop._jit import dispatchers, kernels, plain, quicker, store
 from hophoop.lab.regions import regions
 from hophoop.lab.thresholds import thresholds
 from hophoop.maps.cells import make_cells
 from hophoop.maps.quantities import make_span
+from hophoop.module import build
+from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.module.layout import EVENT_COLUMNS, SAMPLE_COLUMNS, layout
-from hophoop.module.stamp import HERE, LAYOUT, MODULE, sources
+from hophoop.module.stamp import HERE, LAYOUT, MODULE, sources, stamped
 from hophoop.physics.body import Status
 from hophoop.records.scratch import MOST_PANELS
 
@@ -35,6 +40,22 @@ def host() -> Host:
 def test_the_module_is_that_of_the_sources() -> None:
     assert TOLD["sources"] == sources(), "run python -m hophoop.module.build"
     assert {name: TOLD[name] for name in layout()} == json.loads(json.dumps(layout()))
+
+
+def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
+    entries = [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]
+    files = {Path(part.py_func.__code__.co_filename) for kernel, _ in entries for part in store.reachable(kernel)}
+    assert len(files) > 50
+    compiling = {Path(module.__file__) for module in (dispatchers, kernels, plain, quicker)}
+    assert (files | compiling) - set(stamped()) == set()
+
+
+def test_the_builder_asks_for_what_it_needs_before_it_compiles(monkeypatch, tmp_path) -> None:
+    monkeypatch.setitem(sys.modules, "ziglang", None)
+    monkeypatch.setattr(build, "module_of", lambda entries: pytest.fail("it compiles"))
+    with pytest.raises(ImportError, match=r"pip install 'hophoop\[module\]'"):
+        build.build(tmp_path)
+    assert not list(tmp_path.iterdir())
 
 
 def test_it_imports_nothing(host: Host) -> None:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._jit import interpreted
 from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.friction_use import greatest_peaks, greatest_use, no_change, settled_by, use_rates
@@ -297,7 +298,7 @@ def doubtful_from(motion: Motion) -> float:
     """
     scenario = motion.scenario
     row = motion.tables["events"][0]
-    start = start_state(row["x"], row["height"], row["angle"], row["slip"], row["vy"], row["omega"])
+    start = interpreted(start_state)(*(float(row[name]) for name in ("x", "height", "angle", "slip", "vy", "omega")))
     events = np.empty(len(motion.tables["events"]) + 8, EVENT)
     scratch = new_scratch()
     second = time_unit(scenario.hoop, scenario.plane)

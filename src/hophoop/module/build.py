@@ -18,6 +18,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop.module.layout import layout
 from hophoop.module.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources
@@ -160,9 +161,15 @@ def build(folder: Path = HERE) -> None:
     ----------
     folder : Path
         Where to write `MODULE`, `DERIVATIVES` and `LAYOUT`.
+
+    Raises
+    ------
+    ImportError
+        If ziglang is not installed.
     """
     from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
 
+    need("ziglang", "module")  # asked for before two minutes of compiling, not after
     contents = {"module": module_of(ENTRIES), "derivatives": module_of(DERIVATIVE_ENTRIES)}
     tags = {name: hashlib.sha256(content).hexdigest()[:16] for name, content in contents.items()}
     for name, file in (("module", MODULE), ("derivatives", DERIVATIVES)):
@@ -186,4 +193,7 @@ def tools() -> dict[str, str]:
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as cache:  # compiled code that is there already is for this machine
         os.environ["NUMBA_CACHE_DIR"] = cache
-        build()
+        try:
+            build()
+        except ImportError as error:
+            sys.exit(str(error))

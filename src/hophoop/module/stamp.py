@@ -12,7 +12,10 @@ HERE = Path(__file__).parent
 MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
 # What decides the modules' bytes: rooms, and files of other rooms.
 ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives", "module")
-FILES = ("maps/friction_use.py", "maps/kernel.py")
+FILES = (
+    *(f"_jit/{name}.py" for name in ("__init__", "dispatchers", "kernels", "plain", "quicker")),  # how they are compiled
+    "maps/friction_use.py", "maps/kernel.py",
+)  # fmt: skip
 
 
 @cache
@@ -28,6 +31,21 @@ def built() -> dict[str, Any]:
     return told
 
 
+def stamped() -> list[Path]:
+    """The sources that decide the modules' bytes.
+
+    Returns
+    -------
+    files : list of Path
+        Sorted.
+    """
+    package = HERE.parent
+    files = {package / name for name in FILES}
+    for room in ROOMS:
+        files.update((package / room).glob("*.py"), (package / room).glob("*.c"))
+    return sorted(files - {Path(__file__)})
+
+
 def sources() -> str:
     """Hash of the sources that the modules are made of.
 
@@ -36,14 +54,9 @@ def sources() -> str:
     stamp : str
         Equal stamps, equal sources.
     """
-    package = HERE.parent
-    files = [package / name for name in FILES]
-    for room in ROOMS:
-        files += [*(package / room).glob("*.py"), *(package / room).glob("*.c")]
-    files.remove(Path(__file__))
     digest = hashlib.sha256()
-    for file in sorted(files):
-        name = file.relative_to(package).as_posix()
+    for file in stamped():
+        name = file.relative_to(HERE.parent).as_posix()
         digest.update(f"{name}\n".encode())
         digest.update(file.read_bytes().replace(b"\r\n", b"\n"))
     return digest.hexdigest()[:32]

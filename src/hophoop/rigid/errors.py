@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from hophoop._jit import interpreted
 from hophoop.physics.body import Body, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -47,7 +48,7 @@ def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | No
     script = np.array([row, row], EVENT)
     events = np.empty(room, EVENT)
     status, count, _ = run(
-        body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),
+        body, interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),
         new_scratch(), script,
     )  # fmt: skip
     return None if status == Status.EVENT_LIMIT else events[:count]
