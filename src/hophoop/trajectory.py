@@ -181,14 +181,7 @@ class Trajectory:
         ValueError
             If the contact is compliant, whose errors follow from its rtol.
         """
-        if self.scenario.contact.model != "rigid":
-            raise InputError("motion.errors needs rigid contact; a compliant contact keeps to contact.rtol.")
-        from hophoop.rigid.errors import FIELDS, event_errors
-
-        unit = self.units
-        table = event_errors(self.scenario.to_body(), self._events, self.scenario.duration / unit.time)
-        sizes = {name: unit.time if name == "t" else unit.of(name) for name in FIELDS}
-        return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
+        return event_errors_watched(self)
 
     @cached_property
     def ledger(self) -> Ledger:
@@ -422,6 +415,37 @@ class Trajectory:
 
 
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
+
+
+def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) -> EventErrors:
+    """`Trajectory.errors`, for who shows from another thread how far they are.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    reached : ndarray, shape (1,), optional
+        Is given the share that is computed, again and again [1].
+
+    Returns
+    -------
+    errors : EventErrors
+
+    Raises
+    ------
+    ValueError
+        If the contact is compliant.
+    """
+    if motion.scenario.contact.model != "rigid":
+        raise InputError("motion.errors needs rigid contact; a compliant contact keeps to contact.rtol.")
+    from hophoop.rigid.errors import FIELDS, event_errors
+
+    unit = motion.units
+    events = motion.tables["events"]
+    table = event_errors(motion.scenario.to_body(), events, motion.scenario.duration / unit.time, reached)
+    sizes = {name: unit.time if name == "t" else unit.of(name) for name in FIELDS}
+    return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
+
+
 _INTERNAL = {"mode", "theta", "theta_low"}  # columns that a sample does not have as they are
 _PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))

@@ -1,14 +1,19 @@
-"""How much work a motion with compliant contact is, told before it starts, and how far it is."""
+"""How much work a motion with compliant contact is, told before it starts, and how far work is that takes long."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
     from rich.console import Console
 
     from hophoop.scenario import Scenario
     from hophoop.trajectory import Trajectory
+
+Result = TypeVar("Result")
 
 PART = 0.05  # of the motion is tried
 MANY = 100_000  # steps, about a second: fewer are not worth a word
@@ -39,24 +44,31 @@ def with_progress(scenario: Scenario, console: Console) -> Trajectory:
     """The motion; one with compliant contact that takes more than a second shows a bar on a terminal."""
     from hophoop.simulation import simulate_watched
 
-    if scenario.contact.model != "compliant" or not console.is_terminal:
+    if scenario.contact.model != "compliant":
         return simulate_watched(scenario)
+    return watched(lambda reached: simulate_watched(scenario, reached), console, "motion")
+
+
+def watched(compute: Callable[[np.ndarray], Result], console: Console, name: str) -> Result:
+    """What `compute` returns; where that takes more than a second, a terminal shows the share that it writes."""
     import threading
 
     import numpy as np
 
     reached = np.zeros(1)
-    motions: list[Trajectory] = []
+    if not console.is_terminal:
+        return compute(reached)
+    results: list[Result] = []
     errors: list[BaseException] = []
 
-    def compute() -> None:
+    def work() -> None:
         try:
-            motions.append(simulate_watched(scenario, reached))
+            results.append(compute(reached))
         except BaseException as error:
             errors.append(error)
 
     # in a thread beside, which compiled code lets go on: Ctrl-C is heard here, and ends both
-    thread = threading.Thread(target=compute, daemon=True)
+    thread = threading.Thread(target=work, daemon=True)
     thread.start()
     thread.join(SOON)
     if thread.is_alive():
@@ -64,10 +76,10 @@ def with_progress(scenario: Scenario, console: Console) -> Trajectory:
 
         columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
         with Progress(*columns, console=console, transient=True) as bars:
-            task = bars.add_task("motion", total=1.0)
+            task = bars.add_task(name, total=1.0)
             while thread.is_alive():
                 bars.update(task, completed=float(reached[0]))
                 thread.join(LOOKS)
     if errors:
         raise errors[0]
-    return motions[0]
+    return results[0]

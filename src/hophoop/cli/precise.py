@@ -4,23 +4,27 @@ from __future__ import annotations
 
 import json as json_text
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import typer
 
 from hophoop.cli._output import console_of
+from hophoop.cli._tables import change_of, say_left_out, table_of, unanswered
+from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
-    from rich.table import Table
+    from collections.abc import Callable, Iterable, Sequence
 
-    from hophoop.precise import Agreement, PreciseMotion
+    from hophoop.precise import Agreement, PreciseEvent, PreciseMotion
+    from hophoop.precise import Row as AgreementRow
+
+Row = TypeVar("Row")
 
 
-def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) -> None:
+def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, everything: bool) -> None:
     """Solve in many digits; print or write it, or compare the kernel's motion with it."""
     from hophoop._files import replacing
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.cli.run import unanswered
     from hophoop.simulation import simulate
 
     precise = simulate(scenario, digits=digits)
@@ -31,8 +35,7 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) 
         if json is not None:
             typer.echo(json_text.dumps(_agreement_dict(agreement, precise), indent=2, ensure_ascii=False))
         elif not quiet:
-            _show(_rows(agreement))
-            _say_digits(agreement, precise)
+            _show_agreement(agreement, precise, everything)
         if agreement.difference:
             say(agreement.difference)
             raise typer.Exit(NO_ANSWER)
@@ -45,9 +48,7 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) 
             with replacing(Path(json)) as file:
                 file.write_text(text + "\n", encoding="utf-8")
     if json != "-" and not quiet:
-        _show(_events(precise))
-        typer.echo(f"phases  {precise.sequence}\nstatus  {precise.status.replace('_', ' ')}")
-        typer.echo(f"digits  {min(precise.digits_right, digits)} right of {digits} asked, in every event")
+        _show_motion(precise, digits, everything)
     if precise.digits_right < digits:
         say(f"Only {precise.digits_right} of the {digits} digits asked are certain.")
     if not precise.ok:
@@ -55,42 +56,32 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) 
         raise typer.Exit(NO_ANSWER)
 
 
-def _show(table: Table) -> None:
-
+def _show(titles: Sequence[str], rows: Sequence[Row], cells: Callable[[Row], Iterable[str]], everything: bool) -> None:
     console = console_of(4000)
-    console.print(table)
+    console.print(table_of(titles, rows, cells, everything))
+    say_left_out(console, len(rows), everything)
 
 
-def _table(*titles: str) -> Table:
-    from rich import box
-    from rich.table import Table
-
-    table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
-    for title in titles:
-        table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
-    return table
+def _show_motion(precise: PreciseMotion, digits: int, everything: bool) -> None:
+    titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)", "digits")
+    _show(titles, precise.events, _event, everything)
+    typer.echo(f"phases  {precise.sequence}\nstatus  {plain(precise.status)}")
+    typer.echo(f"digits  {min(precise.digits_right, digits)} right of {digits} asked, in every event")
 
 
-def _events(precise: PreciseMotion) -> Table:
-    table = _table("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)", "digits")
-    for event in precise.events:
-        change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-        numbers = (event.t, event.angle, event.x, event.vx, event.omega)
-        table.add_row(event.kind.replace("_", " "), change, *map(str, numbers), str(event.digits_right))
-    return table
+def _event(event: PreciseEvent) -> list[str]:
+    numbers = (event.t, event.angle, event.x, event.vx, event.omega)
+    return [plain(event.kind), change_of(event), *map(str, numbers), str(event.digits_right)]
 
 
-def _rows(agreement: Agreement) -> Table:
+def _show_agreement(agreement: Agreement, precise: PreciseMotion, everything: bool) -> None:
     from hophoop.precise.agreement import NUMBERS
 
-    table = _table("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇")
-    for row in agreement.rows:
+    def cells(row: AgreementRow) -> list[str]:
         counts = [f"{row.digits[name]:.1f}" if name in row.digits else "" for name in NUMBERS]
-        table.add_row(row.kind.replace("_", " "), f"{row.t:.9f}", *counts)
-    return table
+        return [plain(row.kind), f"{row.t:.9f}", *counts]
 
-
-def _say_digits(agreement: Agreement, precise: PreciseMotion) -> None:
+    _show(("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇"), agreement.rows, cells, everything)
     if agreement.rows:
         typer.echo(
             f"At least {agreement.least:.1f} digits of every number are right, by a solution in {precise.digits} digits "

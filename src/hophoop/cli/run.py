@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import json as json_text
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,20 +11,17 @@ import typer
 from typer.core import TyperCommand
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._output import console_of
+from hophoop.cli._tables import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
-    from hophoop.explanation import Margins, PhaseRecord
-    from hophoop.results import EventRecord
+    from hophoop.explanation import PhaseRecord
+    from hophoop.results import EventErrors
+    from hophoop.scenario import Scenario
     from hophoop.trajectory import Trajectory
 
 OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
-FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
 CHECK_DIGITS = 25
-SPARE_COLUMNS = ("slip (m/s)", "x (m)", "height (m)", "θ̇ (rad/s)", "v (m/s)", "mode", "θ (°)")  # where a terminal is narrow
 
 
 class RunCommand(TyperCommand):
@@ -189,7 +185,7 @@ def run(
     ] = False,
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
-    from hophoop.cli import NO_ANSWER, say
+    from hophoop.cli import NO_ANSWER, _tables, say
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
     from hophoop.scenario import InputError
 
@@ -202,6 +198,8 @@ def run(
     result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
         raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")
+    if errors and scenario.contact.model != "rigid":
+        raise InputError("--errors needs rigid contact; a compliant contact keeps to contact.rtol.")
     outputs = {"--csv": csv, "--save": save, "--plot": plot, "--json": result}
     for option, path in outputs.items():
         if path is not None:
@@ -209,188 +207,74 @@ def run(
     check_apart([path for path in outputs.values() if path is not None], file)
 
     if digits is not None or check:
-        for option, path in outputs.items():
-            if path is not None and (check or option != "--json"):
-                raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
-        for option, given in (("--explain", explain), ("--sensitivity", sensitivity)):
-            if given:
+        asked = outputs | {"--explain": explain, "--errors": errors, "--sensitivity": sensitivity}
+        for option, given in asked.items():
+            if given and (check or option != "--json"):
                 raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
         from hophoop.cli import precise
 
-        precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet)
+        precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet, everything)
         return
-
-    from rich.console import Console
-
-    from hophoop.cli._work import with_progress, work_ahead
-    from hophoop.explanation import phases
-
-    explained = phases(scenario) if explain else None  # says at once what it cannot explain
-    ahead = work_ahead(scenario)
-    if ahead is not None and not quiet:
-        say(ahead)
-    motion = with_progress(scenario, Console(stderr=True, quiet=quiet))
-    derived = (
-        motion.sensitivity(sensitivity.split(","), wrt.split(",")) if sensitivity is not None and wrt is not None else None
-    )
+    shown = not quiet and json != "-"
+    explained = _phases(scenario) if explain else None  # says at once what it cannot explain
+    motion = _computed(scenario, quiet)
+    derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
     if json == "-":
-        text = json_text.dumps(motion.to_dict() | more, indent=2, ensure_ascii=False, allow_nan=False)
-        typer.echo(text)
-    if csv is not None or result is not None:
-        from hophoop import io
-
-        if result is not None:
-            io.write_json(motion, result, more)
-        if csv is not None:
-            io.write_csv(motion, csv, motion.times(samples))
-    if save is not None:
-        motion.save(save)
-    if plot is not None:
-        from hophoop.plots.overview import save_overview
-
-        save_overview(motion, plot)
-    if json != "-" and not quiet:
-        _print(motion, everything)
+        typer.echo(json_text.dumps(motion.to_dict() | more, indent=2, ensure_ascii=False, allow_nan=False))
+    _write(motion, outputs, samples, more)
+    if shown:
+        _tables.print_motion(motion, everything)
         if errors:
-            _print_errors(motion)
+            _tables.print_errors(motion, _errors(motion), everything)
         if explained is not None:
-            _print_phases(explained, everything)
+            _tables.print_phases(explained, everything)
         if derived is not None:
             typer.echo(derived)
     if not motion.ok:
-        say(unanswered(motion.duration, motion.status))
+        say(_tables.unanswered(motion.duration, motion.status))
         raise typer.Exit(NO_ANSWER)
 
 
-def unanswered(duration: float, status: str) -> str:
-    """The sentence that tells why a motion ended without an answer."""
-    from hophoop.vocabulary.words import STATUSES
+def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
+    from hophoop.explanation import phases
 
-    return f"The motion ends at t = {duration:.9g} s, {status}. {STATUSES[status]}"
-
-
-def _print(motion: Trajectory, everything: bool) -> None:
-
-    from hophoop.cli._output import fitted
-
-    # a pipe has no width of its own; a table that is cut is worth little
-    console = console_of(120)
-    events = motion.events
-    left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
-    table = _events(events, left_out)
-    missing = fitted(table, console, SPARE_COLUMNS)
-    console.print(table)
-    if missing:
-        console.print(f"Not shown for want of width: {', '.join(missing)}.\n")
-    if left_out:
-        console.print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
-    console.print(_summary(motion))
+    return phases(scenario)
 
 
-def _print_errors(motion: Trajectory) -> None:
-    from rich import box
-    from rich.console import Console
-    from rich.table import Table
-
-    from hophoop.vocabulary.words import plain
-
-    found = motion.errors
-    table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
-    for title in ("t (s)", "event", "± t (s)", "± θ (rad)", "± x (m)", "± v (m/s)", "± θ̇ (rad/s)"):
-        table.add_column(title, justify="left" if title == "event" else "right", no_wrap=True)
-    for i, event in enumerate(motion.events):
-        numbers = (found.t[i], found.angle[i], found.x[i], found.vx[i], found.omega[i])
-        table.add_row(f"{event.t:.15g}", plain(event.kind), *(f"{number:.0e}" for number in numbers))
-    Console(highlight=False, width=120).print(table)
-
-
-def _print_phases(phases: Iterator[PhaseRecord], everything: bool) -> None:
-    from itertools import islice
-
+def _computed(scenario: Scenario, quiet: bool) -> Trajectory:
+    """The motion, after a word on how long it will take."""
     from rich.console import Console
 
-    console = Console(highlight=False, soft_wrap=True)
-    for number, phase in enumerate(islice(phases, None if everything else FIRST_ROWS)):
-        if number == 0 and phase.t_begin > 0.0:
-            console.print(f"Until t = {phase.t_begin:.6f} s the events are decided in more digits than doubles have.")
-        console.print(
-            f"{phase.t_begin:.6f} to {phase.t_end:.6f} s: {phase.word} ({phase.mode}), "
-            f"θ from {math.degrees(phase.angle_begin):.3f} to {math.degrees(phase.angle_end):.3f}°"
-        )
-        for name, found in (("begins", phase.begin), ("ends", phase.end)):
-            console.print(f"    {name:6s} with {_margins(found)}")
-        console.print(f"    {phase.ended_by} {phase.then}")
+    from hophoop.cli import say
+    from hophoop.cli._work import with_progress, work_ahead
+
+    ahead = work_ahead(scenario)
+    if ahead is not None and not quiet:
+        say(ahead)
+    return with_progress(scenario, Console(stderr=True, quiet=quiet))
 
 
-def _margins(found: Margins) -> str:
-    slip = f"v_t = {_rounded(found.slip)} m/s"
-    if found.height > 0.0 or (found.normal_force == 0.0 and found.friction_limit == 0.0):
-        return f"gap {found.height:.6g} m, {slip}, f_n = {_rounded(found.free_acceleration)} m/s²"
-    limit = _rounded(found.friction_limit)
-    text = f"N = {_rounded(found.normal_force)} N, F = {_rounded(found.friction_force)} N of {limit} N"
-    return text if math.isnan(found.p_sigma) else f"{text}, {slip}, p_σ = {found.p_sigma:.6g}"
+def _errors(motion: Trajectory) -> EventErrors:
+    from rich.console import Console
+
+    from hophoop.cli._work import watched
+    from hophoop.trajectory import event_errors_watched
+
+    return watched(lambda reached: event_errors_watched(motion, reached), Console(stderr=True), "errors")
 
 
-def _rounded(number: float) -> str:
-    return f"{0.0 if abs(number) < 1e-12 else number:.6g}"
+def _write(motion: Trajectory, outputs: Mapping[str, Path | None], samples: int, more: Mapping[str, Any]) -> None:
+    """Write the files that are asked for."""
+    from hophoop import io
 
+    if (result := outputs["--json"]) is not None:
+        io.write_json(motion, result, more)
+    if (csv := outputs["--csv"]) is not None:
+        io.write_csv(motion, csv, motion.times(samples))
+    if (save := outputs["--save"]) is not None:
+        motion.save(save)
+    if (plot := outputs["--plot"]) is not None:
+        from hophoop.plots.overview import save_overview
 
-def _events(events: Sequence[EventRecord], left_out: int) -> Table:
-    from rich import box
-    from rich.table import Table
-
-    from hophoop.vocabulary.words import plain
-
-    table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
-    for title in (
-        "t (s)",
-        "event",
-        "mode",
-        "θ (°)",
-        "x (m)",
-        "height (m)",
-        "v (m/s)",
-        "θ̇ (rad/s)",
-        "slip (m/s)",
-    ):
-        table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
-    shown = [*events[:FIRST_ROWS], None, *events[FIRST_ROWS + left_out :]] if left_out else events
-    for event in shown:
-        if event is None:
-            table.add_row(*["…"] * len(table.columns))
-            continue
-        change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-        numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
-        table.add_row(
-            f"{event.t:.6f}",
-            plain(event.kind),
-            change,
-            *(f"{_clean(number):.4f}" for number in numbers),
-        )
-    return table
-
-
-def _clean(number: float) -> float:
-    return 0.0 if abs(number) < 5e-5 else number
-
-
-def _summary(motion: Trajectory) -> Table:
-    from rich.table import Table
-
-    from hophoop.vocabulary.words import LETTERS_SENTENCE, plain
-
-    ledger = motion.ledger
-    impacts = ledger.impact_normal + ledger.impact_tangential
-    resists = motion.scenario.plane.rolling_resistance > 0.0
-    rolling = f", rolling resistance {ledger.rolling_resistance:.6g} J" if resists else ""
-    table = Table.grid(padding=(0, 2))
-    phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
-    table.add_row("phases", f"{phases}   ({LETTERS_SENTENCE})")
-    table.add_row("status", plain(motion.status))
-    table.add_row(
-        "energy",
-        f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "
-        f"{ledger.friction:.6g} J, impacts {impacts:.6g} J{rolling}; residual {ledger.residual:.1e} J",
-    )
-    return table
+        save_overview(motion, plot)

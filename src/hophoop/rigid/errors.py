@@ -63,7 +63,7 @@ def _is_alike(first: np.ndarray, second: np.ndarray) -> int:
     return int(np.argmin(same)) if not same.all() else count
 
 
-def event_errors(body: Body, events: np.ndarray, t_end: float) -> np.ndarray:
+def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarray | None = None) -> np.ndarray:
     """Estimated errors of the events of a rigid motion.
 
     Parameters
@@ -73,6 +73,8 @@ def event_errors(body: Body, events: np.ndarray, t_end: float) -> np.ndarray:
         Of the motion.
     t_end : float
         Its duration [√(R/g)].
+    reached : ndarray, shape (1,), optional
+        Is given the share that is computed, again and again [1].
 
     Returns
     -------
@@ -85,6 +87,8 @@ def event_errors(body: Body, events: np.ndarray, t_end: float) -> np.ndarray:
     squares += (ROUNDING * (1.0 + table)) ** 2
     for i in range(count - 1):
         row = events[i]
+        if reached is not None:
+            reached[0] = 1.0 - (1.0 - i / count) ** 2  # each event asks for all that follow
         sizes = _natural_sizes(row)
         plain = _again(body, row, t_end, 2 * count + 8)
         if plain is None:
