@@ -214,6 +214,30 @@ def test_errors_that_cannot_be_told_are_refused_before_anything_is_written(tmp_p
     assert not list(tmp_path.iterdir())
 
 
+MAP = ("map", "--axis", "start.speed=1:2:2", "--axis")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("run", "--digits", "5"), "--digits = 5 must be"),
+        (("run", "--sensitivity", "foo", "--wrt", "plane.mu"), "--sensitivity = 'foo' is no quantity"),
+        (("run", "--radius", "-1"), "hoop.radius = -1.0 must be"),  # a scenario's parameters are told by their paths
+        (("prove", "--until", "never"), "--until = 'never' must be"),
+        ((*MAP, "plane.mu=1:2:0", "--out", "a.zarr"), "--axis plane.mu=1:2:0: count = 0 must be"),
+        ((*MAP, "plane.mu=1:2:2", "--out", "a.csv"), "--out = 'a.csv' must end in"),
+        (("map", "--axis", "plane.mu=1:2:2", "--out", "a.zarr"), "--axis = ['plane.mu'] must name"),
+        (("lab", "--port", "99999999"), "--port = 99999999 must be"),
+        (("track", "no.mp4", "--radius", "-1"), "--radius = -1.0 must be"),
+        (("plan", "--rate", "0"), "--rate = 0.0 must be"),
+    ],
+)
+def test_a_refusal_names_the_option(words, said):
+    done = run(*words)
+    assert done.exit_code == 2
+    assert done.stderr.startswith(f"Error: {said}")
+
+
 @pytest.mark.parametrize(
     ("typed", "offered"),
     [

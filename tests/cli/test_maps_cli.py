@@ -101,13 +101,25 @@ def test_no_memory_is_one_sentence(monkeypatch):
     assert "There is not enough memory: Unable to allocate 745. GiB." in done.output
 
 
-def test_what_was_stopped_before_it_began_keeps_nothing(monkeypatch, tmp_path):
+def test_a_netcdf_map_that_cannot_be_written_in_the_end_is_not_begun(monkeypatch, tmp_path):
+    """A Zarr store is written chunk by chunk, netCDF at the end and all at once."""
+    monkeypatch.setattr(memory, "free_memory", lambda: 1e9)
+    arguments = ("--axis", "plane.mu=0.5:1:20000", "--axis", "start.speed=1:2:20000", "--quantity", "time", "--quiet")
+    refused = call(*arguments, "--out", tmp_path / "map.nc")
+    assert refused.exit_code == 2
+    assert "400,000,000 motions, which need 6.6 GB of memory where 1.0 GB are free" in refused.stderr
+    assert refused.stderr.endswith("name a file that ends in .zarr.\n")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("name", "place"), [("map.zarr", "map.zarr"), ("map.nc", "map.nc.part.zarr")])
+def test_what_was_stopped_before_it_began_keeps_nothing(monkeypatch, tmp_path, name, place):
     def stopped(*_, **__):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("hophoop.maps.sweeping.sweep", stopped)
-    out = tmp_path / "map.zarr"
+    out = tmp_path / name
     arguments = ("--axis", "plane.mu=0.5:1:2", "--axis", "start.speed=1:2:2", "--out", out, "--quiet")
     assert call(*arguments).stderr == "Stopped.\n"
-    out.mkdir()
-    assert call(*arguments).stderr == f"Stopped; what is done is kept in {out}, and --resume goes on.\n"
+    (tmp_path / place).mkdir()
+    assert call(*arguments).stderr == f"Stopped; what is done is kept in {tmp_path / place}, and --resume goes on.\n"

@@ -62,11 +62,20 @@ class Commands(TyperGroup):
         except BrokenPipeError:
             raise  # the reader of a pipe has gone; handled where it has always been
         except (ValueError, OSError, ImportError) as error:
+            from hophoop.cli._output import in_options
             from hophoop.scenario.sentences import sentence
 
-            raise Failed(sentence(error)) from error
+            raise Failed(in_options(sentence(error), self._options(ctx))) from error
         except MemoryError as error:
             raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
+
+    def _options(self, ctx: Any) -> dict[str, str]:
+        """Argument → option of the command that was called, but for those of the scenario, whose paths are told."""
+        from hophoop.cli._options import OPTIONS
+
+        flags = {one.name: max(one.opts, key=len) for one in self.get_command(ctx, ctx.invoked_subcommand).params}
+        paths = {option.flag for option in OPTIONS if "assign" in flags}
+        return {name: flag for name, flag in flags.items() if flag.startswith("--") and flag not in paths}
 
     def main(
         self,

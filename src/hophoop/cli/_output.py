@@ -52,16 +52,20 @@ def check_apart(paths: list[Path], source: str | None = None) -> None:
             raise _refuse(f"{paths[k]} is the scenario itself: name another file for the output.")
 
 
+def in_options(words: str, names: Mapping[str, str]) -> str:
+    """A sentence with options in place of the arguments of Python's functions; `names` maps these to those."""
+    for name, option in names.items():
+        words = re.sub(rf"(?<![-.\w]){re.escape(name)}(?= (=|holds) )", lambda _: option, words)  # noqa: B023
+    return words
+
+
 @contextmanager
 def named_options(names: Mapping[str, str]) -> Iterator[None]:
-    """A refusal names the option, not the argument of the function that refuses; `names` maps one to the other."""
+    """For options whose argument has another name in Python; those of the same name need no word (see `Commands`)."""
     try:
         yield
     except ValueError as error:
-        words = str(error)
-        for name, option in names.items():
-            words = re.sub(rf"^{name}(?= (=|holds))|(?<!-)\b{name}(?= = )", option, words)
-        raise _refuse(words) from None
+        raise _refuse(in_options(str(error), names)) from None
 
 
 def fitted(table: Table, console: Console, spare: Sequence[str]) -> list[str]:

@@ -26,7 +26,7 @@ def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None
     from hophoop.prove import prove_map
 
     ranges = _ranges(texts)
-    with named_options({"ranges": "--boxes", "depth": "--depth"}):
+    with named_options({"ranges": "--boxes"}):
         found = prove_map(scenario, ranges, depth, seconds)
     result = {
         "schema": "hophoop-boxes/1",

@@ -123,7 +123,7 @@ def animate(
     need("matplotlib", "films")  # which brings the extra 'plots' as well
     from hophoop import animate as films
 
-    with named_options(NAMED):
+    with named_options({"start": "--from", "panels": "--panel", "labels": "--label"}):
         slow = tuple(_mark(text) for text in slow_at or ())
         timing = films.Timing(fps, speed, slow, slow_factor, slow_width, begin, end, step)
         pixels, labels = (int(match[1]), int(match[2])), label or None
@@ -149,13 +149,6 @@ def animate(
 
 
 # What the functions of films call their arguments, and the options that give them.
-NAMED = {
-    "fps": "--fps", "speed": "--speed", "slow_at": "--slow-at", "slow_factor": "--slow-factor",
-    "slow_width": "--slow-width", "start": "--from", "end": "--to", "step": "--step", "size": "--size",
-    "theme": "--theme", "camera": "--camera", "panels": "--panel", "labels": "--label", "out": "--out",
-}  # fmt: skip
-
-
 def _varied(scenario: Any, vary: str | None) -> list[Any]:
     from hophoop.cli._options import value_of
     from hophoop.scenario import InputError

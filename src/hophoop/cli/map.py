@@ -68,10 +68,10 @@ def map(
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
     from hophoop._files import replacing
     from hophoop.cli import stopped_by
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
     from hophoop.maps.axes import parse_axis
     from hophoop.maps.memory import check_memory
-    from hophoop.maps.sweeping import sweep
+    from hophoop.maps.sweeping import place_of, sweep
     from hophoop.scenario import InputError, Scenario
 
     if out is None and plot is None:
@@ -87,7 +87,8 @@ def map(
     base = Scenario() if file is None else Scenario.load(file)
     axes = {}
     for text in axis or ():
-        path, values = parse_axis(text)
+        with named_options({"count": f"--axis {text}: count"}):
+            path, values = parse_axis(text)
         if path in axes:
             raise InputError(f"--axis names {path} twice.")
         axes[path] = values
@@ -99,21 +100,23 @@ def map(
         shape = [len(values) for values in axes.values()]
         check_memory(shape, ["f8"] * 6, "draw fewer values, or leave --plot out and name a file with --out")
     try:
-        dataset = sweep(
-            base,
-            axes,
-            quantities,
-            span,
-            out=out,
-            resume=resume,
-            threads=threads,
-            workers=workers,
-            scheduler=scheduler,
-            device="gpu" if gpu else "cpu",
-            progress=not quiet,
-        )
+        with named_options({"axes": "--axis"}):
+            dataset = sweep(
+                base,
+                axes,
+                quantities,
+                span,
+                out=out,
+                resume=resume,
+                threads=threads,
+                workers=workers,
+                scheduler=scheduler,
+                device="gpu" if gpu else "cpu",
+                progress=not quiet,
+            )
     except KeyboardInterrupt as error:
-        kept = f"; what is done is kept in {out}, and --resume goes on" if out is not None and out.exists() else ""
+        place = None if out is None else place_of(out)
+        kept = f"; what is done is kept in {place}, and --resume goes on" if place is not None and place.exists() else ""
         typer.echo(f"Stopped{kept}.", err=True)
         raise typer.Exit(stopped_by(error)) from None
     if plot is not None:

@@ -38,15 +38,13 @@ def plan(
     import json as json_text
     from dataclasses import asdict
 
-    from hophoop.cli._output import named_options
     from hophoop.cli.fit import finite, table
     from hophoop.fitting import plan as make
 
-    with named_options({"rate": "--rate", "sigma": "--sigma", "sigma_angle": "--sigma-angle", "sigma_scale": "--sigma-scale"}):
-        found = make(
-            scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known,
-            sigma_scale,
-        )  # fmt: skip
+    found = make(
+        scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known,
+        sigma_scale,
+    )  # fmt: skip
     if json:
         typer.echo(json_text.dumps(finite(asdict(found)), indent=1, ensure_ascii=False, allow_nan=False))
         return

@@ -186,7 +186,7 @@ def run(
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop.cli import NO_ANSWER, _tables, say
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
     from hophoop.scenario import InputError
 
     if plot is not None:
@@ -218,7 +218,8 @@ def run(
     shown = not quiet and json != "-"
     explained = _phases(scenario) if explain else None  # says at once what it cannot explain
     motion = _computed(scenario, quiet)
-    derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
+    with named_options({"of": "--sensitivity"}):
+        derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
     if json == "-":
         typer.echo(json_text.dumps(motion.to_dict() | more, indent=2, ensure_ascii=False, allow_nan=False))

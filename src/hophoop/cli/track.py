@@ -69,7 +69,7 @@ def track(
 
     _check(out, save, film, video)
     tilt = _numbers("--tilt-deg", tilt_deg, 2)
-    with named_options(NAMED):
+    with named_options({"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}):
         hints = Hints(
             marker, ring, _numbers("--centre", centre, 2), rim, at, _numbers("--ground", ground, 4), math.radians(level_deg),
             None if slope_deg is None else math.radians(slope_deg), exposure, row_delay, rate,
@@ -151,12 +151,6 @@ def _numbers(option: str, text: str | None, count: int) -> Any:
 
 
 # What the functions of tracking call their arguments, and the options that give them.
-NAMED = {
-    name: "--" + name.replace("_", "-")
-    for name in ("radius", "marker", "ring", "centre", "rim", "ground", "rate", "exposure", "row_delay", "focal")
-} | {"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}
-
-
 def _bar(words: str, quiet: bool) -> Any:
     from contextlib import nullcontext
 

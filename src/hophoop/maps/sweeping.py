@@ -120,8 +120,8 @@ def sweep(
         raise InputError("out must name the file to take up again with resume.")
     plan = make_plan(base, axes, quantities, span, chunk_cells, device)
     dataset: xarray.Dataset
+    kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
     if out is None:
-        kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
         check_memory(plan.shape, kinds, "name a file that ends in .zarr with out, or take fewer values")
         with thread_limit(threads), _reporter(progress, plan) as report:
             dataset = _in_memory(plan, device, report)
@@ -134,7 +134,9 @@ def sweep(
             raise InputError(f"{file} is there already: take another name or remove it.")
         dataset = store.open_map(file)
         return dataset
-    place = file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
+    place = place_of(file)
+    if place != file:  # netCDF is written at the end, all at once
+        check_memory(plan.shape, 2 * kinds, "name a file that ends in .zarr")
     with thread_limit(threads), store.begun(place, plan, resume) as (plan, todo):
         with _reporter(progress, plan) as report:
             report(_cells_of(plan, set(range(plan.parts)) - todo))
@@ -150,6 +152,22 @@ def sweep(
         _to_netcdf(place, file)
     dataset = store.open_map(file)
     return dataset
+
+
+def place_of(file: Path) -> Path:
+    """Where the chunks of a map go while it is computed.
+
+    Parameters
+    ----------
+    file : Path
+        Where the map goes, ending in .zarr or .nc.
+
+    Returns
+    -------
+    place : Path
+        The Zarr store itself, or one beside the netCDF file.
+    """
+    return file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
 
 
 def _cells_of(plan: Plan, indices: set[int]) -> int:
