@@ -98,7 +98,7 @@ def test_no_good_fit_is_status_1(table):
         (["--film", "film.mp4"], "--film needs --out"),
         (["--save", "fit.txt"], "--save = fit.txt must end in .json"),
         (["--hoop", "absent.toml"], "absent.toml"),
-        (["--angle-unit", "turn"], "angle_unit = 'turn'"),
+        (["--angle-unit", "turn"], "--angle-unit = 'turn'"),
     ],
 )
 def test_bad_input_is_one_sentence(table, tmp_path, monkeypatch, arguments, message):

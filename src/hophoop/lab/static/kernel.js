@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 744faeeb4f937f1845dd2ccaf9f7921c */
-var l={sources:"2b7eab671e9968133de8439c747bcbbf",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 59c86f40b1562ec42e5c454291ad3c75 */
+var l={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",

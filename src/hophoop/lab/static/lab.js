@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 744faeeb4f937f1845dd2ccaf9f7921c */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 59c86f40b1562ec42e5c454291ad3c75 */
 var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
 return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1740,7 +1740,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"2b7eab671e9968133de8439c747bcbbf",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
