@@ -22,6 +22,13 @@ def run(*words):
     return CliRunner().invoke(app, ["animate", *(str(word) for word in words)])
 
 
+def test_a_refusal_is_one_line_where_no_terminal_shows_a_bar(tmp_path):
+    refused = run("--out", tmp_path / "a.foo")
+    assert refused.exit_code == 2
+    assert refused.stderr.startswith("Error: --out = ")
+    assert refused.stderr.count("\n") == 1
+
+
 def test_a_film_from_a_file(hop, tmp_path):
     done = run(hop, "--out", tmp_path / "film.mp4", "--size", "320x180", "--fps", "20")
     assert done.exit_code == 0, done.output

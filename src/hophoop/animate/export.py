@@ -286,7 +286,7 @@ def bar(title: str) -> Iterator[Progress]:
         progress_module.MofNCompleteColumn(),
         console=console,
         transient=True,
-        disable=not console.is_terminal,  # a file would get an empty line
+        disable=not (console.is_terminal or console.is_jupyter),  # a file would get an empty line
     ) as shown:
         task = shown.add_task(title, total=None)
 
