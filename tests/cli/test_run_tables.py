@@ -1,0 +1,98 @@
+"""Tables of `hophoop run`: what is left out of long ones, and errors of events."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from cli_tools import HOP, hop, run
+
+
+def test_a_long_table_says_what_it_leaves_out():
+    words = ("run", "--v0", "2.8", "--duration", "60")
+    count = len(hh.simulate(hh.Scenario(start=hh.Start.rolling(2.8), duration=60.0)).events)
+    brief, whole = run(*words).stdout, run(*words, "--all").stdout
+    assert f"… {count - 80} events are left out where the dots are; --all prints them." in brief
+    times = re.compile(r"^ *\d+\.\d{6} ", re.MULTILINE)
+    assert (len(times.findall(brief)), len(times.findall(whole))) == (80, count)
+    assert "left out" not in whole
+    assert times.findall(brief)[-20:] == times.findall(whole)[-20:]
+    # JSON is the whole result in any case
+    assert len(json.loads(run(*words, "--json").stdout)["events"]) == count
+
+
+@pytest.mark.parametrize("words", [("--errors",), ("--digits", "16"), ("--check",)])
+def test_so_do_tables_of_errors_and_digits(monkeypatch, words):
+    monkeypatch.setattr("hophoop.cli._tables.FIRST_ROWS", 3)
+    monkeypatch.setattr("hophoop.cli._tables.LAST_ROWS", 2)
+    events = hop().events
+    kinds = sorted({event.kind.replace("_", " ") for event in events}, key=len, reverse=True)
+    rows = re.compile(rf"^.*?\b({'|'.join(kinds)}) .*$", re.MULTILINE)
+    brief, whole = (run("run", *HOP, *words, *more).stdout for more in ((), ("--all",)))
+    tables = 2 if words == ("--errors",) else 1
+    assert len(events) == 8
+    assert brief.count("… 3 events are left out where the dots are; --all prints them.") == tables
+    assert "left out" not in whole
+    shown, every = (rows.findall(text) for text in (brief, whole))
+    assert every == tables * [event.kind.replace("_", " ") for event in events]
+    assert shown == tables * [every[k] for k in (0, 1, 2, 6, 7)]
+
+
+def test_an_explanation_that_is_cut_says_so(monkeypatch):
+    monkeypatch.setattr("hophoop.cli._tables.FIRST_ROWS", 3)
+    brief, whole = (run("run", *HOP, "--explain", *more).stdout for more in ((), ("--all",)))
+    said = "… These are the first 3 phases; --all explains the others, too.\n"
+    assert brief.endswith(said)
+    assert said not in whole
+    assert brief.count("begins with") == 3
+    assert whole.count("begins with") == len(list(hh.phases(hop().scenario)))
+    monkeypatch.setattr("hophoop.cli._tables.FIRST_ROWS", whole.count("begins with"))
+    assert said[:10] not in run("run", *HOP, "--explain").stdout  # nothing is cut
+
+
+def test_errors_are_told_of_every_event():
+    motion = hop()
+    done = run("run", *HOP, "--errors")
+    assert done.exit_code == 0
+    lines = done.stdout[done.stdout.index("± t (s)") :].splitlines()[2 : 2 + len(motion.events)]
+    for k, line in enumerate(lines):
+        found = motion.errors
+        numbers = (found.t[k], found.angle[k], found.x[k], found.vx[k], found.omega[k])
+        assert line.split()[0] == f"{motion.events[k].t:.15g}"
+        assert line.split()[-5:] == [f"{number:.0e}" for number in numbers]
+
+
+def test_errors_that_cannot_be_told_are_refused_before_anything_is_written(tmp_path):
+    text = 'duration = 0.1\n[contact]\nmodel = "compliant"\n'
+    refused = run("run", "-", "--errors", "--csv", tmp_path / "motion.csv", text=text)
+    assert refused.exit_code == 2
+    assert "--errors needs rigid contact" in refused.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_errors_that_take_long_show_how_far_they_are(monkeypatch):
+    import io
+
+    from rich.console import Console
+
+    from hophoop.cli import _work
+    from hophoop.trajectory import event_errors_watched
+
+    monkeypatch.setattr(_work, "SOON", 0.0)
+    monkeypatch.setattr(_work, "LOOKS", 0.001)
+    screen = Console(file=io.StringIO(), force_terminal=True, width=80)
+    shares = []
+
+    class Reached(np.ndarray):
+        def __setitem__(self, place, share):
+            shares.append(share)
+            super().__setitem__(place, share)
+
+    motion = hop()
+    found = _work.watched(lambda reached: event_errors_watched(motion, reached.view(Reached)), screen, "errors")
+    assert found.t.tobytes() == motion.errors.t.tobytes()
+    assert shares == sorted(set(shares))
+    assert len(shares) == len(motion.events) - 1
+    assert 0.0 == shares[0] < shares[-1] < 1.0
