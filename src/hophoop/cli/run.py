@@ -133,7 +133,9 @@ def run(
     everything: Annotated[
         bool,
         typer.Option(
-            "--all", help=f"Print all events, not the first {FIRST_ROWS} and the last {LAST_ROWS}.", rich_help_panel=OUTPUT
+            "--all",
+            help=f"Print all rows, not the first {FIRST_ROWS} and the last {LAST_ROWS}.",
+            rich_help_panel=OUTPUT,
         ),
     ] = False,
     errors: Annotated[

@@ -84,7 +84,7 @@ def sweep(
     Raises
     ------
     ValueError
-        If an axis, a quantity, the span or an option is not allowed.
+        If an axis, a quantity, the span or an option is not allowed, or memory is short for the map, or for its netCDF file.
     KeyboardInterrupt
         Where it is stopped; what was written is kept, and `resume` goes on.
     ImportError
