@@ -414,9 +414,6 @@ class Trajectory:
         )
 
 
-LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
-
-
 def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) -> EventErrors:
     """`Trajectory.errors`, for who shows from another thread how far they are.
 
@@ -446,6 +443,7 @@ def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) 
     return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
 
 
+LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 _INTERNAL = {"mode", "theta", "theta_low"}  # columns that a sample does not have as they are
 _PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))

@@ -55,7 +55,7 @@ def check_apart(paths: list[Path], source: str | None = None) -> None:
 def in_options(words: str, names: Mapping[str, str]) -> str:
     """A sentence with options in place of the arguments of Python's functions; `names` maps these to those."""
     for name, option in names.items():
-        words = re.sub(rf"(?<![-.\w]){re.escape(name)}(?= (=|holds) )", lambda _: option, words)  # noqa: B023
+        words = option.join(re.split(rf"(?<![-.\w]){re.escape(name)}(?= (?:=|holds) )", words))
     return words
 
 
