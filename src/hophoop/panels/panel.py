@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.collocation import NODES, ORDER, antiderivative
-from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, VERSINES, WIDTHS
+from hophoop.numerics.collocation import ORDER, antiderivative
+from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
 from hophoop.numerics.constants import SINES as FORWARD_SINES
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
