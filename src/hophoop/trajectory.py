@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop import export, portrait
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
-from hophoop.physics.energy import kinetic_energy, potential_energy
+from hophoop.physics.energy import kinetic_energies, potential_energies
 from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import InputError, Scenario
 from hophoop.units import Units
@@ -391,10 +391,10 @@ class Trajectory:
         body = self.scenario.to_body()
         theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
         with np.errstate(invalid="ignore"):
-            kinetic = kinetic_energy(
+            kinetic = kinetic_energies(
                 body, theta, columns["omega"], columns["slip"], columns["vy"], columns.get("theta_low", 0.0)
             )
-        potential = potential_energy(body, columns["x"], columns["height"], theta)
+        potential = potential_energies(body, columns["x"], columns["height"], theta)
         return kinetic * self.units.energy, potential * self.units.energy
 
     def _event_record(self, row: np.void) -> EventRecord:
