@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.double_double import quick_sum, square_root, two_product, two_sum
+from hophoop.numerics.double_double import quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import ARCTANGENTS, PI_HIGH, PI_LOW
 
 HALF_PI_HIGH, HALF_PI_LOW = 0.5 * PI_HIGH, 0.5 * PI_LOW
@@ -27,11 +27,9 @@ LARGE, DOWN = 2.0**500, 2.0**-600  # lengths from where on both are made shorter
 SMALL, UP = 2.0**-400, 2.0**600
 
 
-@apart_jit
-def _angle(y, y_low, x, x_low):
-    """Return the angle of (x + x_low, y + y_low) as two doubles; 0 ≤ y ≤ x, x neither very large nor very small."""
-    j = int(64.0 * (y / x) + 0.5)
-    t = 0.015625 * j
+@inline_jit
+def angle_beyond(y, y_low, x, x_low, t, high, low):
+    """Return the angle of (x + x_low, y + y_low) as two doubles; high + low is arctan t."""
     product, error = two_product(t, x)
     above, above_low = two_sum(y, -product)
     above_low = (above_low - error) + (y_low - t * x_low)
@@ -42,9 +40,22 @@ def _angle(y, y_low, x, x_low):
     product, error = two_product(v, below)
     v_low = (((above - product) - error) + (above_low - v * below_low)) / below
     z = v * v
-    series = v * z * (A3 + z * (A5 + z * (A7 + z * A9)))
-    total, error = quick_sum(float(ARCTANGENTS[j, 0]), v) if j > 0 else (v, 0.0)
-    return total, error + (float(ARCTANGENTS[j, 1]) + (v_low + series))
+    total, error = quick_sum(high, v)
+    return total, error + (low + (v_low + v * z * (A3 + z * (A5 + z * (A7 + z * A9)))))
+
+
+@apart_jit
+def _angle(y, y_low, x, x_low):
+    """Return the angle of (x + x_low, y + y_low) as two doubles; 0 ≤ y ≤ x, x neither very large nor very small."""
+    j = int(64.0 * (y / x) + 0.5)
+    return angle_beyond(y, y_low, x, x_low, 0.015625 * j, float(ARCTANGENTS[j, 0]), float(ARCTANGENTS[j, 1]))
+
+
+@inline_jit
+def less(high, low, angle, rest):
+    """Return (high + low) − (angle + rest) as two doubles, high ≥ angle."""
+    total, error = quick_sum(high, -angle)
+    return total, error + (low - rest)
 
 
 @inline_jit
@@ -53,16 +64,23 @@ def _first_quadrant(y, y_low, x, x_low):
     if y <= x:
         return _angle(y, y_low, x, x_low)
     angle, low = _angle(x, x_low, y, y_low)
-    total, error = quick_sum(HALF_PI_HIGH, -angle)
-    return total, error + (HALF_PI_LOW - low)
+    return less(HALF_PI_HIGH, HALF_PI_LOW, angle, low)
 
 
 @inline_jit
-def _root_of_complement(size):
-    """Return √(1 − x²) as two doubles, 0 ≤ x < 1."""
+def root_of(high, low):
+    """Return √(high + low) as two doubles, of a sum that is not 0."""
+    root = math.sqrt(high)
+    product, error = two_product(root, root)
+    return quick_sum(root, (((high - product) - error) + low) / (2.0 * root))
+
+
+@inline_jit
+def complement_of(size):
+    """Return 1 − x² as two doubles, 0 ≤ x < 1."""
     square, error = two_product(size, size)
     high, low = quick_sum(1.0, -square)
-    return square_root(quick_sum(high, low - error))
+    return quick_sum(high, low - error)
 
 
 @lean_jit
@@ -73,7 +91,8 @@ def arcsine(x):
         return x
     if not size < 1.0:
         return math.copysign(HALF_PI_HIGH, x) if size == 1.0 else math.nan
-    root, low = _root_of_complement(size)
+    high, low = complement_of(size)
+    root, low = root_of(high, low)
     angle, rest = _first_quadrant(size, 0.0, root, low)
     return math.copysign(angle + rest, x)
 
@@ -84,11 +103,11 @@ def arccosine(x):
     size = abs(x)
     if not size < 1.0:
         return (0.0 if x > 0.0 else PI_HIGH) if size == 1.0 else math.nan
-    root, low = _root_of_complement(size)
+    high, low = complement_of(size)
+    root, low = root_of(high, low)
     angle, rest = _first_quadrant(root, low, size, 0.0)
     if x < 0.0:
-        total, error = quick_sum(PI_HIGH, -angle)
-        return total + (error + (PI_LOW - rest))
+        angle, rest = less(PI_HIGH, PI_LOW, angle, rest)
     return angle + rest
 
 
@@ -115,8 +134,7 @@ def arctangent2(y, x):
         width *= UP
     angle, rest = _first_quadrant(high, 0.0, width, 0.0)
     if behind:
-        angle, error = quick_sum(PI_HIGH, -angle)
-        rest = error + (PI_LOW - rest)
+        angle, rest = less(PI_HIGH, PI_LOW, angle, rest)
     return math.copysign(angle + rest, y)
 
 
@@ -124,6 +142,16 @@ def arctangent2(y, x):
 def arctangent(t):
     """Return the arctangent [rad]."""
     return arctangent2(t, 1.0)
+
+
+@inline_jit
+def length_of(long, short):
+    """Return √(long² + short²), long ≥ short, of lengths whose squares are neither too large nor too small."""
+    square, error = two_product(long, long)
+    other, other_error = two_product(short, short)
+    total, more = quick_sum(square, other)
+    root, low = root_of(total, more + (error + other_error))
+    return root + low
 
 
 @apart_jit
@@ -147,11 +175,4 @@ def hypotenuse(x, y):
         scale = DOWN
         long *= UP
         short *= UP
-    square, error = two_product(long, long)
-    total, more = quick_sum(square, short * short)
-    other, other_error = two_product(short, short)
-    total, more = quick_sum(square, other)
-    root = math.sqrt(total)
-    product, product_error = two_product(root, root)
-    rest = ((total - product) - product_error) + (more + (error + other_error))
-    return (root + 0.5 * rest / root) * scale
+    return length_of(long, short) * scale

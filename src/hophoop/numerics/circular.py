@@ -18,7 +18,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit, interpreted, interpreted_as
-from hophoop.numerics.double_double import SPLITTER, TWO_PI, TWO_PI_LOW, multiply, plus, two_product
+from hophoop.numerics.double_double import SPLITTER, TWO_PI, TWO_PI_LOW, multiply, plus, two_product, two_sum
 from hophoop.numerics.elementary_constants import ANGLE_1, ANGLE_2, ANGLE_3, ANGLE_INVERSE, REVOLUTIONS, SINES
 from hophoop.numerics.words import FRACTION, HIDDEN, word_of
 
@@ -29,29 +29,47 @@ TINY = 7.450580596923828e-09  # 2^−27: up to here sin x = x and cos x = 1
 S3, S5, S7 = -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0
 C2, C4, C6 = -0.5, 1.0 / 24.0, -1.0 / 720.0
 DIGIT = 1073741823  # 2^30 − 1
-SMALL_30, SMALL_60, SMALL_90 = 2.0**-30, 2.0**-60, 2.0**-90
-SMALL_120, SMALL_150, SMALL_180 = 2.0**-120, 2.0**-150, 2.0**-180
+SMALL_60, SMALL_90, SMALL_120, SMALL_150, SMALL_180 = 2.0**-60, 2.0**-90, 2.0**-120, 2.0**-150, 2.0**-180
+
+
+@inline_jit
+def rest_of(x, k):
+    """Return (r, low), x = k π/256 + r + low, abs(x) < NEAR."""
+    a = x - k * ANGLE_1
+    b = k * ANGLE_2
+    r = a - b
+    return r, ((a - r) - b) - k * ANGLE_3
 
 
 @inline_jit
 def reduced(x):
     """Return (k, r, low), x = k π/256 + r + low, abs(x) < NEAR; of k the last bits."""
     count = x * ANGLE_INVERSE + INTEGER
-    k = count - INTEGER
-    a = x - k * ANGLE_1
-    b = k * ANGLE_2
-    r = a - b
-    return word_of(count), r, ((a - r) - b) - k * ANGLE_3
+    r, low = rest_of(x, count - INTEGER)
+    return word_of(count), r, low
+
+
+@inline_jit
+def revolution_rest(d0, d1, d2, d3, d4, d5):
+    """Return (k, r, low), k π/256 + r + low = 2π (d0 2^−30 + d1 2^−60 + …), of integers."""
+    k = (d0 + 1048576) >> 21
+    high = 1.0 * (((d0 - (k << 21)) << 30) + d1) * SMALL_60
+    high, low = two_sum(high, 1.0 * d2 * SMALL_90)
+    high, low = plus(high, low, 1.0 * d3 * SMALL_120)
+    high, low = plus(high, low, 1.0 * d4 * SMALL_150)
+    high, low = plus(high, low, 1.0 * d5 * SMALL_180)
+    high, low = multiply((high, low), (TWO_PI, TWO_PI_LOW))
+    return k, high, low
 
 
 @apart_jit
 def reduced_far(x):
-    """Return `reduced` of any finite x ≥ 1, r + low with some 100 bits."""
+    """Return `reduced` of any finite x ≥ 1, with some 100 bits of the rest."""
     word = word_of(x)
     exponent = (word >> 52) - 1015  # of the last bit, and 60
     first = exponent // 30
     shift = exponent - 30 * first
-    # x 2^(60 − 30 first) in digits of 30 bits
+    # the significand times 2^shift, in digits of 30 bits
     significand = (word & FRACTION) | HIDDEN
     m0 = (significand & DIGIT) << shift
     m1 = ((significand >> 30) << shift) + (m0 >> 30)
@@ -66,15 +84,15 @@ def reduced_far(x):
         carry += m0 * int(REVOLUTIONS[place - 1]) + m1 * int(REVOLUTIONS[place]) + m2 * int(REVOLUTIONS[place + 1])
         d5, d4, d3, d2, d1, d0 = d4, d3, d2, d1, d0, carry & DIGIT
         carry >>= 30
-    # 512 parts of a revolution, and the rest
-    k = (d0 + 1048576) >> 21
-    high = 1.0 * (((d0 - (k << 21)) << 30) + d1) * SMALL_60
-    high, low = plus(high, 0.0, 1.0 * d2 * SMALL_90)
-    high, low = plus(high, low, 1.0 * d3 * SMALL_120)
-    high, low = plus(high, low, 1.0 * d4 * SMALL_150)
-    high, low = plus(high, low, 1.0 * d5 * SMALL_180)
-    high, low = multiply((high, low), (TWO_PI, TWO_PI_LOW))
-    return k, high, low
+    return revolution_rest(d0, d1, d2, d3, d4, d5)
+
+
+@inline_jit
+def _curves(r):
+    """Return (the first bits of r, sin r − r, cos r − 1)."""
+    part = SPLITTER * r
+    z = r * r
+    return part - (part - r), r * z * (S3 + z * (S5 + z * S7)), z * (C2 + z * (C4 + z * C6))
 
 
 @inline_jit
@@ -87,19 +105,25 @@ def _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine):
 
 
 @inline_jit
+def sums(s1, s2, c1, c2, r, low):
+    """Return (sine, rest, cosine, rest) of r + low beyond the angle whose sine and cosine are s1 + s2 and c1 + c2."""
+    r1, sine, cosine = _curves(r)
+    r2 = (r - r1) + low
+    s, s_rest = _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine)
+    c, c_rest = _sum(c1, c2, s1, s2, -r1, -r2, -r, -sine, cosine)
+    return s, s_rest, c, c_rest
+
+
+@inline_jit
 def _sine_at(quarter, j, r, low):
     """Return the sine of quarter π/2 + j π/256 + r + low."""
     if quarter & 1:
         j = 128 - j
         r = -r
         low = -low
-    part = SPLITTER * r
-    r1 = part - (part - r)
-    z = r * r
-    sine = r * z * (S3 + z * (S5 + z * S7))
-    cosine = z * (C2 + z * (C4 + z * C6))
     i = 128 - j
     s1, s2, c1, c2 = float(SINES[j, 0]), float(SINES[j, 1]), float(SINES[i, 0]), float(SINES[i, 1])
+    r1, sine, cosine = _curves(r)
     total, rest = _sum(s1, s2, c1, c2, r1, (r - r1) + low, r, sine, cosine)
     value = total + rest
     return -value if quarter & 2 else value
@@ -108,22 +132,24 @@ def _sine_at(quarter, j, r, low):
 @inline_jit
 def both_at(k, r, low):
     """Return (sine, rest, cosine, rest) of k π/256 + r + low."""
-    part = SPLITTER * r
-    r1 = part - (part - r)
-    r2 = (r - r1) + low
-    z = r * r
-    sine = r * z * (S3 + z * (S5 + z * S7))
-    cosine = z * (C2 + z * (C4 + z * C6))
     j = k & 127
     i = 128 - j
     s1, s2, c1, c2 = float(SINES[j, 0]), float(SINES[j, 1]), float(SINES[i, 0]), float(SINES[i, 1])
-    s, s_rest = _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine)
-    c, c_rest = _sum(c1, c2, s1, s2, -r1, -r2, -r, -sine, cosine)
+    s, s_rest, c, c_rest = sums(s1, s2, c1, c2, r, low)
     if k & 128:
         s, s_rest, c, c_rest = c, c_rest, -s, -s_rest
     if k & 256:
         s, s_rest, c, c_rest = -s, -s_rest, -c, -c_rest
     return s, s_rest, c, c_rest
+
+
+@inline_jit
+def quotient_of(s, s_rest, c, c_rest):
+    """Return (s + s_rest)/(c + c_rest)."""
+    high = c + c_rest
+    quotient = (s + s_rest) / high
+    product, error = two_product(quotient, high)
+    return quotient + (((s - product) - error) + s_rest - quotient * (c_rest - (high - c))) / high
 
 
 @apart_jit
@@ -231,7 +257,4 @@ def tangent(x):
         return x
     else:
         s, s_rest, c, c_rest = rare(x)
-    high = c + c_rest
-    quotient = (s + s_rest) / high
-    product, error = two_product(quotient, high)
-    return quotient + (((s - product) - error) + s_rest - quotient * (c_rest - (high - c))) / high
+    return quotient_of(s, s_rest, c, c_rest)

@@ -44,10 +44,8 @@ LARGE_POWER = 1.8446744073709552e19  # 2^64
 
 
 @inline_jit
-def growth(x):
-    """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
-    count = x * OCTAVE_INVERSE + INTEGER
-    k = count - INTEGER
+def growth_at(x, k, t1, t2):
+    """Return exp(x − k ln 2/64) (t1 + t2) as two doubles."""
     a = x - k * OCTAVE_1
     b = k * OCTAVE_2
     r = a - b
@@ -56,13 +54,20 @@ def growth(x):
     r2 = (r - r1) + ((a - r) - b)
     z = r * r
     curve = z * ((E2 + r * E3) + z * ((E4 + r * E5) + z * E6))
-    whole = word_of(count) << 13 >> 13  # the last 51 bits, with their sign
-    j = whole & 63
-    t1, t2 = float(POWERS[j, 0]), float(POWERS[j, 1])
     product = t1 * r1
     total = t1 + product
     error = product - (total - t1)
-    return whole >> 6, total, error + (t2 + ((t1 * r2 + t2 * r) + (t1 + t2) * curve))
+    return total, error + (t2 + ((t1 * r2 + t2 * r) + (t1 + t2) * curve))
+
+
+@inline_jit
+def growth(x):
+    """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
+    count = x * OCTAVE_INVERSE + INTEGER
+    whole = word_of(count) << 13 >> 13  # the last 51 bits, with their sign
+    j = whole & 63
+    high, rest = growth_at(x, count - INTEGER, float(POWERS[j, 0]), float(POWERS[j, 1]))
+    return whole >> 6, high, rest
 
 
 @apart_jit
@@ -127,6 +132,20 @@ def exponential(x):
     return (high + rest) * power_of_two(m)
 
 
+@inline_jit
+def logarithm_at(power, m, inverse, high, low):
+    """Return log(2^power m) as two doubles; high + low is −log(inverse)."""
+    # r = m c − 1
+    m_high = (m + COARSE) - COARSE
+    r, r_low = two_sum(m_high * inverse - 1.0, (m - m_high) * inverse)
+    square, square_low = two_product(r, r)
+    series = ((L3 + r * L4) + square * (L5 + r * L6)) + square * square * ((L7 + r * L8) + square * (L9 + r * L10))
+    total, error = two_sum(power * LN2_HIGH + high, r)
+    total, more = two_sum(total, -0.5 * square)
+    rest = (power * LN2_LOW + low) + ((r_low - (r * r_low + 0.5 * square_low)) + r * square * series)
+    return quick_sum(total, (error + more) + rest)
+
+
 @apart_jit
 def logarithm_parts(x):
     """Return log x as two doubles with some 68 bits, of a finite x > 0."""
@@ -135,19 +154,7 @@ def logarithm_parts(x):
         m *= 0.5
         e += 1
     j = int(128.0 * m + 0.5) - FIRST
-    inverse, high, low = float(LOGARITHMS[j, 0]), float(LOGARITHMS[j, 1]), float(LOGARITHMS[j, 2])
-    # r = m c − 1
-    m_high = (m + COARSE) - COARSE
-    r, r_low = two_sum(m_high * inverse - 1.0, (m - m_high) * inverse)
-    square, square_low = two_product(r, r)
-    series = r * square * (
-        ((L3 + r * L4) + square * (L5 + r * L6)) + square * square * ((L7 + r * L8) + square * (L9 + r * L10))
-    )
-    power = 1.0 * e
-    total, error = two_sum(power * LN2_HIGH + high, r)
-    total, more = two_sum(total, -0.5 * square)
-    rest = (power * LN2_LOW + low) + ((r_low - (r * r_low + 0.5 * square_low)) + series)
-    return quick_sum(total, (error + more) + rest)
+    return logarithm_at(1.0 * e, m, float(LOGARITHMS[j, 0]), float(LOGARITHMS[j, 1]), float(LOGARITHMS[j, 2]))
 
 
 @lean_jit

@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.double_double import add, divide, multiply, plus, quick_sum, square_root, two_product, two_sum
+from hophoop.numerics.arcs import root_of
+from hophoop.numerics.double_double import add, divide, multiply, plus, quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import LN2_HIGH, LN2_LOW, SINH_SERIES, TANH_SERIES
 from hophoop.numerics.exponentials import growth, logarithm_parts, rounded
 from hophoop.numerics.words import power_of_two
@@ -22,7 +23,7 @@ FAR = 268435456.0  # 2^28: from here on arcosh x = log 2x
 
 
 @inline_jit
-def _series(x, coefficients):
+def series_of(x, coefficients):
     """Return x + x³ (c0 + c1 x² + …)."""
     z = x * x
     total = float(coefficients[coefficients.shape[0] - 1])
@@ -31,23 +32,36 @@ def _series(x, coefficients):
     return x + x * z * total
 
 
+@inline_jit
+def tangent_of(high, rest, scale):
+    """Return (e − 1)/(e + 1), e = scale (high + rest)."""
+    grown, low = quick_sum(high, rest)
+    above, above_low = plus(scale * grown, scale * low, -1.0)
+    below, below_low = plus(scale * grown, scale * low, 1.0)
+    quotient = above / below
+    product, error = two_product(quotient, below)
+    return quotient + (((above - product) - error) + (above_low - quotient * below_low)) / below
+
+
 @lean_jit
 def hyperbolic_tangent(x):
     """Return tanh x."""
     size = abs(x)
     if size < SMALL_TANGENT:
-        return _series(x, TANH_SERIES) if x != 0.0 else x
+        return series_of(x, TANH_SERIES) if x != 0.0 else x
     if not size < LARGE_TANGENT:
         return x if x != x else math.copysign(1.0, x)
-    # (e − 1)/(e + 1) with e = exp 2x
     m, high, rest = growth(2.0 * size)
-    grown, low = quick_sum(high, rest)
-    scale = power_of_two(m)
-    above, above_low = plus(scale * grown, scale * low, -1.0)
-    below, below_low = plus(scale * grown, scale * low, 1.0)
-    quotient = above / below
-    product, error = two_product(quotient, below)
-    return math.copysign(quotient + (((above - product) - error) + (above_low - quotient * below_low)) / below, x)
+    return math.copysign(tangent_of(high, rest, power_of_two(m)), x)
+
+
+@inline_jit
+def half_sum_of(high, rest, scale, sign):
+    """Return e + sign scale/e, e = high + rest."""
+    grown = quick_sum(high, rest)
+    inverse = divide((sign, 0.0), grown)
+    total, rest = add(grown, (inverse[0] * scale, inverse[1] * scale))
+    return total + rest
 
 
 @apart_jit
@@ -58,18 +72,14 @@ def _half_sum(size, sign):
     m, high, rest = growth(size)
     if size > ALONE:
         return rounded(m - 1, high, rest)
-    grown = quick_sum(high, rest)
-    inverse = divide((sign, 0.0), grown)
-    scale = power_of_two(-2 * m)
-    total, rest = add(grown, (inverse[0] * scale, inverse[1] * scale))
-    return (total + rest) * power_of_two(m - 1)
+    return half_sum_of(high, rest, power_of_two(-2 * m), sign) * power_of_two(m - 1)
 
 
 @lean_jit
 def hyperbolic_sine(x):
     """Return sinh x."""
     if abs(x) < SMALL_SINE:
-        return _series(x, SINH_SERIES) if x != 0.0 else x
+        return series_of(x, SINH_SERIES) if x != 0.0 else x
     return math.copysign(_half_sum(abs(x), -1.0), x)
 
 
@@ -77,6 +87,15 @@ def hyperbolic_sine(x):
 def hyperbolic_cosine(x):
     """Return cosh x."""
     return _half_sum(abs(x), 1.0)
+
+
+@inline_jit
+def grown_by(x):
+    """Return x + √((x − 1)(x + 1)) as two doubles."""
+    less = two_sum(x, -1.0)
+    high, low = multiply(less, two_sum(x, 1.0))
+    high, low = add(less, root_of(high, low))
+    return plus(high, low, 1.0)
 
 
 @lean_jit
@@ -88,10 +107,6 @@ def inverse_hyperbolic_cosine(x):
         high, low = logarithm_parts(x)
         total, error = two_sum(high, LN2_HIGH)
         return total + (error + (low + LN2_LOW))
-    # log(1 + u), u = (x − 1) + √((x − 1)(x + 1))
-    less = x - 1.0 if x < 2.0 else x
-    root = square_root(multiply(two_sum(x, -1.0), two_sum(x, 1.0)))
-    high, low = add(two_sum(x, -1.0), root)
-    total, rest = plus(high, low, 1.0)
+    total, rest = grown_by(x)
     high, low = logarithm_parts(total)
     return high + (low + rest / total)
