@@ -23,6 +23,7 @@ from hophoop.numerics.elementary_constants import ANGLE_1, ANGLE_2, ANGLE_3, ANG
 from hophoop.numerics.words import FRACTION, HIDDEN, word_of
 
 INTEGER = 6755399441055744.0  # 1.5 · 2^52: added and taken away it leaves the nearest integer, in the last bits of the sum
+INTEGER_WORD = 0x4338000000000000  # its bits
 NEAR = 200.0  # rad: up to here k is below 2^14, and k · ANGLE_1 is exact
 TINY = 7.450580596923828e-09  # 2^−27: up to here sin x = x and cos x = 1
 # sin r = r + r³ (S3 + S5 r² + …), cos r = 1 + r² (C2 + C4 r² + …)

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit, interpreted, interpreted_as, lean_jit
-from hophoop.numerics.circular import INTEGER
+from hophoop.numerics.circular import INTEGER, INTEGER_WORD
 from hophoop.numerics.double_double import SPLITTER, multiply, quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import (
     LN2_HIGH,
@@ -64,7 +64,7 @@ def growth_at(x, k, t1, t2):
 def growth(x):
     """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
     count = x * OCTAVE_INVERSE + INTEGER
-    whole = word_of(count) << 13 >> 13  # the last 51 bits, with their sign
+    whole = word_of(count) - INTEGER_WORD
     j = whole & 63
     high, rest = growth_at(x, count - INTEGER, float(POWERS[j, 0]), float(POWERS[j, 1]))
     return whole >> 6, high, rest

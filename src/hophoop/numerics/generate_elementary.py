@@ -112,7 +112,9 @@ def constants() -> dict[str, Any]:
             rows.append([inverse, *_coarse(-mp.log(mpf(inverse)), 2.0**-42)])
         made["LOGARITHMS"] = rows
         made["LOG2_E_HIGH"], made["LOG2_E_LOW"] = _nearest(1 / ln2), _nearest(1 / ln2 - mpf(_nearest(1 / ln2)))
-        made["ARCTANGENTS"] = [[_nearest(v), _nearest(v - mpf(_nearest(v)))] for v in (mp.atan(mpf(j) / ARCS) for j in range(ARCS + 1))]
+        made["ARCTANGENTS"] = [
+            [_nearest(v), _nearest(v - mpf(_nearest(v)))] for v in (mp.atan(mpf(j) / ARCS) for j in range(ARCS + 1))
+        ]
         # tanh x = x + x³ (c0 + c1 x² + …), sinh likewise
         made["TANH_SERIES"] = _series([c for c in mpmath.taylor(mp.tanh, 0, 23)[3::2]])
         made["SINH_SERIES"] = _series([1 / mp.factorial(2 * k + 3) for k in range(7)])
