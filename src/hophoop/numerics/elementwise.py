@@ -1,7 +1,8 @@
 """The elementary functions for NumPy's arrays, with the bits of those that the kernels use.
 
-Each computes the common arguments as whole arrays, with the formulas of the kernels and nothing of NumPy but + − × ÷ √ and integer
-operations; rare ones (as infinite, or nearly subnormal) one by one. A number gives a float, an array an array of the same shape.
+Each computes the usual arguments as whole arrays, with the formulas of the kernels and nothing of NumPy but + − × ÷ √ and
+integer operations. Rare arguments, as infinite ones, are computed one by one. A number gives a float, an array an array of
+the same shape.
 """
 
 from __future__ import annotations
@@ -224,10 +225,10 @@ def tangent(x: Arrays) -> Any:
 
 def _grown(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """`exponentials.growth` for arrays."""
-    count = x * OCTAVE_INVERSE + exponentials.INTEGER
+    count = x * OCTAVE_INVERSE + circular.INTEGER
     whole = count.view(np.int64) - circular.INTEGER_WORD
     powers = POWERS[whole & 63]
-    return (whole >> 6, *_growth_at(x, count - exponentials.INTEGER, powers[:, 0], powers[:, 1]))
+    return (whole >> 6, *_growth_at(x, count - circular.INTEGER, powers[:, 0], powers[:, 1]))
 
 
 def _exponentials(x: np.ndarray) -> np.ndarray:
