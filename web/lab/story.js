@@ -11,6 +11,8 @@ export class Story {
   items;
   /** @type {number} */
   current;
+  /** @type {string | null | undefined} the fingerprint that is shown */
+  signed;
 
   /** @param {Clock} clock */
   constructor(clock) {
@@ -66,9 +68,17 @@ export class Story {
       ),
     );
     this.list.replaceChildren(...this.items);
-    this.fingerprint.replaceChildren(...fingerprintOf(this.film));
+    this.sign();
     this.current = -1;
     this.cursor(this.clock.time);
+  }
+
+  /** The fingerprint; its button stays, with what it has said, until the motion is another. */
+  sign() {
+    const { fingerprint } = this.film;
+    if (fingerprint === this.signed) return;
+    this.signed = fingerprint;
+    this.fingerprint.replaceChildren(...fingerprintOf(fingerprint));
   }
 
   /**
@@ -108,9 +118,9 @@ export class Story {
 
 /**
  * The fingerprint with a button that copies it, or why there is none.
- * @param {Film} film
+ * @param {string | null} fingerprint
  */
-function fingerprintOf({ fingerprint }) {
+function fingerprintOf(fingerprint) {
   if (!fingerprint)
     return [h("span", {}, "No fingerprint: this motion depends on more digits than this page computes.")];
   const code = h("code", {}, document.createTextNode(fingerprint));

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 292dd89d0a53acc2f204abe8cf023d61 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 5632d25e47a625fd2c529b77cdfa8108 */
 var c={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 292dd89d0a53acc2f204abe8cf023d61 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 5632d25e47a625fd2c529b77cdfa8108 */
 var jl=Object.create;var ao=Object.defineProperty;var Bl=Object.getOwnPropertyDescriptor;var Wl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,$l=Object.prototype.hasOwnProperty;var Hl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Gl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Wl(e))!$l.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Bl(e,i))||n.enumerable});
 return s};var Ul=(s,e,t)=>(t=s!=null?jl(Fl(s)):{},Gl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Hl(Cs=>{"use strict";Object.defineProperty(Cs,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -2527,23 +2527,23 @@ outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hi
 mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",`${v("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,
 flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({options:e,zoom:t,pan:n,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Us=class{film;items;current;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m("ol",{class:"\
-story-list"}),this.heading=m("h2",{},"What happens"),this.fingerprint=m("p",{class:"hint fingerprint"}),this.live=m("div",{class:"spoken",role:"status","aria-li\
-ve":"polite"}),this.element=m("section",{class:"story","aria-label":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,this.
-live)}draw(e,t,n){this.film=e[t],z(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,o)=>[e.
-length>1?m("b",{},`${"AB"[o]}: `):"",i.summary,i.status==="event_limit"||i.shortened?" (not all events are shown)":"",o+1<e.length?m("br"):""])),this.doubt.hidden=
+options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Us=class{film;items;current;signed;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m(
+"ol",{class:"story-list"}),this.heading=m("h2",{},"What happens"),this.fingerprint=m("p",{class:"hint fingerprint"}),this.live=m("div",{class:"spoken",role:"sta\
+tus","aria-live":"polite"}),this.element=m("section",{class:"story","aria-label":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,
+this.live)}draw(e,t,n){this.film=e[t],z(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,o)=>[
+e.length>1?m("b",{},`${"AB"[o]}: `):"",i.summary,i.status==="event_limit"||i.shortened?" (not all events are shown)":"",o+1<e.length?m("br"):""])),this.doubt.hidden=
 !this.film.doubt,z(this.doubt,this.film.doubt),this.items=this.film.story.map(i=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(i.t)},m("i",{class:"\
 dot",style:`background:${n.modes[i.mode]}`,"aria-hidden":"true"}),m("span",{class:"when"},`${S(i.t,4)} s`),m("span",{},i.text)))),this.list.replaceChildren(...this.
-items),this.fingerprint.replaceChildren(...Kc(this.film)),this.current=-1,this.cursor(this.clock.time)}say(e){z(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).
-join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.
-remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.
-current=n;let i=this.items[n];if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&
-(this.list.scrollTop=o-.4*this.list.clientHeight)}}};function Kc({fingerprint:s}){if(!s)return[m("span",{},"No fingerprint: this motion depends on more digits t\
-han this page computes.")];let e=m("code",{},document.createTextNode(s)),t=m("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.
-writeText(s),z(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[m("span",{title:"A hash of all events: the same wherever hophoop computes the same bits\
-, also in Python"},"Fingerprint")," ",e," ",t]}var Ks=class{constructor(){this.list=m("dl",{}),this.heading=m("h2",{},"What theory says"),this.element=m("sectio\
-n",{class:"theory"},this.heading,this.list)}draw(e,t=""){z(this.heading,t?`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(
-({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Vc=["gravity_center","airborne","normal_force","friction_force"],Vs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
+items),this.sign(),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.fingerprint.replaceChildren(
+...Kc(e)))}say(e){z(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+
+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute(
+"aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||
+o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}};function Kc(s){if(!s)return[m("span",{},"No f\
+ingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},document.createTextNode(s)),t=m("button",{type:"button"},"Copy");return t.
+onclick=async()=>{try{await navigator.clipboard.writeText(s),z(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[m("span",{title:"A hash of all events: \
+the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Ks=class{constructor(){this.list=m("dl",{}),this.heading=m("h\
+2",{},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){z(this.heading,t?`What theory says of hoop ${t}`:"What \
+theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Vc=["gravity_center","airborne","normal_force","friction_force"],Vs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
 this.mark(),this.look=xn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(lr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
 "light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=xn(this.root),this.inks={...this.colors};for(let e of Vc)
