@@ -1,8 +1,11 @@
 """The fingerprint of a motion: its definition, what counts and what does not."""
 
 import hashlib
+import json
 import math
+import runpy
 import struct
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -87,3 +90,12 @@ def test_the_form_of_one():
     assert is_fingerprint("0123456789abcdef")
     assert is_fingerprint("0123456789ABCDEF")
     assert not any(map(is_fingerprint, ("", "0123", "0123456789abcdeg", "0123456789abcdef0", "0123456789abcdef\n")))
+
+
+def test_kept_motions_have_their_bits():
+    """After a change of the kernels' bits: `python tests/data/fingerprints.py`, and a line in CHANGELOG."""
+    program = Path(__file__).parent / "data" / "fingerprints.py"
+    kept = json.loads(program.with_suffix(".json").read_text(encoding="utf-8"))
+    scenarios = runpy.run_path(str(program))["kept_scenarios"]()
+    assert {name: hh.simulate(scenario).fingerprint for name, scenario in scenarios.items()} == kept
+    assert {f"article {name}" for name in hh.article.scenarios()} < kept.keys()
