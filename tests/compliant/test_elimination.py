@@ -18,7 +18,9 @@ def systems(kind, count=20):
         yield matrix, side
 
 
-@pytest.mark.parametrize(("kind", "factor", "solve"), [(float, el.factor, el.solve), (complex, el.factor_complex, el.solve_complex)])
+@pytest.mark.parametrize(
+    ("kind", "factor", "solve"), [(float, el.factor, el.solve), (complex, el.factor_complex, el.solve_complex)]
+)
 def test_solutions_are_those_of_numpy(kind, factor, solve):
     for matrix, side in systems(kind):
         expected = np.linalg.solve(matrix, side)
