@@ -9,7 +9,8 @@ import numpy as np
 from hophoop._jit import jit
 from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note, turned, within_turn
 from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
-from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.double_double import turns_and_rest
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.landing import first_landing

@@ -7,7 +7,8 @@ import math
 from hophoop._jit import apart_jit, jit
 from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.layout import MU_S
-from hophoop.numerics.collocation import NODES, ORDER
+from hophoop.numerics.collocation import ORDER
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import COSINE, SINE, U, fill_inside
 from hophoop.physics.resistance import resistance_arm

@@ -12,20 +12,16 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.collocation import NODES, ORDER, antiderivative
+from hophoop.numerics.collocation import ORDER, antiderivative
+from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
+from hophoop.numerics.constants import SINES as FORWARD_SINES
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
 from hophoop.physics.roll import rest_curvature
 
-WIDEST = 0.9  # rad
-LEVELS = 96  # widths WIDEST · 2^(−k/2)
-WIDTHS = WIDEST * 0.5 ** (np.arange(LEVELS) / 2)
-_offsets = WIDTHS[:, None] * (1.0 + NODES[None, :]) / 2
-SINES = np.sin(_offsets)[None] * np.array([-1.0, 1.0])[:, None, None]  # backwards and forwards
+LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
+SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backwards and forwards
 HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
-VERSINES = 2.0 * np.sin(_offsets / 2) ** 2
-FAR_SINES = np.sin(WIDTHS)
-FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
 
 
 @inline_jit

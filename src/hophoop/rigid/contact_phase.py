@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, aside_jit, inline_jit, lean_jit, outer_jit
-from hophoop.numerics.collocation import NODES, ORDER, antiderivative, dot, lagrange
+from hophoop.numerics.collocation import ORDER, antiderivative, dot, lagrange
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
 from hophoop.numerics.trigonometry import rotated, sine_cosine, turn
 from hophoop.panels.anchor import (

@@ -11,7 +11,8 @@ import math
 import numpy as np
 
 from hophoop._jit import jit
-from hophoop.numerics.collocation import NODES, ORDER, WEIGHTS, coefficients
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.constants import NODES, WEIGHTS
 from hophoop.physics.contact import rolling_acceleration
 from hophoop.physics.roll import rolling_u
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
-from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
