@@ -20,7 +20,6 @@ from hophoop.panels.panel import (
     LEAVE,
     LEVELS,
     RESOLVED,
-    WIDEST,
     A,
     Begin,
     U,
@@ -137,9 +136,9 @@ def slow_levels(body, sigma, begin):
         inertia = inertia_at_height(body, load_height(begin.sine, begin.cosine))
     else:
         torque *= body.gn
-    if not 0.0 < begin.u * inertia < WIDEST * torque:
+    if not 0.0 < begin.u * inertia < width_of(0) * torque:
         return 0, finest
-    ratio = math.log2(WIDEST * torque) - math.log2(inertia) - math.log2(begin.u)  # the quotient itself may overflow
+    ratio = math.log2(width_of(0) * torque) - math.log2(inertia) - math.log2(begin.u)  # the quotient itself may overflow
     return int(math.floor(2.0 * ratio)), finest
 
 
