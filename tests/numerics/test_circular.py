@@ -9,8 +9,8 @@ from mpmath import mp, mpf
 from elementary_tools import BOUNDS, EXACT, same_bits, values, worst
 from hophoop.numerics import circular, elementwise
 
-# Arguments whose result is next to a double or to the middle of two: V. Lefèvre, J.-M. Muller, Worst cases for correct rounding of the
-# elementary functions in double precision (2001), and J.-M. Muller, Elementary functions (3rd edition, 2016), chapter 12.
+# Arguments whose result is next to a double or to the middle of two: V. Lefèvre and J.-M. Muller, Worst cases for correct
+# rounding of the elementary functions in double precision (2001), and J.-M. Muller, Elementary functions (2016), chapter 12.
 HARD = {
     "exponential": [
         "0x1.9e9cbbfd6080bp-31", "-0x1.ed318efb627eap-27", "-0x1.3475ac05cead7p-29", "0x1.83d4bcdebb3f4p+2",
