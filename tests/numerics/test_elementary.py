@@ -281,7 +281,12 @@ def test_the_tables_are_what_the_generator_writes():
 
 def test_the_generator_runs_in_a_fresh_process(tmp_path):
     made = tmp_path / "made.py"
-    program = f"from pathlib import Path; from hophoop.numerics import generate_elementary as g; g.FILE = Path({str(made)!r}); g.main()"
+    program = f"""
+from pathlib import Path
+from hophoop.numerics import generate_elementary
+generate_elementary.FILE = Path({str(made)!r})
+generate_elementary.main()
+"""
     subprocess.run([sys.executable, "-c", program], check=True)
     assert made.read_bytes() == generate_elementary.FILE.read_bytes()
 

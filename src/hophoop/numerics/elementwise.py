@@ -25,6 +25,8 @@ def _elementwise(
 ) -> Any:
     """Apply a function to common arguments as whole arrays, to the others one by one; `safe` stands in for these meanwhile."""
     one = interpreted(scalar)
+    if all(isinstance(value, float | int) for value in arguments):
+        return whole_arrays.single(one, *(float(value) for value in arguments))
     given = [np.asarray(value, dtype=np.float64) for value in arguments]
     if all(value.ndim == 0 for value in given):
         return whole_arrays.single(one, *(float(value) for value in given))
@@ -84,6 +86,8 @@ def sine_and_cosine(x: Arrays) -> tuple[Any, Any]:
     -------
     sine, cosine : float or ndarray
     """
+    if isinstance(x, float | int):
+        return _both(float(x))
     given = np.asarray(x, dtype=np.float64)
     if given.ndim == 0:
         return _both(float(given))
