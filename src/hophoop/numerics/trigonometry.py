@@ -22,6 +22,13 @@ def versine_of(angle):
 
 
 @inline_jit
+def sine_and_versine(angle):
+    """Return (sin, 1 − cos) with all digits of both, by one evaluation."""
+    s, c = sine_and_cosine(angle)
+    return s, s * s / (1.0 + c) if c > 0.0 else 1.0 - c
+
+
+@inline_jit
 def small_turn_deficits(phi):
     """`turn_deficits` up to `SMALL`, by series, which the processor does for several angles at a time."""
     square = phi * phi
@@ -38,8 +45,8 @@ def small_turn_deficits(phi):
 def turn_deficits(phi):
     """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
     if abs(phi) > SMALL:
-        versine = versine_of(phi)
-        return phi - sine(phi), 0.5 * phi * phi - versine, versine
+        s, versine = sine_and_versine(phi)
+        return phi - s, 0.5 * phi * phi - versine, versine
     return small_turn_deficits(phi)
 
 
@@ -53,7 +60,8 @@ def sine_cosine(th, low):
 @inline_jit
 def turn(s, c, angle):
     """(sin, cos) of θ + angle minus those of θ, without cancellation."""
-    return rotated(s, c, sine(angle), versine_of(angle))
+    sine, versine = sine_and_versine(angle)
+    return rotated(s, c, sine, versine)
 
 
 @inline_jit

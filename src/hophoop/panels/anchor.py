@@ -29,7 +29,7 @@ from hophoop.numerics.double_double import (
     two_product,
 )
 from hophoop.numerics.exponentials import power
-from hophoop.numerics.trigonometry import sine_cosine, turn_deficits
+from hophoop.numerics.trigonometry import sine_and_versine, sine_cosine, turn_deficits, versine_of
 from hophoop.physics.contact import inertia_at_height, load_height, slip_torque_arm
 from hophoop.physics.roll import rest_curvature
 
@@ -69,8 +69,7 @@ def offset_from(th, low, base, base_low):
 def fallen(body, bend, psi):
     """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
     if body.gt == 0.0:
-        half = sine(0.5 * psi)
-        return 2.0 * bend * half * half
+        return bend * versine_of(psi)
     bent, _, versine = turn_deficits(psi)
     return bend * versine + body.gt * bent
 
@@ -110,8 +109,8 @@ def rolling_begin(body, anchor, th, low, s, c, u):
     psi = 0.0
     if body.gt != 0.0:
         psi = offset_from(th, low, anchor.base, anchor.base_low)
-        half = sine(0.5 * psi)
-        torque = anchor.bend * sine(psi) + 2.0 * body.gt * half * half
+        turned, versine = sine_and_versine(psi)
+        torque = anchor.bend * turned + body.gt * versine
     if body.gt == 0.0:  # ψ is θ or θ ± π: 1 − cos ψ without another sine
         height = c if anchor.bend > 0.0 else -c
         versine = s * s / (1.0 + height) if height > 0.0 else 1.0 - height
@@ -215,8 +214,8 @@ def slip_begin(body, anchor, sigma, th, low, arm, u, series):
         return arm, u
     top, side = sine_and_cosine(anchor.base)
     signed_mu = sigma * body.mu_k
-    half = sine(0.5 * psi)
-    arm = body.eps * ((side - signed_mu * top) * sine(psi) - 2.0 * (top + signed_mu * side) * half * half)
+    turned, versine = sine_and_versine(psi)
+    arm = body.eps * ((side - signed_mu * top) * turned - (top + signed_mu * side) * versine)
     if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
         high = separatrix_value(series, psi)
         found = anchor.excess + high

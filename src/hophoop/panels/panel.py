@@ -12,13 +12,12 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.circular import sine
 from hophoop.numerics.collocation import ORDER, antiderivative
 from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
 from hophoop.numerics.constants import SINES as FORWARD_SINES
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.exponentials import power
-from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
+from hophoop.numerics.trigonometry import SMALL, sine_and_versine, small_turn_deficits, turn
 from hophoop.physics.roll import rest_curvature
 
 LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
@@ -120,8 +119,8 @@ def fill_geometry(panel, work):
     if panel.extent > SMALL:
         for i in range(ORDER):
             offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
-            sines[i] = way * sine(offset)
-            versines[i] = versine_of(offset)
+            s, versines[i] = sine_and_versine(offset)
+            sines[i] = way * s
         return
     for i in range(ORDER):
         offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
@@ -214,7 +213,7 @@ def chord(panel, xi):
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
     angle = angle_at(panel, xi)
-    return sine(angle), versine_of(angle)
+    return sine_and_versine(angle)
 
 
 @inline_jit
