@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 
 import hophoop as hh
+from hophoop.derivatives.parameters import change_of
 from hophoop.maps.cells import make_cells
+from hophoop.maps.kernel import CELL
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS
 from oracle_program import simulate
 from oracles.cases import Case
@@ -23,6 +25,16 @@ def cell_of(scenario: hh.Scenario) -> np.ndarray:
     """The row of `maps.kernel.CELL` of one scenario."""
     cell: np.ndarray = make_cells(scenario, {}, 1)[:, 0]
     return cell
+
+
+def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
+    """How the cell of a scenario changes with each parameter."""
+    rates = np.zeros((len(CELL), len(paths)))
+    for k, path in enumerate(paths):
+        change = change_of(scenario, path)
+        for i, name in enumerate(CELL):
+            rates[i, k] = change.start.get(name, 0.0) if name in change.start else getattr(change, name, 0.0)
+    return rates
 
 
 def drawn(count: int, first: int = 0) -> list[hh.Scenario]:

@@ -10,15 +10,13 @@ import pytest
 import hophoop as hh
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import Reason
-from hophoop.derivatives.parameters import change_of
-from hophoop.maps.kernel import CELL
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.stamp import DERIVATIVES, HERE
 
 pytest.importorskip("wasmtime")
 
 from module.host import Host
-from module.module_tools import cell_of, drawn
+from module.module_tools import cell_of, drawn, rates_of
 
 WRT = (
     "plane.mu_kinetic",
@@ -35,16 +33,6 @@ WRT = (
 @pytest.fixture(scope="module")
 def host() -> Host:
     return Host(HERE / DERIVATIVES)
-
-
-def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
-    """How the cell of a scenario changes with each parameter."""
-    rates = np.zeros((len(CELL), len(paths)))
-    for k, path in enumerate(paths):
-        change = change_of(scenario, path)
-        for i, name in enumerate(CELL):
-            rates[i, k] = change.start.get(name, 0.0) if name in change.start else getattr(change, name, 0.0)
-    return rates
 
 
 def compared(host: Host, scenario: hh.Scenario, paths: tuple[str, ...]) -> float:

@@ -61,8 +61,8 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     "an even function": (
         ("mass", "part_reach", "return math.hypot(at, 0.5 * first)", "return math.hypot(at, -0.5 * first)"),
-        ("energy", "kinetic_energy", "height = 2.0 * np.cos(0.5 * th) ** 2 - sine * th_low  # 1 + cos θ, with all its digits also near θ = π", "height = 2.0 * np.cos( -0.5 * th) ** 2 - sine * th_low # 1 + cos θ, with all its digits also near θ = π"),
-        ("energy", "potential_energy", "drop = y - 2.0 * body.eps * np.sin(0.5 * th) ** 2", "drop = y - 2.0 * body.eps * np.sin( -0.5 * th) ** 2"),
+        ("energy", "kinetic_energy", "half = np.cos(0.5 * th)", "half = np.cos( -0.5 * th)"),
+        ("energy", "potential_energy", "half = np.sin(0.5 * th)", "half = np.sin( -0.5 * th)"),
     ),
     "a further piece of the impact that has no length": (
         ("impact", "impact", "break", "continue"),

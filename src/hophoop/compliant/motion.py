@@ -8,9 +8,7 @@ from hophoop._jit import jit
 from hophoop.compliant.records import DAMPING, DYNAMIC, FRICTION, OM, RESISTED, TH, VN, VT, X, Y, Z
 from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force, resisting_couple, spring_energy
 from hophoop.physics.contact import delassus, free_acceleration
-from hophoop.physics.energy import kinetic_energy, potential_energy
-
-kinetic, potential = jit(kinetic_energy), jit(potential_energy)
+from hophoop.physics.energy import kinetic, potential
 
 
 @jit

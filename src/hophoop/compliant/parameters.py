@@ -44,7 +44,7 @@ def least_restitution(k):
 @jit
 def compliance_of(body, length, second, mass, law, friction, stiffness, damping, restitution, slip_speed, tangential):
     """The contact's numbers in the kernel's units from those in SI units; nan stands for what it chooses by itself."""
-    k = STIFFNESS if math.isnan(stiffness) else stiffness * second**2 / mass
+    k = STIFFNESS if math.isnan(stiffness) else stiffness * (second * second) / mass
     c = 0.0
     d = 0.0
     if not math.isnan(damping):
@@ -66,10 +66,16 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
         v_s = min(1.0 / k, 1.0)
     if body.mu_s == 0.0:  # nothing for a bristle to hold
         friction = LINEAR
-    k_t = k if math.isnan(tangential) else tangential * second**2 / mass
+    k_t = k if math.isnan(tangential) else tangential * (second * second) / mass
     excess = static_excess(body.mu_s, body.mu_k) if friction == TANH else 0.0
     om_s = usual if friction == BRISTLE else v_s
     return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
+
+
+@jit
+def chosen_in_si(comp, length, second, mass):
+    """The stiffness [N/m] and the slip speed [m/s] of a contact in kernel units."""
+    return comp.k * mass / (second * second), comp.v_s * length / second
 
 
 def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
@@ -160,7 +166,7 @@ def rigid_force(body, start):
     """(F, N) that rigid contact would have in a state without approach."""
     s = math.sin(start[TH])
     c = math.cos(start[TH])
-    u = start[OM] ** 2
+    u = start[OM] * start[OM]
     sigma = direction(start[VT])
     if sigma == 0:
         friction, normal = forces_rolling(body, s, c, start[OM])

@@ -305,15 +305,15 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     second = time_unit(hoop, plane)
     stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED
     for name, unit, allowed, what in (
-        ("stiffness", hoop.mass / second**2, stiffness, "m g/R"),
-        ("tangential_stiffness", hoop.mass / second**2, stiffness, "m g/R"),
+        ("stiffness", hoop.mass / (second * second), stiffness, "m g/R"),
+        ("tangential_stiffness", hoop.mass / (second * second), stiffness, "m g/R"),
         ("slip_speed", hoop.radius / second, slip, "√(g R)"),
     ):
         value = getattr(contact, name)
         if value is not None and not allowed.holds(value / unit):
             ratio = value / unit
             raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
-    k = STIFFNESS if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
+    k = STIFFNESS if contact.stiffness is None else contact.stiffness * (second * second) / hoop.mass
     given = start.state(hoop)
     speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius
     depth = interpreted(sinking)(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
