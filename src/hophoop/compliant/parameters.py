@@ -8,6 +8,7 @@ import numpy as np
 
 from hophoop._jit import interpreted, jit
 from hophoop.compliant.records import OM, SIZE, TH, VN, VT, X, Y, Z
+from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.physics.body import Body
 from hophoop.physics.compliant import (
     BRISTLE,
@@ -149,11 +150,12 @@ def load_contact(body, comp, start):
     if start[Y] > 0.0 or start[VN] != 0.0:
         return False
     friction, normal = rigid_force(body, start)
-    opening = free_acceleration(body, math.sin(start[TH]), math.cos(start[TH]), start[OM] * start[OM])[1]
+    s, c = sine_and_cosine(start[TH])
+    opening = free_acceleration(body, s, c, start[OM] * start[OM])[1]
     if not normal > 0.0:
         u = start[OM] * start[OM]
         if abs(opening) <= ROUNDING * (body.gn + u):  # zero: its rate decides
-            opening = -body.eps * start[OM] * u * math.sin(start[TH])
+            opening = -body.eps * start[OM] * u * sine(start[TH])
         return opening < 0.0
     start[Y] = -normal / comp.k
     if start[VT] == 0.0 and comp.friction == BRISTLE:
@@ -164,8 +166,7 @@ def load_contact(body, comp, start):
 @jit
 def rigid_force(body, start):
     """(F, N) that rigid contact would have in a state without approach."""
-    s = math.sin(start[TH])
-    c = math.cos(start[TH])
+    s, c = sine_and_cosine(start[TH])
     u = start[OM] * start[OM]
     sigma = direction(start[VT])
     if sigma == 0:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import jit
+from hophoop.numerics.arcs import hypotenuse
 from hophoop.numerics.double_double import plus
 
 RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
@@ -42,7 +41,7 @@ def part_reach(shape, first, second, at):
         return abs(at)
     if shape == RADIAL_ROD:
         return abs(at) + 0.5 * first
-    return math.hypot(at, 0.5 * first)
+    return hypotenuse(at, 0.5 * first)
 
 
 @jit

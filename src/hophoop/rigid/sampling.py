@@ -14,7 +14,7 @@ from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, SKIMMING, STRUCK, TIME, Totals, fill_inside, no_panel
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_forces, slip_load
-from hophoop.physics.energy import kinetic, potential
+from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state, strike_place
 from hophoop.physics.painleve import slip_coefficients
@@ -160,8 +160,8 @@ def sample(body, segments, times, left, out):
         row[13] = now.th
         row[14] = now.th_low
         row[15] = now.resisted
-        row[16] = kinetic(body, now.th, now.om, now.vt, now.vn, now.th_low) if math.isnan(moving) else moving
-        row[17] = potential(body, now.x, now.y, now.th)
+        row[16] = kinetic_energy(body, now.th, now.om, now.vt, now.vn, now.th_low) if math.isnan(moving) else moving
+        row[17] = potential_energy(body, now.x, now.y, now.th)
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

@@ -12,6 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
 from hophoop._jit import interpreted
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.physics.compliant import STIFFNESS, sinking
 from hophoop.physics.resistance import most_resistance
@@ -335,13 +336,14 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         In units of R, m and √(R/g); see `time_unit` for g = 0.
     """
     weight = 1.0 if plane.gravity > 0.0 else 0.0
+    s, c = interpreted(sine_and_cosine)(plane.slope)
     return Body(
         eps=hoop.eccentricity,
         kap=hoop.inertia_ratio,
         mu_s=plane.mu_static,
         mu_k=plane.mu_kinetic,
-        gn=weight * math.cos(plane.slope),
-        gt=weight * math.sin(plane.slope),
+        gn=weight * c,
+        gt=weight * s,
         rest=plane.restitution,
         law=int(ImpactLaw[plane.impact_law.upper()]),
         strike=plane.painleve == "impact",
