@@ -68,11 +68,16 @@ def _first_quadrant(y, y_low, x, x_low):
 
 
 @inline_jit
-def root_of(high, low):
-    """Return √(high + low) as two doubles, of a sum that is not 0."""
-    root = math.sqrt(high)
+def root_near(root, high, low):
+    """Return √(high + low) as two doubles, root = √high."""
     product, error = two_product(root, root)
     return quick_sum(root, (((high - product) - error) + low) / (2.0 * root))
+
+
+@inline_jit
+def root_of(high, low):
+    """Return √(high + low) as two doubles, of a sum that is not 0."""
+    return root_near(math.sqrt(high), high, low)
 
 
 @inline_jit
@@ -145,13 +150,12 @@ def arctangent(t):
 
 
 @inline_jit
-def length_of(long, short):
-    """Return √(long² + short²), long ≥ short, of lengths whose squares are neither too large nor too small."""
+def square_of_length(long, short):
+    """Return long² + short² as two doubles, long ≥ short."""
     square, error = two_product(long, long)
     other, other_error = two_product(short, short)
     total, more = quick_sum(square, other)
-    root, low = root_of(total, more + (error + other_error))
-    return root + low
+    return total, more + (error + other_error)
 
 
 @apart_jit
@@ -175,4 +179,6 @@ def hypotenuse(x, y):
         scale = DOWN
         long *= UP
         short *= UP
-    return length_of(long, short) * scale
+    high, low = square_of_length(long, short)
+    root, rest = root_of(high, low)
+    return (root + rest) * scale

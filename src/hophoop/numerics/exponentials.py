@@ -1,14 +1,14 @@
-"""Exponentials, logarithms and powers whose bits are the same on every machine, made of + − × ÷ and integer operations alone.
+"""Exponentials, logarithms and powers whose bits are the same on every machine, made of + − × ÷ and integer operations.
 
-The exponent is k ln 2/64 and a rest r, and exp r = 1 + r + r²/2 + …, times a power of two from a table (Tang 1989). The table's values have 26
-bits and a rest, so that the largest product is exact (Dekker): errors of `exponential` stay below 0.5001 units in the last place,
-also where the result is subnormal.
+The exponent is k ln 2/64 and a rest r, and exp r = 1 + r + r²/2 + …, times a power of two from a table (Tang 1989). The
+table's values have 26 bits and a rest, so that the largest product is exact (Dekker). The other terms are below 2^−15 of the
+result, so that the errors of `exponential` are at most 0.5003 units in the last place, also where the result is subnormal.
 
-A logarithm is e ln 2 − log c + log(1 + r), where c is near 1/m and has 10 bits, so that r = m c − 1 is exact in two doubles (Tang 1990). It is
-computed with some 68 bits; that of a double is rounded once, and powers have errors below 0.52 units in the last place.
+A logarithm is e ln 2 − log c + log(1 + r), where c is near 1/m and has 10 bits, so that r = m c − 1 is exact as two doubles
+(Tang 1990, with a table of 1/m). It has some 65 bits before it is rounded; a power has those of y log x.
 
-References: P. T. P. Tang, Table-driven implementation of the exponential function (1989) and of the logarithm function (1990) in IEEE
-floating-point arithmetic; J.-M. Muller, Elementary functions (3rd edition, 2016), chapter 6.
+References: P. T. P. Tang, Table-driven implementation of the exponential function (1989) and of the logarithm function
+(1990) in IEEE floating-point arithmetic. J.-M. Muller, Elementary functions (3rd edition, 2016), chapter 6.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit, interpreted, interpreted_as, lean_jit
-from hophoop.numerics.circular import INTEGER
+from hophoop.numerics.circular import INTEGER, INTEGER_WORD
 from hophoop.numerics.double_double import SPLITTER, multiply, quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import (
     LN2_HIGH,
@@ -64,7 +64,7 @@ def growth_at(x, k, t1, t2):
 def growth(x):
     """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
     count = x * OCTAVE_INVERSE + INTEGER
-    whole = word_of(count) << 13 >> 13  # the last 51 bits, with their sign
+    whole = word_of(count) - INTEGER_WORD
     j = whole & 63
     high, rest = growth_at(x, count - INTEGER, float(POWERS[j, 0]), float(POWERS[j, 1]))
     return whole >> 6, high, rest
@@ -148,7 +148,7 @@ def logarithm_at(power, m, inverse, high, low):
 
 @apart_jit
 def logarithm_parts(x):
-    """Return log x as two doubles with some 68 bits, of a finite x > 0."""
+    """Return log x as two doubles with some 65 bits, of a finite x > 0."""
     e, m = octave(x)
     if m > ROOT_TWO:
         m *= 0.5

@@ -1,7 +1,7 @@
 """Generates `elementary_constants.py`: tables of the elementary functions, computed with 60 digits.
 
-`python -m hophoop.numerics.generate_elementary` writes the file. Every number is rounded once, to nearest, so that each machine writes the
-same bytes. mpmath computes them and is needed only here.
+`python -m hophoop.numerics.generate_elementary` writes the file. Every number is rounded once, to nearest, so that each
+machine writes the same bytes. mpmath computes them and is needed only here.
 """
 
 from __future__ import annotations
@@ -61,10 +61,6 @@ def _coarse(value: Any, unit: float) -> list[float]:
     return [high, _nearest(value - mpf(high))]
 
 
-def _series(numerators: list[Any]) -> list[float]:
-    return [_nearest(value) for value in numerators]
-
-
 def constants() -> dict[str, Any]:
     """Compute all constants of the elementary functions.
 
@@ -112,10 +108,12 @@ def constants() -> dict[str, Any]:
             rows.append([inverse, *_coarse(-mp.log(mpf(inverse)), 2.0**-42)])
         made["LOGARITHMS"] = rows
         made["LOG2_E_HIGH"], made["LOG2_E_LOW"] = _nearest(1 / ln2), _nearest(1 / ln2 - mpf(_nearest(1 / ln2)))
-        made["ARCTANGENTS"] = [[_nearest(v), _nearest(v - mpf(_nearest(v)))] for v in (mp.atan(mpf(j) / ARCS) for j in range(ARCS + 1))]
+        made["ARCTANGENTS"] = [
+            [_nearest(v), _nearest(v - mpf(_nearest(v)))] for v in (mp.atan(mpf(j) / ARCS) for j in range(ARCS + 1))
+        ]
         # tanh x = x + x³ (c0 + c1 x² + …), sinh likewise
-        made["TANH_SERIES"] = _series([c for c in mpmath.taylor(mp.tanh, 0, 23)[3::2]])
-        made["SINH_SERIES"] = _series([1 / mp.factorial(2 * k + 3) for k in range(7)])
+        made["TANH_SERIES"] = [_nearest(value) for value in mpmath.taylor(mp.tanh, 0, 23)[3::2]]
+        made["SINH_SERIES"] = [_nearest(1 / mp.factorial(2 * k + 3)) for k in range(7)]
     return made
 
 
@@ -147,8 +145,8 @@ def text() -> str:
         "_h = float.fromhex",
         "",
         "",
-        "def _frozen(rows):",
-        "    table = np.array(rows)",
+        "def _frozen(rows, kind=np.float64):",
+        "    table = np.array(rows, dtype=kind)",
         "    table.flags.writeable = False",
         "    return table",
         "",
@@ -156,9 +154,8 @@ def text() -> str:
     ]
     for name, value in constants().items():
         if isinstance(value, list):
-            kind = "int64" if isinstance(value[0], int) else "float64"
-            assert kind in ("int64", "float64")
-            lines.append(f"{name} = _frozen({_written(value)})")
+            kind = ", np.int64" if isinstance(value[0], int) else ""
+            lines.append(f"{name} = _frozen({_written(value)}{kind})")
         else:
             lines.append(f"{name} = {_written(value)}")
     return "\n".join(lines) + "\n"

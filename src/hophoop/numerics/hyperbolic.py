@@ -90,11 +90,15 @@ def hyperbolic_cosine(x):
 
 
 @inline_jit
-def grown_by(x):
-    """Return x + √((x − 1)(x + 1)) as two doubles."""
-    less = two_sum(x, -1.0)
-    high, low = multiply(less, two_sum(x, 1.0))
-    high, low = add(less, root_of(high, low))
+def square_less_one(x):
+    """Return x² − 1 as two doubles, x > 1."""
+    return multiply(two_sum(x, -1.0), two_sum(x, 1.0))
+
+
+@inline_jit
+def grown_by(x, root, root_low):
+    """Return x + root + root_low as two doubles."""
+    high, low = add(two_sum(x, -1.0), (root, root_low))
     return plus(high, low, 1.0)
 
 
@@ -107,6 +111,8 @@ def inverse_hyperbolic_cosine(x):
         high, low = logarithm_parts(x)
         total, error = two_sum(high, LN2_HIGH)
         return total + (error + (low + LN2_LOW))
-    total, rest = grown_by(x)
+    high, low = square_less_one(x)
+    root, root_low = root_of(high, low)
+    total, rest = grown_by(x, root, root_low)
     high, low = logarithm_parts(total)
     return high + (low + rest / total)
