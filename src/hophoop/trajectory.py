@@ -117,8 +117,8 @@ class Trajectory:
         ----------
         t : float or array_like
             Times from 0 to `duration` [s].
-        side : {'right', 'left'}
-            At an impact: just after or just before it.
+        side : {'right', 'left'}, default 'right'
+            At the instant of an event: just after all events of that instant, or just before the first of them.
 
         Returns
         -------
@@ -128,6 +128,13 @@ class Trajectory:
         ------
         ValueError
             If a time is outside the motion, or `side` is neither.
+
+        Notes
+        -----
+        A time belongs to an event if it equals the event's `t`. At an event that begins a phase the sample is the event's
+        own state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite:
+        the rim turns without bound. The energy is then that of the load. Where nothing follows an event, both sides are the
+        state at the end.
         """
         if side not in ("left", "right"):
             raise ValueError(f"side = {side!r} must be 'left' or 'right'.")
