@@ -30,19 +30,10 @@ from hophoop.scenario.parts import combine
 pytest.importorskip("wasmtime")
 
 from module.host import Calls, Host, InProcess
-from module.module_tools import cell_of, drawn, rates_of, references
+from module.module_tools import cell_of, drawn, rates_of, references, same
 
 FROM_RECORD = ("x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential", "friction",
                "impact_normal", "impact_tangential", "gain", "rolling_resistance")  # fmt: skip
-
-
-def same(found: Any, expected: Any) -> bool:
-    """Whether all bits are equal; every nan is one."""
-    one, other = np.asarray(found, float), np.asarray(expected, float)
-    nan = np.isnan(one)
-    if one.shape != other.shape or (nan != np.isnan(other)).any():
-        return False
-    return bool((one[~nan].view(np.int64) == other[~nan].view(np.int64)).all())
 
 
 @pytest.fixture(scope="module", params=["in this process", "in WebAssembly"])
@@ -127,6 +118,26 @@ def test_motions_and_their_states(host: Calls, decided: list[tuple[hh.Scenario, 
             assert_states(host.samples(int(heads["segments"]), times, left), motion, times, left)
 
 
+def test_random_motions(host: Calls) -> None:
+    assert told_alike(host, drawn(300, 10_000)) > 250
+
+
+@pytest.mark.slow
+def test_twenty_thousand_motions(host: Calls) -> None:
+    assert told_alike(host, drawn(20_000)) > 18_000
+
+
+def told_alike(host: Calls, scenarios: list[hh.Scenario]) -> int:
+    """How many motions are told alike: all that doubles decide."""
+    count = 0
+    for scenario in scenarios:
+        heads, events = host.motion(cell_of(scenario))
+        if math.isnan(heads["doubt_from"]):  # the library asks more digits else, and the page says so
+            assert_told(heads, events, hh.simulate(scenario))
+            count += 1
+    return count
+
+
 def test_margins(host: Calls, decided: list[tuple[hh.Scenario, hh.Trajectory]]) -> None:
     """At the begin of each piece, whose state both sides have as it is."""
     for scenario, motion in decided[:60]:
@@ -176,7 +187,8 @@ def test_compliant_motions_and_their_states(host: Calls, contact: hh.Compliant, 
     "query",
     ["", "plane.mu=0.5", "plane.mu=0.3&start.speed=0.1", "hoop.load_fraction=0.4&plane.slope=0.2&hoop.radius=0.3",
      "plane.slope=-0.3", "hoop.load_fraction=1", "plane.gravity=0", "hoop.eccentricity=0.2&hoop.inertia_ratio=0.5",
-     "plane.mu=inf", "start.vx=1&start.omega=2", "plane.rolling_resistance=0.01", "hoop.load_fraction=1&start.speed=0.7&plane.mu=0.3"],
+     "plane.mu=inf", "start.vx=1&start.omega=2", "plane.rolling_resistance=0.01",
+     "hoop.load_fraction=1&start.speed=0.7&plane.mu=0.3"],
 )  # fmt: skip
 def test_theory(host: Calls, query: str) -> None:
     scenario = hh.Scenario.from_query(query)
