@@ -77,6 +77,7 @@ export class Motions {
     lane.pending = [...(lane.pending ?? []).filter(([path]) => !changes.some(([other]) => other === path)), ...changes];
     lane.commit ||= commit;
     lane.what = changes.map(([path]) => path).join();
+    if (commit) this.history.touch(lane.what, lane.moved);
     this.pump(lane);
   }
 
@@ -132,7 +133,7 @@ export class Motions {
   /** @param {Lane} lane */
   settle(lane) {
     lane.commit = false;
-    // when the hand moved, not when the answer came: a slow machine must not make two steps of keys in a row
+    // when the hand moved, not when the answer came
     this.note(lane.what, lane.moved);
     this.listener.settled();
   }
