@@ -112,7 +112,7 @@ def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
         low, high = (float(Decimal(float(end)).log10()) for end in (first, last))
     exponents = np.linspace(low, high, count)
     decades = np.floor(exponents + 0.5)
-    values = TENS[(decades - LOWEST_DECADE).astype(int)] * exponential((exponents - decades) * LN_10)
+    values: NDArray[np.float64] = TENS[(decades - LOWEST_DECADE).astype(int)] * exponential((exponents - decades) * LN_10)
     values[0], values[-1] = first, last
     return values
 
