@@ -78,7 +78,7 @@ UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values
 
 
 @jit
-def sizes_and_rates(scales, units):
+def sizes_and_rates(scales: Any, units: Any) -> tuple[Any, Any]:
     """Sizes of UNITS, and their logarithmic rates in each direction, from those of length, time and mass."""
     sizes = np.array([
         scales.length, scales.time, 1.0, scales.speed, scales.rate, scales.impulse, scales.energy,
