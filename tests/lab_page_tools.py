@@ -7,6 +7,20 @@ from pathlib import Path
 PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parent / "results" / "lab"))
 
 
+# Conditions to wait for: nothing is under way and the diagrams are those of the motion; all that opens with the page is there.
+SETTLED = "!lab.motions.lanes.some((lane) => lane.busy || lane.pending) && !lab.surrounding && !lab.requested"
+SHOWN = f"lab.theory.list.children.length > 0 && {SETTLED}"
+PATIENCE = 30_000  # milliseconds
+
+
+def expect(locator):
+    """Playwright's, with the patience of the other waits."""
+    from playwright.sync_api import expect
+
+    expect.set_options(timeout=PATIENCE)
+    return expect(locator)
+
+
 def summary(page):
     return page.locator(".summary").inner_text()
 

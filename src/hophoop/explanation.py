@@ -211,7 +211,7 @@ def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
         normal_force=named["normal_force"] * force,
         friction_force=named["friction_force"] * force,
         friction_limit=named["friction_limit"] * force,
-        free_acceleration=named["free_acceleration"] * units.length / units.time**2,
+        free_acceleration=named["free_acceleration"] * units.scales.acceleration,
         slip=named["slip"] * units.of("slip"),
         height=named["height"] * units.length,
         p_sigma=named["p_sigma"],

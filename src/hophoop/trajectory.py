@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop import export, portrait
 from hophoop._fingerprint import STATE, fingerprint
+from hophoop._jit import interpreted
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
-from hophoop.physics.energy import kinetic_energies, potential_energies
+from hophoop.physics.energy import energies_after
 from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import InputError, Scenario
 from hophoop.units import Units
@@ -138,8 +139,8 @@ class Trajectory:
         ----------
         t : float or array_like
             Times from 0 to `duration` [s].
-        side : {'right', 'left'}
-            At an impact: just after or just before it.
+        side : {'right', 'left'}, default 'right'
+            At the instant of an event: just after all events of that instant, or just before the first of them.
 
         Returns
         -------
@@ -149,6 +150,13 @@ class Trajectory:
         ------
         ValueError
             If a time is outside the motion, or `side` is neither.
+
+        Notes
+        -----
+        A time belongs to an event if it equals the event's `t`. At an event that begins a phase the sample is the event's
+        own state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite:
+        the rim turns without bound. The energy is then that of the load. Where nothing follows an event, both sides are the
+        state at the end.
         """
         if side not in ("left", "right"):
             raise ValueError(f"side = {side!r} must be 'left' or 'right'.")
@@ -163,9 +171,6 @@ class Trajectory:
         values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in _INTERNAL}
         values["mode"] = _LETTERS[columns["mode"].astype(int)]
         values["t"] = times
-        kinetic, potential = self._energies(columns)
-        values["kinetic"] = kinetic
-        values["potential"] = potential
         for name in ("spring", "damping"):
             values.setdefault(name, np.zeros(times.shape))
         if times.ndim == 0:
@@ -210,19 +215,24 @@ class Trajectory:
         """Energies at the end, all that was lost on the way, and what does not add up."""
         unit = self.units
         first, last = self._events[0], self._events[-1]
-        begin_kinetic, begin_potential = (float(energy) for energy in self._energies(_columns(first)))
-        kinetic, potential = (float(energy) for energy in self._energies(_columns(last)))
+        begin_kinetic, begin_potential = self._energies(first)
+        kinetic, potential = self._energies(last)
         friction, normal, tangential, rolling = (float(last[name]) * unit.energy for name in LOSSES)
-        begin, end = self.at(0.0, side="left"), self.at(self._seconds(float(last["t"])))
-        if self.scenario.contact.model != "rigid":  # many steps may share the last digit of a late time: all of one of them
-            kinetic, potential, friction, rolling = end.kinetic, end.potential, end.friction, end.rolling_resistance
-        residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential + rolling) - (
-            begin_kinetic + begin_potential + begin.spring
+        begin_spring, spring, damping = 0.0, 0.0, 0.0
+        if self.scenario.contact.model != "rigid":
+            begin_spring = self._stored(0.0, True)["spring"]
+            # many steps may share the last digit of a late time: all of one of them
+            end = self._stored(float(last["t"]), False)
+            spring, damping, kinetic, potential = (end[name] for name in ("spring", "damping", "kinetic", "potential"))
+            friction, rolling = end["friction"], end["rolling_resistance"]
+        # in the order of operations of `module.motions.write_energies`
+        residual = (kinetic + potential + spring + damping + friction + normal + tangential + rolling) - (
+            begin_kinetic + begin_potential + begin_spring
         )
         hoop, plane = self.scenario.hoop, self.scenario.plane
         weight = hoop.mass * plane.gravity * hoop.radius
-        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, rolling, weight, end.spring, abs(end.damping))
-        return Ledger(kinetic, potential, friction, normal, tangential, rolling, end.spring, end.damping, residual, size)
+        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, rolling, weight, spring, abs(damping))
+        return Ledger(kinetic, potential, friction, normal, tangential, rolling, spring, damping, residual, size)
 
     @property
     def tables(self) -> dict[str, np.ndarray]:
@@ -410,15 +420,15 @@ class Trajectory:
             return self.scenario.duration
         return t * self.units.time
 
-    def _energies(self, columns: dict[str, Any]) -> tuple[Any, Any]:
-        body = self.scenario.to_body()
-        theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
-        with np.errstate(invalid="ignore"):
-            kinetic = kinetic_energies(
-                body, theta, columns["omega"], columns["slip"], columns["vy"], columns.get("theta_low", 0.0)
-            )
-        potential = potential_energies(body, columns["x"], columns["height"], theta)
-        return kinetic * self.units.energy, potential * self.units.energy
+    def _energies(self, row: np.void) -> tuple[float, float]:
+        """Kinetic and potential energy just after an event."""
+        kinetic, potential = interpreted(energies_after)(self.scenario.to_body(), row)
+        return float(kinetic) * self.units.energy, float(potential) * self.units.energy
+
+    def _stored(self, t: float, left: bool) -> dict[str, float]:
+        """Energies of the state at a time in kernel units."""
+        (raw,) = self._sample(np.array([t]), left).tolist()
+        return {name: value * self.units.energy for name, value in zip(self._model.COLUMNS, raw, strict=True)}
 
     def _event_record(self, row: np.void) -> EventRecord:
         unit = self.units
@@ -474,7 +484,3 @@ _EVENT_NUMBERS = (
     "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
     *LOSSES, "gain",
 )  # fmt: skip
-
-
-def _columns(row: np.void) -> dict[str, Any]:
-    return {name: row[name] for name in ("x", "height", "angle", "theta", "theta_low", "slip", "vy", "omega")}

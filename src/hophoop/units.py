@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._jit import interpreted
 from hophoop.records.times import kernel_times
+from hophoop.records.units import Scales, scales_from
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import time_unit
 
@@ -34,11 +37,16 @@ class Units:
         """
         return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
 
+    @cached_property
+    def scales(self) -> Scales:
+        """All of them, as the kernels have them."""
+        found: Scales = interpreted(scales_from)(self.length, self.time, self.mass)
+        return found
+
     @property
     def energy(self) -> float:
         """Unit of energy [J]."""
-        speed = self.length / self.time
-        return self.mass * (speed * speed)
+        return self.scales.energy
 
     def kernel_times(self, segments: np.ndarray, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """Times in kernel units, on the same side of each event as they are in seconds.
@@ -75,13 +83,13 @@ class Units:
         if name in ("x", "height"):
             return self.length
         if name in ("vx", "vy", "slip"):
-            return self.length / self.time
+            return self.scales.speed
         if name == "omega":
-            return 1.0 / self.time
+            return self.scales.rate
         if name in ("friction_force", "normal_force"):
-            return self.mass * self.length / (self.time * self.time)
+            return self.scales.force
         if name in ("impulse_normal", "impulse_tangential"):
-            return self.mass * self.length / self.time
+            return self.scales.impulse
         if name == "angle":
             return 1.0
         return self.energy

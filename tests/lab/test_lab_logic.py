@@ -153,6 +153,21 @@ def test_keys_in_a_row_on_one_control_are_one_step(js):
     assert past == [["a"], ["c"], ["d"]]
 
 
+def test_keys_in_a_row_are_one_step_also_where_answers_are_slow(js):
+    """Each key within a second after the one before, the motion of the last of them four seconds after the first."""
+    code = """
+      const history = new lab.History();
+      history.note(["a"]);
+      const steps = [history.note(["b"], "start.speed", 100)];
+      for (let when = 900; when <= 4500; when += 900) history.touch("start.speed", when);
+      steps.push(history.note(["c"], "start.speed", 4500));
+      for (const when of [4600, 5700]) history.touch("start.speed", when);
+      steps.push(history.note(["d"], "start.speed", 5700));
+      return steps;
+    """
+    assert js("history.js", code) == ["step", "again", "step"]
+
+
 def test_a_step_is_kept_until_it_is_shown(js):
     code = """
       const history = new lab.History();

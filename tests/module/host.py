@@ -1,56 +1,53 @@
-"""The module under wasmtime, for tests: the same calls as the page makes."""
+"""The module's entries, for tests: the same calls as the page makes, under wasmtime or in this process."""
 
 from __future__ import annotations
 
 import ctypes
+import math
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import wasmtime
+from numba.core.types import CPointer
+from numba.np.numpy_support import as_dtype
 
+from hophoop.compliant.kernel import MAX_STEPS
+from hophoop.compliant.records import WIDTH
 from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS
-from hophoop.module.layout import CHANGE_COLUMNS, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.module.entries import Entries
+from hophoop.module.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.rigid.margins import MARGINS
 
 
-class Host:
-    """One instance of the module."""
+class Calls:
+    """The entries with memory of their own; what runs them says how."""
 
-    def __init__(self, path: Path, events: int = 1024, segments: int = 4096) -> None:
-        engine = wasmtime.Engine()
-        self.store = wasmtime.Store(engine)
-        module = wasmtime.Module.from_file(engine, str(path))
-        self.imports = [f"{item.module}.{item.name}" for item in module.imports]
-        exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)
-        self.exports = exports
-        self.call("_initialize")
+    def __init__(self, events: int = 1024, segments: int = 4096) -> None:
         self.most_events, self.most_segments = events, segments
         self.cell = self.room(8 * len(CELL))
         self._take()
         self.heads = self.room(8 * len(HEADS))
+        self.contact = self.room(8 * len(COMPLIANT))
 
     def room(self, size: int) -> int:
         """Memory of so many bytes."""
-        place: int = self.exports["malloc"](self.store, size)
-        assert place
-        return place
+        raise NotImplementedError
 
     def free(self, place: int) -> None:
-        self.exports["free"](self.store, place)
+        """Give memory back."""
+        raise NotImplementedError
 
     def view(self, place: int, count: int, kind: Any = np.float64) -> np.ndarray:
-        """Numbers in the module's memory."""
-        memory = self.exports["memory"]
-        base = ctypes.addressof(memory.data_ptr(self.store).contents)
-        size = np.dtype(kind).itemsize * count
-        return np.frombuffer((ctypes.c_char * size).from_address(base + place), kind)
+        """Numbers in that memory."""
+        raise NotImplementedError
 
     def call(self, name: str, *arguments: Any) -> None:
         """Call an entry."""
-        assert not self.exports[name](self.store, *arguments)
+        raise NotImplementedError
 
     def motion(self, cell: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
         """Heads and events of a motion, with as much room as it needs."""
@@ -80,6 +77,55 @@ class Host:
         self.events = self.room(EVENT.itemsize * self.most_events)
         self.segments = self.room(SEGMENT.itemsize * self.most_segments)
         self.table = self.room(8 * self.most_events * len(EVENT_COLUMNS))
+
+    def compliance(self, cell: np.ndarray, contact: np.ndarray) -> dict[str, float]:
+        """What a compliant contact makes of its numbers."""
+        self.view(self.cell, len(CELL))[:] = cell
+        self.view(self.contact, len(COMPLIANT))[:] = contact
+        self.call("compliance", self.cell, self.contact, self.heads)
+        return dict(zip(CHOSEN, self.view(self.heads, len(CHOSEN)).tolist(), strict=True))
+
+    def compliant_motion(
+        self, cell: np.ndarray, contact: np.ndarray, times: np.ndarray, most_rows: int = 20_000
+    ) -> tuple[dict[str, float], np.ndarray, np.ndarray, np.ndarray]:
+        """Heads, events, and the states at some times just after and just before."""
+        self.view(self.cell, len(CELL))[:] = cell
+        self.view(self.contact, len(COMPLIANT))[:] = contact
+        rows = self.room(8 * WIDTH * most_rows)
+        self.call(
+            "compliant_motion", self.cell, self.contact, self.events, self.most_events, MAX_STEPS, rows, most_rows,
+            self.table, self.heads,
+        )  # fmt: skip
+        heads = dict(zip(HEADS, self.view(self.heads, len(HEADS)).tolist(), strict=True))
+        assert heads["status"] != Status.BUFFER
+        width, columns = len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
+        events = self.view(self.table, int(heads["events"]) * width).reshape(-1, width).copy()
+        when, out = self.room(8 * times.size), self.room(8 * times.size * columns)
+        self.view(when, times.size)[:] = times
+        states = []
+        for left in (0, 1):
+            self.call(
+                "compliant_samples", self.cell, self.contact, rows, int(heads["segments"]), when, times.size, left, out
+            )  # fmt: skip
+            states.append(self.view(out, times.size * columns).reshape(-1, columns).copy())
+        for place in (rows, when, out):
+            self.free(place)
+        return heads, events, states[0], states[1]
+
+    def number(self, name: str, *given: float) -> float:
+        """An entry that takes numbers and gives one."""
+        self.call(name, *given, self.heads)
+        return float(self.view(self.heads, 1)[0])
+
+    def hoop_of_parts(self, radius: float, parts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Mass, ε and κ of parts, and how far each reaches."""
+        table, out, reaches = self.room(8 * parts.size), self.room(24), self.room(8 * len(parts))
+        self.view(table, parts.size)[:] = parts.ravel()
+        self.call("hoop_of_parts", radius, table, len(parts), out, reaches)
+        found = self.view(out, 3).copy(), self.view(reaches, len(parts)).copy()
+        for place in (table, out, reaches):
+            self.free(place)
+        return found
 
     def samples(self, segments: int, times: np.ndarray, left: bool = False) -> np.ndarray:
         """States of the motion that was computed last."""
@@ -148,3 +194,79 @@ class Host:
         self.free(modes)
         self.free(sides)
         return found, paradox
+
+
+class Host(Calls):
+    """One instance of the module, under wasmtime."""
+
+    def __init__(self, path: Path) -> None:
+        engine = wasmtime.Engine()
+        self.store = wasmtime.Store(engine)
+        module = wasmtime.Module.from_file(engine, str(path))
+        self.imports = [f"{item.module}.{item.name}" for item in module.imports]
+        exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)
+        self.exports = exports
+        self.call("_initialize")
+        super().__init__()
+
+    def room(self, size: int) -> int:
+        place: int = self.exports["malloc"](self.store, size)
+        assert place
+        return place
+
+    def free(self, place: int) -> None:
+        self.exports["free"](self.store, place)
+
+    def view(self, place: int, count: int, kind: Any = np.float64) -> np.ndarray:
+        memory = self.exports["memory"]
+        base = ctypes.addressof(memory.data_ptr(self.store).contents)
+        size = np.dtype(kind).itemsize * count
+        return np.frombuffer((ctypes.c_char * size).from_address(base + place), kind)
+
+    def call(self, name: str, *arguments: Any) -> None:
+        assert not self.exports[name](self.store, *arguments)
+
+
+class InProcess(Calls):
+    """The entries as Python functions that call the kernels of this process, with places in its memory.
+
+    What differs between this and the library is the entries' own arithmetic; what differs between this and the module is
+    the machine code.
+    """
+
+    def __init__(self, entries: Entries) -> None:
+        self.entries = entries
+        self.kept: dict[int, Any] = {}
+        super().__init__()
+
+    def room(self, size: int) -> int:
+        memory = (ctypes.c_double * (size // 8 + 1))()
+        place = ctypes.addressof(memory)
+        self.kept[place] = memory
+        return place
+
+    def free(self, place: int) -> None:
+        del self.kept[place]
+
+    def view(self, place: int, count: int, kind: Any = np.float64) -> np.ndarray:
+        size = np.dtype(kind).itemsize * count
+        return np.frombuffer((ctypes.c_char * size).from_address(place), kind)
+
+    def call(self, name: str, *arguments: Any) -> None:
+        kernel, kinds = self.entries[name]
+        given = [
+            (value, as_dtype(kind.dtype)) if isinstance(kind, CPointer) else value
+            for value, kind in zip(arguments, kinds, strict=True)
+        ]
+        function = kernel.py_func
+        holder = sys.modules[function.__module__]
+        usual = holder.carray  # type: ignore[attr-defined]
+        holder.carray = self._array  # type: ignore[attr-defined]
+        try:
+            with np.errstate(all="ignore"):
+                function(*given)
+        finally:
+            holder.carray = usual  # type: ignore[attr-defined]
+
+    def _array(self, place: tuple[int, np.dtype[Any]], shape: tuple[int, ...]) -> np.ndarray:
+        return self.view(place[0], math.prod(int(each) for each in shape), place[1]).reshape(shape)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import json
-import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import hophoop as hh
+from hophoop.derivatives.parameters import change_of
 from hophoop.maps.cells import make_cells
-from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS
+from hophoop.maps.kernel import CELL
 from oracle_program import simulate
 from oracles.cases import Case
 from random_scenarios import draw, scenario_of
@@ -19,10 +20,29 @@ DATA = Path(__file__).parents[1] / "data"
 SEED = 20261122
 
 
+def same(found: Any, expected: Any) -> bool:
+    """Whether all bits are equal; every nan is one."""
+    one, other = np.asarray(found, float), np.asarray(expected, float)
+    nan = np.isnan(one)
+    if one.shape != other.shape or (nan != np.isnan(other)).any():
+        return False
+    return bool((one[~nan].view(np.int64) == other[~nan].view(np.int64)).all())
+
+
 def cell_of(scenario: hh.Scenario) -> np.ndarray:
     """The row of `maps.kernel.CELL` of one scenario."""
     cell: np.ndarray = make_cells(scenario, {}, 1)[:, 0]
     return cell
+
+
+def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
+    """How the cell of a scenario changes with each parameter."""
+    rates = np.zeros((len(CELL), len(paths)))
+    for k, path in enumerate(paths):
+        change = change_of(scenario, path)
+        for i, name in enumerate(CELL):
+            rates[i, k] = change.start.get(name, 0.0) if name in change.start else getattr(change, name, 0.0)
+    return rates
 
 
 def drawn(count: int, first: int = 0) -> list[hh.Scenario]:
@@ -44,15 +64,3 @@ def references() -> list[hh.Scenario]:
         if "case" in content and "events" in content:
             found.append(simulate(Case(**content["case"])).scenario)
     return found
-
-
-def worst_time(events: np.ndarray, motion: hh.Trajectory) -> float:
-    """Largest difference of an event's time, beside the duration; infinite where kinds or modes differ."""
-    if len(events) != len(motion.events):
-        return math.inf
-    worst = 0.0
-    for row, event in zip(events, motion.events, strict=True):
-        if EVENT_NAMES[int(row[1])] != event.kind or MODE_LETTERS[int(row[3])] != event.to_mode:
-            return math.inf
-        worst = max(worst, abs(float(row[0]) - event.t))
-    return worst / motion.scenario.duration

@@ -10,15 +10,13 @@ import pytest
 import hophoop as hh
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import Reason
-from hophoop.derivatives.parameters import change_of
-from hophoop.maps.kernel import CELL
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.stamp import DERIVATIVES, HERE
 
 pytest.importorskip("wasmtime")
 
 from module.host import Host
-from module.module_tools import cell_of, drawn
+from module.module_tools import cell_of, drawn, rates_of, same
 
 WRT = (
     "plane.mu_kinetic",
@@ -37,35 +35,17 @@ def host() -> Host:
     return Host(HERE / DERIVATIVES)
 
 
-def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
-    """How the cell of a scenario changes with each parameter."""
-    rates = np.zeros((len(CELL), len(paths)))
-    for k, path in enumerate(paths):
-        change = change_of(scenario, path)
-        for i, name in enumerate(CELL):
-            rates[i, k] = change.start.get(name, 0.0) if name in change.start else getattr(change, name, 0.0)
-    return rates
-
-
-def compared(host: Host, scenario: hh.Scenario, paths: tuple[str, ...]) -> float:
-    """The largest difference of a rate, beside the size of its column."""
+def assert_same(host: Host, scenario: hh.Scenario, paths: tuple[str, ...]) -> None:
+    """All rates of all events are those of the library, to the last bit."""
     motion = hh.simulate(scenario)
-    worst = 0.0
     for sign in (1.0, -1.0):
-        mine = host.changes(cell_of(scenario), rates_of(scenario, paths), sign)
+        rates, reasons, failed = host.changes(cell_of(scenario), rates_of(scenario, paths), sign)
         theirs = carry(motion, paths, sign, edges=True)  # as `sensitivity` asks for both sides
-        assert mine[1].tolist() == theirs.reasons.tolist()
-        assert mine[2].tolist() == theirs.failed.tolist()
+        assert reasons.tolist() == theirs.reasons.tolist()
+        assert failed.tolist() == theirs.failed.tolist()
         for index in range(len(motion.events)):
             for place, field in enumerate(CHANGE_COLUMNS):
-                expected = theirs.at_event(index, field).rates
-                found = mine[0][index, place]
-                assert (np.isnan(expected) == np.isnan(found)).all(), (index, field)
-                known = ~np.isnan(expected)
-                size = np.maximum(np.abs(expected), 1e-6 * max(1.0, float(np.max(np.abs(np.nan_to_num(mine[0][index]))))))
-                if known.any():
-                    worst = max(worst, float(np.max(np.abs(found - expected)[known] / size[known])))
-    return worst
+                assert same(rates[index, place], theirs.at_event(index, field).rates), (scenario.to_query(), index, field)
 
 
 def test_it_imports_nothing(host: Host) -> None:
@@ -74,14 +54,14 @@ def test_it_imports_nothing(host: Host) -> None:
 
 def test_rates_of_the_reference_motion_are_the_same(host: Host) -> None:
     paths = ("start.speed", "hoop.load_fraction", "plane.mu", "duration", *WRT)
-    assert compared(host, hh.Scenario(duration=2.0), paths) < 1e-9
+    assert_same(host, hh.Scenario(duration=2.0), paths)
 
 
 def test_a_rim_that_is_thrown_from_the_plane_is_the_same(host: Host) -> None:
     """The events are others, the state at the end has a derivative to both sides."""
     start = hh.Start(height=0.0, vx=1.0, vy=0.0, omega=2.0, angle=0.4)
     scenario = hh.Scenario(duration=0.3, start=start, plane=hh.Plane(mu=0.3, restitution=0.4))
-    assert compared(host, scenario, ("start.vy", "plane.mu")) < 1e-9
+    assert_same(host, scenario, ("start.vy", "plane.mu"))
     for sign in (1.0, -1.0):
         rates = host.changes(cell_of(scenario), rates_of(scenario, ("start.vy",)), sign)[0]
         assert np.isfinite(rates[-1]).any()
@@ -92,12 +72,12 @@ def test_a_start_in_the_air_and_bounces_are_the_same(host: Host) -> None:
     for restitution in (0.0, 0.5):
         scenario = hh.Scenario(duration=1.5, start=start, plane=hh.Plane(mu=0.3, restitution=restitution))
         paths = ("plane.mu", "start.height", "start.vx", "start.vy", "start.omega", *WRT)
-        assert compared(host, scenario, paths) < 1e-8
+        assert_same(host, scenario, paths)
 
 
 def test_rolling_resistance_is_the_same(host: Host) -> None:
     scenario = hh.Scenario(duration=2.0).replace("plane.rolling_resistance", 0.02)
-    assert compared(host, scenario, ("plane.rolling_resistance", "plane.mu", "start.speed", *WRT)) < 1e-9
+    assert_same(host, scenario, ("plane.rolling_resistance", "plane.mu", "start.speed", *WRT))
 
 
 def test_reasons_are_told(host: Host) -> None:
@@ -111,15 +91,13 @@ def test_reasons_are_told(host: Host) -> None:
 
 @pytest.mark.long
 def test_rates_of_random_motions_are_the_same(host: Host) -> None:
-    count, most = 0, 0.0
+    count = 0
     for scenario in drawn(120, 4000):
         motion = hh.simulate(scenario)
         if math.isfinite(motion.doubt) or len(motion.events) > 40:
             continue
-        if float(np.max(motion.errors.t)) > 1e-12 * scenario.duration or not math.isfinite(scenario.plane.mu_static):
+        if not math.isfinite(scenario.plane.mu_static):
             continue
-        most = max(most, compared(host, scenario, WRT))
+        assert_same(host, scenario, WRT)
         count += 1
     assert count > 40
-    assert most < 1e-6
-    print(f"{count} motions, largest difference {most:.2g}")

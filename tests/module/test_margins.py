@@ -39,12 +39,11 @@ def test_they_are_those_of_the_explanation(host: Host, query: str) -> None:
     for phase in hh.phases(scenario):
         if phase.t_end <= phase.t_begin:
             continue
-        found = margins(host, scenario, np.array([phase.t_begin + 1e-14]))  # not a rounding before it
+        found = margins(host, scenario, np.array([phase.t_begin]))
         for name in MARGINS:
             theirs = getattr(phase.begin, name)
             mine = float(found[name][0])
-            size = max(abs(phase.begin.normal_force), scenario.hoop.mass * scenario.plane.gravity, 1.0)
-            assert mine == pytest.approx(theirs, rel=1e-9, abs=1e-9 * size, nan_ok=True), (name, phase.mode)
+            assert mine == theirs or (math.isnan(mine) and math.isnan(theirs)), (name, phase.mode)
         checked += 1
     assert checked > 1
 

@@ -91,67 +91,42 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     return answers
 
 
-def decided(answers: dict[str, Any]) -> list[tuple[hh.Scenario, hh.Trajectory, dict[str, Any]]]:
-    """Those that doubles decide and that make little of a rounding."""
-    found = []
-    for scenario, answer in zip(scenarios(), answers["found"], strict=False):
-        motion = hh.simulate(scenario)
-        if answer["motion"]["doubt"] is None and float(np.max(motion.errors.t)) < 1e-11:
-            found.append((scenario, motion, answer))
-    assert len(found) > 40
+def decided(answers: dict[str, Any]) -> list[tuple[hh.Trajectory, dict[str, Any]]]:
+    """Those that doubles decide: of the others Python tells in more digits."""
+    pairs = zip((*scenarios(), *compliant()), answers["found"], strict=True)
+    found = [(hh.simulate(scenario), answer) for scenario, answer in pairs if answer["motion"]["doubt"] is None]
+    assert len(found) > 50
     return found
 
 
 @pytest.mark.long
 def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
-    for _, motion, answer in decided(answers):
+    for motion, answer in decided(answers):
         told = motion.to_dict()
         mine = answer["motion"]
-        assert (mine["status"], mine["sequence"]) == (told["status"], told["sequence"])
-        assert mine["duration"] == pytest.approx(motion.duration, rel=1e-12)
+        assert mine["duration"] == motion.duration
+        assert {name: mine[name] for name in ("status", "sequence", "final", "energy")} == {
+            name: told[name] for name in ("status", "sequence", "final", "energy")
+        }
         for event, other in zip(told["events"], mine["events"], strict=True):
-            assert event.keys() == other.keys()
-            assert (event["kind"], event["from"], event["to"]) == (other["kind"], other["from"], other["to"])
-            for name in ("t", "x", "angle", "vx", "omega"):
-                assert other[name] == pytest.approx(event[name], rel=1e-9, abs=1e-9)
-        assert mine["final"].keys() == told["final"].keys()
-        assert mine["final"].pop("mode") == told["final"].pop("mode")
-        assert mine["final"] == pytest.approx(told["final"], rel=1e-9, abs=1e-9)
-        size = motion.ledger.range
-        for name, value in told["energy"].items():
-            assert mine["energy"][name] == pytest.approx(value, abs=1e-9 * size, rel=1e-9), name
+            assert other == event
 
 
 @pytest.mark.long
 def test_columns_of_a_film_are_the_same(answers: dict[str, Any]) -> None:
-    for _, motion, answer in decided(answers):
-        mine = {name: np.array([float(each) for each in column]) for name, column in answer["columns"].items()}
+    for motion, answer in decided(answers):
         theirs = film.columns(motion)
-        assert mine.keys() == theirs.keys()
-        assert mine["t"].size == theirs["t"].size
-        assert np.allclose(mine["t"], theirs["t"], rtol=1e-12, atol=1e-12)
-        assert np.mean(mine["mode"] == theirs["mode"]) > 0.99
-        for name in ("x", "angle", "omega", "kinetic", "friction_loss", "normal_force"):
-            size = max(float(np.nanmax(np.abs(theirs[name]))), 1e-3)
-            close = np.isclose(mine[name], theirs[name], rtol=1e-7, atol=1e-7 * size, equal_nan=True)
-            assert close.mean() > 0.99, name
+        assert answer["columns"].keys() == theirs.keys()
+        for name, column in theirs.items():
+            mine = np.array([float(each) for each in answer["columns"][name]])
+            np.testing.assert_array_equal(mine, column, err_msg=f"{motion.scenario.to_query()} {name}")
 
 
-def test_compliant_motions_are_the_same(answers: dict[str, Any]) -> None:
+def test_what_a_contact_chooses_is_the_same(answers: dict[str, Any]) -> None:
     for scenario, answer in zip(compliant(), answers["found"][len(scenarios()) :], strict=True):
-        motion = hh.simulate(scenario)
-        mine = answer["motion"]
-        assert (mine["status"], mine["sequence"]) == (motion.status, motion.sequence)
-        for event, other in zip(motion.events, mine["events"], strict=True):
-            assert other["t"] == pytest.approx(event.t, abs=1e-7)
-        told = motion.to_dict()["energy"]
-        size = motion.ledger.range
-        assert mine["energy"] == pytest.approx(told, abs=1e-6 * size)
-        theirs = film.columns(motion)
-        assert np.allclose(answer["columns"]["x"], theirs["x"], atol=1e-5)
-        chosen = film.header(motion)["automatic"]
-        assert answer["compliance"]["automatic"]["stiffness"] == pytest.approx(chosen["contact.stiffness"], rel=1e-12)
-        assert answer["compliance"]["automatic"]["slip_speed"] == pytest.approx(chosen["contact.slip_speed"], rel=1e-12)
+        chosen = film.header(hh.simulate(scenario))["automatic"]
+        found = answer["compliance"]["automatic"]
+        assert found == {name: chosen[f"contact.{name}"] for name in ("stiffness", "slip_speed")}
 
 
 def test_fingerprints_are_those_of_the_events_of_the_module(answers: dict[str, Any]) -> None:

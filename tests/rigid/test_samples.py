@@ -16,6 +16,7 @@ from hophoop.records.layout import SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.rigid.sampling import COLUMNS, contact_force, find_segment, place_on_panel, sample
 from newton_euler import accelerations
+from random_scenarios import draw, scenario_of
 
 TIMES = np.array([0.0, 0.125, 0.25, 0.5])
 
@@ -136,7 +137,10 @@ def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
         "friction": 0.25 + abs(0.5 * math.cos(0.25) * slid), "impact_normal": 0.5, "impact_tangential": 0.75,
         "theta": 0.5, "theta_low": 0.0, "rolling_resistance": 1.5,
     }  # fmt: skip
+    energies = found.pop("kinetic"), found.pop("potential")
     assert found == pytest.approx(expected, rel=1e-15)
+    fallen = 0.5 * (math.cos(0.5) - 1.0) * math.cos(0.25) - (3.0 + slid + 0.5 * math.sin(0.5)) * math.sin(0.25)
+    assert energies == pytest.approx((0.5 * (slip + rate * tau) ** 2, fallen), rel=1e-13)
 
 
 def test_a_sample_of_a_flight():
@@ -171,6 +175,59 @@ def test_a_sample_of_a_fall_of_the_massless_hoop(way):
         "mode": Mode.SKIM, "x": 3.0 + way * (1.0 - math.sin(th)), "height": 0.0, "angle": 4.0 * math.pi + way * th,
         "vy": 0.0, "omega": way * om, "vx": -way * om * math.cos(th), "normal_force": 0.0, "friction_force": 0.0,
         "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75, "theta": way * th, "theta_low": 0.0,
-        "rolling_resistance": 1.5,
+        "rolling_resistance": 1.5, "kinetic": 0.5 * tau**2, "potential": -1.0 - 0.5 * tau**2,
     }  # fmt: skip
     assert {name: found[name] for name in expected} == pytest.approx(expected, rel=1e-13)
+
+
+def massless_hoops():
+    """That roll, skim, and are struck; by either way round, on hoops of several sizes."""
+    for radius in (1.0, 0.3, 2.7):
+        for speed in (0.3, -0.3, 1.1, -1.7, 2.3, 3.1, -3.1):
+            yield hh.simulate(hh.Hoop.ideal(1.0, radius), hh.Plane(restitution=0.0), hh.Start.rolling(speed), duration=9.0)
+
+
+def test_just_before_the_load_strikes_the_rim_turns_without_bound():
+    """The limit, whatever rounding makes of the time: the load is down and has all its energy, the rim has none."""
+    struck = 0
+    for motion in massless_hoops():
+        for impact in motion.find("impact"):
+            before = motion.at(impact.t, side="left")
+            way = 1.0 if motion.find("skim")[0].omega > 0.0 else -1.0
+            assert before.omega == before.vx == way * math.inf
+            assert (before.mode, before.x, before.angle) == ("M", impact.x, impact.angle)
+            assert before.slip == impact.before.slip
+            mass = motion.scenario.hoop.mass
+            assert before.kinetic == pytest.approx(0.5 * mass * (impact.before.slip**2 + impact.before.vy**2), rel=1e-14)
+            after = motion.at(impact.t)
+            assert (after.omega, after.vx) == (impact.omega, impact.vx)
+            struck += 1
+    assert struck > 15
+
+
+def test_at_an_event_a_sample_is_the_state_just_after_it():
+    """To the last bit, where the event begins a phase."""
+    seen = set()
+    for index in range(40):
+        motion = hh.simulate(scenario_of(draw(31, index)[1], 200))
+        begins = set(motion.tables["segments"]["t"].tolist())
+        rows = motion.tables["events"]
+        for event, row, following in zip(motion.events, rows, rows[1:], strict=False):
+            if not row["t"] < following["t"] or row["t"] not in begins:
+                continue
+            sample = motion.at(event.t)
+            state = {name: getattr(event, name) for name in ("x", "height", "vy", "slip", "omega", "friction", "impact_normal")}
+            assert {name: getattr(sample, name) for name in state} == state, (motion, event.t)
+            assert sample.mode == event.to_mode
+            seen.add(event.kind)
+    assert seen >= {"start", "takeoff", "impact", "stick", "slip_start"}
+
+
+def test_the_end_is_the_end_in_seconds_too():
+    """Of a motion that ends before its time, there and back between the units."""
+    ended = [hh.simulate(scenario_of(draw(31, index)[1], 7)) for index in range(120)]
+    ended = [motion for motion in ended if not motion.ok]
+    assert len(ended) > 10
+    for motion in ended:
+        found = motion.units.kernel_times(motion.tables["segments"], np.array([motion.duration]))
+        assert found[0] == motion.tables["segments"]["t_end"][-1]

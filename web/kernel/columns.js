@@ -82,7 +82,8 @@ function joined(times, after, sides, before) {
   /** @type {Record<string, Column>} */
   const columns = { t };
   for (const [name, parts] of Object.entries(COLUMNS)) {
-    const column = new Float64Array(size);
+    // from −0, so that a sum of one part has all its bits
+    const column = new Float64Array(size).fill(-0);
     for (const part of parts) {
       for (let k = 0; k < size; k++) column[k] += states[k * width + SAMPLE[part]];
     }

@@ -37,6 +37,15 @@ export class History {
   }
 
   /**
+   * A hand has changed something, which is noted when its motion is there: a slow machine makes no steps of keys in a row.
+   * @param {string} what
+   * @param {number} when in milliseconds
+   */
+  touch(what, when) {
+    if (what === this.what && when - this.when < TOGETHER) this.when = when;
+  }
+
+  /**
    * Whether what is shown is the step that was noted last.
    * @param {string[]} queries
    */

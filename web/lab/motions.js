@@ -7,6 +7,7 @@ import { History } from "./history.js";
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under way.
  * @typedef {{
  *   film: Film, busy?: boolean, pending?: Change[] | null, commit?: boolean, since?: number | null, what?: string,
+ *   moved?: number,
  *   refining?: boolean, coarse?: Film,
  * }} Lane
  *
@@ -71,10 +72,12 @@ export class Motions {
    */
   change(changes, commit) {
     const lane = this.lanes[this.active];
-    lane.since ??= performance.now();
+    lane.moved = performance.now();
+    lane.since ??= lane.moved;
     lane.pending = [...(lane.pending ?? []).filter(([path]) => !changes.some(([other]) => other === path)), ...changes];
     lane.commit ||= commit;
     lane.what = changes.map(([path]) => path).join();
+    if (commit) this.history.touch(lane.what, lane.moved);
     this.pump(lane);
   }
 
@@ -130,7 +133,8 @@ export class Motions {
   /** @param {Lane} lane */
   settle(lane) {
     lane.commit = false;
-    this.note(lane.what);
+    // when the hand moved, not when the answer came
+    this.note(lane.what, lane.moved);
     this.listener.settled();
   }
 
@@ -139,9 +143,12 @@ export class Motions {
     return this.films().map((film) => film.query);
   }
 
-  /** @param {string} [what] what was changed, if one thing was */
-  note(what) {
-    this.listener.noted(this.history.note(this.queries(), what));
+  /**
+   * @param {string} [what] what was changed, if one thing was
+   * @param {number} [when] in milliseconds
+   */
+  note(what, when) {
+    this.listener.noted(this.history.note(this.queries(), what, when));
   }
 
   /**

@@ -61,7 +61,7 @@ function costOf({ duration, hoop: { radius }, plane: { gravity, slope }, start }
  */
 function turnsOf({ duration, radius, gravity, slope, height, vx, vy, omega }) {
   const start = Math.abs(vx) + Math.abs(vy) + radius * Math.abs(omega) + 2 * Math.sqrt(gravity * (radius + height));
-  const speed = 2 * start + 0.5 * gravity * Math.abs(Math.sin(slope)) * duration;
+  const speed = 2 * start + 0.5 * gravity * Math.min(Math.abs(slope), 1) * duration;
   return (speed * duration) / (2 * Math.PI * radius);
 }
 
@@ -110,7 +110,7 @@ function boundTurns(base, x, y, span) {
     for (const wide of across) {
       const cell = valued(valued(cost, y.path, high), x.path, wide);
       // a turn, and the flight after it; a longer flight costs no more
-      const hop = () => Math.min(cell.vx ** 2 / (10 * cost.gravity * cost.radius + TINY), FLIGHT_TURNS);
+      const hop = () => Math.min((cell.vx * cell.vx) / (10 * cost.gravity * cost.radius + TINY), FLIGHT_TURNS);
       const turns = first ? 1 + hop() : turnsOf(cell);
       total += turns;
       worst = Math.max(worst, turns);

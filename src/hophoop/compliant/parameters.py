@@ -73,6 +73,12 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
     return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
 
 
+@jit
+def chosen_in_si(comp, length, second, mass):
+    """The stiffness [N/m] and the slip speed [m/s] of a contact in kernel units."""
+    return comp.k * mass / (second * second), comp.v_s * length / second
+
+
 def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
     """The numbers that the kernel takes.
 

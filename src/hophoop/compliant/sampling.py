@@ -35,12 +35,14 @@ from hophoop.compliant.records import (
 from hophoop.compliant.tableau import STAGES
 from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW
 from hophoop.physics.compliant import spring_energy
+from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.scenario import Scenario
 
 # Columns of a sample, in kernel units.
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
     "friction", "impact_normal", "impact_tangential", "spring", "damping", "rolling_resistance", "theta",
+    "kinetic", "potential",
 )  # fmt: skip
 
 
@@ -110,6 +112,8 @@ def sample(body, comp, rows, times, left, out):
         place[14] = u[DAMPING]
         place[15] = u[RESISTED]
         place[16] = u[TH]
+        place[17] = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
+        place[18] = potential_energy(body, u[X], u[Y], u[TH])
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._jit import interpreted
+from hophoop._jit import interpreted, jit
 from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.friction_use import greatest_peaks, greatest_use, no_change, settled_by, use_rates
@@ -39,8 +39,6 @@ from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.rows import ROWS
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
-from hophoop.numerics.powers import unit_size
-from hophoop.numerics.sums import matrix_product
 from hophoop.physics.body import Body
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch, thread_scratch
@@ -77,6 +75,22 @@ SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOME
 UNITS = tuple(SI)
 EXPONENTS = np.array(UNITS)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
+
+
+@jit
+def sizes_and_rates(scales: Any, units: Any) -> tuple[Any, Any]:
+    """Sizes of UNITS, and their logarithmic rates in each direction, from those of length, time and mass."""
+    sizes = np.array([
+        scales.length, scales.time, 1.0, scales.speed, scales.rate, scales.impulse, scales.energy,
+    ])  # fmt: skip
+    by_units = np.empty((len(UNITS), units.shape[1]))
+    for i in range(len(UNITS)):
+        powers = EXPONENTS[i]
+        for k in range(units.shape[1]):
+            by_units[i, k] = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
+    return sizes, by_units
+
+
 BORDER, CONTACT = int(Reason.BORDER), int(Reason.CONTACT)
 
 
@@ -271,8 +285,8 @@ class Carried:
     def _units(self) -> tuple[Floats, Floats]:
         """Sizes of UNITS and their logarithmic rates."""
         unit = self.motion.units
-        sizes = [interpreted(unit_size)(unit.length, unit.time, unit.mass, exponents) for exponents in UNITS]
-        return np.array(sizes), matrix_product(EXPONENTS.astype(float), self.directions.units)
+        found: tuple[Floats, Floats] = interpreted(sizes_and_rates)(unit.scales, self.directions.units)
+        return found
 
 
 def _state_of(row: np.void) -> Floats:

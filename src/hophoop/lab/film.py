@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from hophoop._jit import interpreted
 from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
@@ -141,13 +142,14 @@ def _automatic(scenario: Scenario) -> dict[str, float]:
     contact = scenario.contact
     if not isinstance(contact, Compliant):
         return {}
-    from hophoop.compliant.parameters import to_compliance
+    from hophoop.compliant.parameters import chosen_in_si, to_compliance
 
     _, chosen, _, _ = to_compliance(scenario)
     second = time_unit(scenario.hoop, scenario.plane)
+    stiffness, slip_speed = interpreted(chosen_in_si)(chosen, scenario.hoop.radius, second, scenario.hoop.mass)
     return {
-        "contact.stiffness": chosen.k * scenario.hoop.mass / second**2,
-        "contact.slip_speed": chosen.v_s * scenario.hoop.radius / second,
+        "contact.stiffness": stiffness,
+        "contact.slip_speed": slip_speed,
         "contact.restitution": scenario.plane.restitution,
     }
 

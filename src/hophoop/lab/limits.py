@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.numerics.elementwise import sine
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.scenario.scenario import time_unit
 from hophoop.vocabulary.sentences import LAB
@@ -157,9 +156,9 @@ def turns_of(scenario: Scenario, **values: Any) -> Any:
         "vx": state.vx, "vy": state.vy, "omega": state.omega,
     }  # fmt: skip
     duration, radius, gravity, slope, vx, vy, omega = (np.asarray(values.get(name, value)) for name, value in given.items())
-    # twice what the start has and the fall of the load gives, and what the slope adds on the way
+    # twice what the start has and the fall of the load gives, and what the slope adds on the way: its sine is at most that
     start = np.abs(vx) + np.abs(vy) + radius * np.abs(omega) + 2.0 * np.sqrt(gravity * (radius + state.height))
-    speed = 2.0 * start + 0.5 * gravity * np.abs(sine(slope)) * duration
+    speed = 2.0 * start + 0.5 * gravity * np.minimum(np.abs(slope), 1.0) * duration
     return speed * duration / (2.0 * math.pi * radius)
 
 

@@ -14,6 +14,7 @@ from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state, whole_angle
+from hophoop.records.units import scales_from
 from hophoop.records.writing import new_log, state_of
 from hophoop.rigid.flight_phase import fly
 from hophoop.rigid.kernel import run
@@ -94,14 +95,6 @@ class Asked(NamedTuple):
     wanted: int  # the quantities that cost something
 
 
-class Scales(NamedTuple):
-    """Units of a cell's motion."""
-
-    length: float  # [m]
-    time: float  # [s]
-    energy: float  # [J]
-
-
 class Room(NamedTuple):
     """Memory of a thread."""
 
@@ -121,10 +114,7 @@ class Rows(NamedTuple):
 @lean_jit
 def scales_of(cells, k):
     """Units of a cell."""
-    second = second_of(cells, k)
-    length = cells[RADIUS, k]
-    speed = length / second
-    return Scales(length, second, cells[MASS, k] * (speed * speed))
+    return scales_from(cells[RADIUS, k], second_of(cells, k), cells[MASS, k])
 
 
 @lean_jit
@@ -307,7 +297,7 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
     words[k, PAINLEVE_WORD] = painleve
     numbers[k, TIME] = ended * scales.time
     numbers[k, END_ANGLE] = end["angle"]
-    numbers[k, END_SPEED] = end["vx"] * scales.length / scales.time
+    numbers[k, END_SPEED] = end["vx"] * scales.speed
     numbers[k, DISTANCE] = (end["x"] - begin["x"]) * scales.length
     numbers[k, DISTANCE_ROLLED] = rolled * scales.length
     if mode == ROLL and ending <= BY_REST:

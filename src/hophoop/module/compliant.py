@@ -10,7 +10,7 @@ from numba import carray
 from hophoop._jit import jit
 from hophoop.compliant import sampling
 from hophoop.compliant.kernel import run
-from hophoop.compliant.parameters import RTOL, compliance_of, load_contact
+from hophoop.compliant.parameters import RTOL, chosen_in_si, compliance_of, load_contact
 from hophoop.compliant.records import OM, SIZE, TH, VN, VT, WIDTH, X, Y
 from hophoop.compliant.sampling import sample
 from hophoop.maps.kernel import ANGLE, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SLIP, VY, body_of, scales_of
@@ -26,13 +26,14 @@ from hophoop.module.motions import (
 )
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import sinking
-from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.records.layout import SEGMENT
 from hophoop.records.times import kernel_times
 
 CONTACT, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(COMPLIANT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)
 RAW_WIDTH = len(sampling.COLUMNS)
-SPRING, DAMPER, THETA = (sampling.COLUMNS.index(name) for name in ("spring", "damping", "theta"))
+SPRING, DAMPER, KINETIC, POTENTIAL, FRICTION, RESISTED = (
+    sampling.COLUMNS.index(name) for name in ("spring", "damping", "kinetic", "potential", "friction", "rolling_resistance")
+)
 BUFFER = int(Status.BUFFER)
 
 
@@ -48,7 +49,7 @@ def contact_of(cells, contact, body, scales):
 @jit
 def start_at(cells, scales):
     """The start in kernel units, before the contact is loaded."""
-    speed = scales.length / scales.time
+    speed = scales.speed
     start = np.zeros(SIZE)
     start[X] = cells[PLACE, 0] / scales.length
     start[Y] = cells[HEIGHT, 0] / scales.length
@@ -74,8 +75,7 @@ def compliance(given, contact, out):
     row[1] = comp.k_t
     row[2] = comp.v_s
     row[3] = sinking(comp.k, body.gn > 0.0, start[Y], speed)
-    row[4] = comp.k * cells[MASS, 0] / (scales.time * scales.time)
-    row[5] = comp.v_s * scales.length / scales.time
+    row[4], row[5] = chosen_in_si(comp, scales.length, scales.time, cells[MASS, 0])
 
 
 @jit
@@ -120,7 +120,9 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     else:
         first[:] = 0.0
         last[:] = 0.0
-    write_energies(body, scales, records[0], records[count - 1], last[0, SPRING], last[0, DAMPER], first[0, SPRING], head)
+    end = last[0]  # many steps may share the last digit of a late time: all of one of them
+    energies = (end[KINETIC], end[POTENTIAL], end[SPRING], end[DAMPER], end[FRICTION], end[RESISTED])
+    write_energies(body, scales, records[0], records[count - 1], energies, first[0, SPRING], head)
 
 
 @jit
@@ -142,5 +144,5 @@ def compliant_samples(given, contact, rows, count, times, n, left, out):
         write_state(body, scales, line, states[k])
         states[k, 13] = line[SPRING] * scales.energy
         states[k, 14] = line[DAMPER] * scales.energy
-        states[k, 15] = kinetic_energy(body, line[THETA], line[6], line[7], line[5], 0.0) * scales.energy
-        states[k, 16] = potential_energy(body, line[1], line[2], line[THETA]) * scales.energy
+        states[k, 15] = line[KINETIC] * scales.energy
+        states[k, 16] = line[POTENTIAL] * scales.energy

@@ -8,22 +8,21 @@ import numpy as np
 from numba import carray
 
 from hophoop._jit import jit
-from hophoop.derivatives.carrying import EXPONENTS, UNIT_OF_ROW
+from hophoop.derivatives.carrying import UNIT_OF_ROW, sizes_and_rates
 from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
 from hophoop.derivatives.rows import ROWS
-from hophoop.maps.kernel import CELL, DURATION, MASS, body_of, scales_of
+from hophoop.maps.kernel import CELL, DURATION, body_of, scales_of
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.motions import FIELDS
 from hophoop.numerics.collocation import ORDER
-from hophoop.numerics.powers import unit_size
 from hophoop.records.scratch import new_scratch
 from hophoop.records.times import kernel_times
 
 FROM = np.array([CELL.index(name) for name in NUMBERS])
 COUNT, WIDTH = len(NUMBERS), len(CHANGE_COLUMNS)
-OM, VT, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "vx"))
+TURNING, SLIP, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "vx"))
 
 
 @jit
@@ -45,20 +44,21 @@ def directions_of(cells, more, sign, changes, start, units):
 
 
 @jit
-def write_changes(row, scales, mass, units, sign, kept, out):
+def write_changes(row, scales, units, sign, kept, out):
     """The rates of an event in SI units, in the order of `layout.CHANGE_COLUMNS`: those of its numbers and of their units."""
     values = (
         row["t"], row["x"], row["height"], row["angle"], row["omega"], row["slip"], row["vy"],
         row["impact_normal"], row["impact_tangential"], row["rolling_resistance"],
     )  # fmt: skip
+    sizes, by_units = sizes_and_rates(scales, units)
     for k in range(out.shape[1]):
         for i in range(CARRIED):
-            powers = EXPONENTS[UNIT_OF_ROW[i]]
-            size = unit_size(scales.length, scales.time, mass, powers)
-            by_units = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
-            out[i, k] = size * (sign * kept[i, k] + values[i] * by_units)
+            of = UNIT_OF_ROW[i]
+            out[i, k] = sizes[of] * (sign * kept[i, k] + values[i] * by_units[of, k])
         # ẋ = v_t + R θ̇
-        out[VX, k] = out[VT, k] + scales.length * (out[OM, k] + row["omega"] / scales.time * units[0, k])
+        of = UNIT_OF_ROW[SLIP]
+        changed = sign * kept[SLIP, k] + sign * kept[TURNING, k]
+        out[VX, k] = sizes[of] * (changed + (row["slip"] + row["omega"]) * by_units[of, k])
 
 
 @jit
@@ -92,7 +92,7 @@ def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, 
         at_events, at_segments, reasons, failed, new_scratch(), np.zeros((ROWS, ORDER)),
     )  # fmt: skip
     for i in range(count):
-        write_changes(rows[i], scales, cells[MASS, 0], units, sign, at_events[i], table[i])
+        write_changes(rows[i], scales, units, sign, at_events[i], table[i])
     for k in range(n):
         answers[0, k] = reasons[k]
         answers[1, k] = failed[k]

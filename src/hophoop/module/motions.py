@@ -11,7 +11,7 @@ from hophoop._jit import jit
 from hophoop.maps.kernel import CELL, DURATION, MAX_EVENTS, body_of, scales_of, start_of
 from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.physics.body import Mode
-from hophoop.physics.energy import kinetic_energy, potential_energy
+from hophoop.physics.energy import energies_after
 from hophoop.physics.friction import utilization
 from hophoop.records.layout import EVENT
 from hophoop.records.scratch import new_scratch
@@ -23,7 +23,7 @@ from hophoop.rigid.sampling import sample
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
 RAW_WIDTH, MARGIN_WIDTH = len(sampling.COLUMNS), len(MARGINS)
-RESISTED = sampling.COLUMNS.index("rolling_resistance")
+RESISTED, KINETIC, POTENTIAL = (sampling.COLUMNS.index(name) for name in ("rolling_resistance", "kinetic", "potential"))
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
 
@@ -36,10 +36,7 @@ def seconds(t, t_end, duration, second):
 @jit
 def write_event(row, scales, t, out):
     """An event in SI units, in the order of `layout.EVENT_COLUMNS`."""
-    length = scales.length
-    speed = length / scales.time
-    rate = 1.0 / scales.time
-    impulse = scales.energy / speed
+    length, speed, rate, impulse = scales.length, scales.speed, scales.rate, scales.impulse
     out[0] = t
     out[1] = row["kind"]
     out[2] = row["before_mode"]
@@ -67,30 +64,25 @@ def write_event(row, scales, t, out):
 
 
 @jit
-def energies_at(body, row):
-    """(W_k, W_p) just after an event, in the kernel's units."""
-    return (
-        kinetic_energy(body, row["theta"], row["omega"], row["slip"], row["vy"], row["theta_low"]),
-        potential_energy(body, row["x"], row["height"], row["theta"]),
-    )
+def write_energies(body, scales, first, last, energies, first_spring, head):
+    """The energies of a motion in the order of `layout.HEADS`, as `Trajectory.ledger` sums them.
 
-
-@jit
-def write_energies(body, scales, first, last, spring, damping, first_spring, head):
-    """The energies of a motion, from its first and last event, in the order of `layout.HEADS`."""
+    `first` and `last` are its events; `energies` are kinetic, potential, spring, damping, friction and rolling resistance
+    at the end.
+    """
     unit = scales.energy
-    begin_kinetic, begin_potential = energies_at(body, first)
-    end_kinetic, end_potential = energies_at(body, last)
-    head[7] = end_kinetic * unit
-    head[8] = end_potential * unit
+    begin_kinetic, begin_potential = energies_after(body, first)
+    kinetic, potential, spring, damping, friction, rolling = energies
+    head[7] = kinetic * unit
+    head[8] = potential * unit
     head[9] = spring * unit
     head[10] = damping * unit
-    head[11] = last["friction"] * unit
+    head[11] = friction * unit
     head[12] = last["impact_normal"] * unit
     head[13] = last["impact_tangential"] * unit
-    head[15] = last["rolling_resistance"] * unit
+    head[15] = rolling * unit
     now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13] + head[15]
-    head[14] = now - (begin_kinetic + begin_potential + first_spring) * unit
+    head[14] = now - (begin_kinetic * unit + begin_potential * unit + first_spring * unit)
 
 
 @jit
@@ -124,16 +116,16 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
     head[4] = scratch.doubt[0] * scales.time
     head[5] = scratch.doubt[1] * scales.time
     head[6] = scratch.written[2]
-    write_energies(body, scales, records[0], records[count - 1], 0.0, 0.0, 0.0, head)
+    final = records[count - 1]
+    end_kinetic, end_potential = energies_after(body, final)
+    energies = (end_kinetic, end_potential, 0.0, 0.0, final["friction"], final["rolling_resistance"])
+    write_energies(body, scales, records[0], final, energies, 0.0, head)
 
 
 @jit
 def write_state(body, scales, raw, row):
     """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`, but for the energies that the contact models differ in."""
-    length = scales.length
-    speed = length / scales.time
-    unit = scales.energy
-    force = unit / length
+    length, speed, force, unit = scales.length, scales.speed, scales.force, scales.energy
     mode = int(raw[0])
     row[0] = mode
     row[1] = raw[1] * length
@@ -141,7 +133,7 @@ def write_state(body, scales, raw, row):
     row[3] = raw[3]
     row[4] = raw[4] * speed
     row[5] = raw[5] * speed
-    row[6] = raw[6] / scales.time
+    row[6] = raw[6] * scales.rate
     row[7] = raw[7] * speed
     row[8] = raw[8] * force
     row[9] = raw[9] * force
@@ -149,7 +141,7 @@ def write_state(body, scales, raw, row):
     row[11] = raw[11] * unit
     row[12] = raw[12] * unit
     slips = mode in (SPIN, SKID)
-    row[17] = utilization(slips, raw[8], raw[9], body.mu_s, body.mu_k)
+    row[17] = utilization(slips, row[8], row[9], body.mu_s, body.mu_k)
     row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
 
 
@@ -176,8 +168,8 @@ def samples(given, segments, count, times, n, left, out):
         write_state(body, scales, line, rows[k])
         rows[k, 13] = 0.0
         rows[k, 14] = 0.0
-        rows[k, 15] = kinetic_energy(body, line[13], line[6], line[7], line[5], line[14]) * scales.energy
-        rows[k, 16] = potential_energy(body, line[1], line[2], line[13]) * scales.energy
+        rows[k, 15] = line[KINETIC] * scales.energy
+        rows[k, 16] = line[POTENTIAL] * scales.energy
 
 
 @jit
@@ -187,16 +179,14 @@ def margins(given, segments, count, times, n, left, out):
     rows = carray(out, (n, MARGIN_WIDTH))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
-    speed = scales.length / scales.time
-    force = scales.energy / scales.length
     raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
     for k in range(n):
         line = raw[k]
         found = margins_of(body, int(line[0]), line[13], line[14], line[6], line[7], line[2])
-        rows[k, 0] = found[0] * force
-        rows[k, 1] = found[1] * force
-        rows[k, 2] = found[2] * force
-        rows[k, 3] = found[3] * speed / scales.time
-        rows[k, 4] = found[4] * speed
+        rows[k, 0] = found[0] * scales.force
+        rows[k, 1] = found[1] * scales.force
+        rows[k, 2] = found[2] * scales.force
+        rows[k, 3] = found[3] * scales.acceleration
+        rows[k, 4] = found[4] * scales.speed
         rows[k, 5] = found[5] * scales.length
         rows[k, 6] = found[6]

@@ -34,6 +34,7 @@ def width_of(level):
 
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
+STRUCK = 1.0  # stands for ξ where skimming ends with the strike of the load
 # Rows of the scratch array of a panel: values at the nodes.
 SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
 RESIST, RESISTED = 15, 16  # power and work of the rolling resistance

@@ -44,6 +44,15 @@ def potential_energy(body, x, y, th):
     return _potential(body, x, y, sine(th), sine(0.5 * th))
 
 
+@jit
+def energies_after(body, row):
+    """(W_k, W_p) just after an event."""
+    return (
+        kinetic_energy(body, row["theta"], row["omega"], row["slip"], row["vy"], row["theta_low"]),
+        potential_energy(body, row["x"], row["height"], row["theta"]),
+    )
+
+
 def kinetic_energies(body: Any, th: Any, om: Any, vt: Any, vn: Any, th_low: Any = 0.0) -> Any:
     """Kinetic energies of states given as arrays, with the bits of `kinetic_energy`."""
     s, c = elementwise.sine_and_cosine(th)

@@ -52,6 +52,17 @@ def skim_state(body, x, th, vt, om, way, tau):
 
 
 @lean_jit
+def strike_place(body, x, th, s, speed, way, tau):
+    """(x, θ, v_t) where the load strikes the plane, after skimming for the time tau with the speed of the load along it.
+
+    These are the limits of `skim_state`, whose θ̇ grows without bound.
+    """
+    x_end = x + s + speed * tau + 0.5 * body.gt * tau * tau
+    th_end = math.pi * (2.0 * math.floor(0.5 * th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)
+    return x_end, th_end, speed + body.gt * tau
+
+
+@lean_jit
 def strike(body, vx, vy):
     """(v_x after, p_n, p_t) of the load that strikes the plane without rebound: a particle with friction."""
     p_n = -vy

@@ -6,9 +6,9 @@ import math
 
 from hophoop._jit import aside_jit, lean_jit
 from hophoop.numerics.circular import sine_and_cosine
-from hophoop.panels.panel import FLY, SKIMMING, no_panel
+from hophoop.panels.panel import FLY, SKIMMING, STRUCK, no_panel
 from hophoop.physics.body import Event, Mode, Status
-from hophoop.physics.massless import skim_duration, skim_state, strike
+from hophoop.physics.massless import skim_duration, skim_state, strike, strike_place
 from hophoop.physics.modes import UNDECIDED, slip_mode
 from hophoop.records.state import later, moved, time_left, with_losses, with_velocities
 from hophoop.records.writing import Cause, note, write_event, write_segment
@@ -51,14 +51,13 @@ def skim(body, state, t_end, log):
     strikes = duration <= left
     tau = duration if strikes else left
     x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, way, tau)
-    write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)
     t, t_low = later(state, tau)
     if not strikes:
         t, t_low = t_end, 0.0
+    # a piece that ends with the strike holds that, and how long it takes
+    write_segment(log, SKIM, no_panel(SKIMMING, 0, way), STRUCK if strikes else 0.0, tau, state, t)
     if strikes:
-        x = state.x + s + along * tau + 0.5 * body.gt * tau * tau
-        th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)
-        vt = along + body.gt * tau
+        x, th, vt = strike_place(body, state.x, state.th, s, along, way, tau)
     after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.turns, th, 0.0), vt, 0.0, om)
     return strikes, after, -(s * state.om + body.gn * tau)
 

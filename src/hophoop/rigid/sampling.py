@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from hophoop._jit import jit
+from hophoop._jit import jit, lean_jit
 from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
+from hophoop.panels.panel import FLY, HOLD, SKIMMING, STRUCK, TIME, Totals, fill_inside, no_panel
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_forces, slip_load
+from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.physics.flight import flight_displacement, flight_gap
-from hophoop.physics.massless import skim_state
+from hophoop.physics.massless import skim_state, strike_place
 from hophoop.physics.painleve import slip_coefficients
 from hophoop.physics.resistance import resisted_forces
 from hophoop.records.scratch import new_scratch
@@ -29,7 +32,7 @@ FLIGHT = int(Mode.FLIGHT)
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
     "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta", "theta_low",
-    "rolling_resistance",
+    "rolling_resistance", "kinetic", "potential",
 )  # fmt: skip
 
 
@@ -75,6 +78,12 @@ def contact_force(body, sigma, th, th_low, om, rho):
     return -sigma * body.mu_k * normal, normal
 
 
+@lean_jit
+def load_energy(along, down):
+    """Kinetic energy of a hoop that is its load alone, which stays finite where the rim turns without bound."""
+    return 0.5 * (along * along + down * down)
+
+
 @jit
 def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
@@ -87,10 +96,12 @@ def sample(body, segments, times, left, out):
         segment = segments[index]
         state = state_of(segment)
         tau = (min(times[k], segment["t_end"]) - segment["t"]) - segment["t_low"]
-        if times[k] == segment["t"]:  # the begin itself, whose time is known to more digits than it is asked for
+        begins = times[k] == segment["t"]  # the event itself, whose time is known to more digits than it is asked for
+        if begins:
             tau = 0.0
         friction = 0.0
         normal = 0.0
+        moving = math.nan
         if segment["kind"] == FLY:
             s, c = sine_cosine(state.th, state.th_low)
             y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment["opening"], tau)
@@ -108,18 +119,30 @@ def sample(body, segments, times, left, out):
             now = with_losses(with_velocities(now, vt, 0.0, 0.0), state.friction + loss, state.impact_n, state.impact_t)
         elif segment["kind"] == SKIMMING:
             x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, segment["way"], tau)
+            s, c = sine_cosine(state.th, 0.0)
+            along = state.vt + state.om * (1.0 + c)
+            if segment["xi"] == STRUCK and times[k] >= segment["t_end"]:
+                # just before the strike: the limit, which rounding would put before or behind it
+                tau = segment["opening"]
+                x, th, vt = strike_place(body, state.x, state.th, s, along, segment["way"], tau)
+                om = segment["way"] * math.inf
             now = moved(state, times[k], 0.0, x, 0.0, 0.0, state.turns, th, 0.0)
             now = with_velocities(now, vt, 0.0, om)
+            moving = load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
         else:
-            if index != solved:
-                panel = panel_of(segment)
-                totals = solve(body, panel, scratch.work)
-                fill_inside(panel, scratch.work)
-                solved = index
-            xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
-            now = state_on_panel(body, panel, totals, state, xi, scratch)
+            now = state
+            if not begins:
+                if index != solved:
+                    panel = panel_of(segment)
+                    totals = solve(body, panel, scratch.work)
+                    fill_inside(panel, scratch.work)
+                    solved = index
+                xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
+                now = state_on_panel(body, panel, totals, state, xi, scratch)
             rho = segment["way"] * body.resist
             friction, normal = contact_force(body, segment["sigma"], now.th, now.th_low, now.om, rho)
+        if begins:
+            now = state
         row = out[k]
         row[0] = segment["mode"]
         row[1] = now.x
@@ -137,6 +160,8 @@ def sample(body, segments, times, left, out):
         row[13] = now.th
         row[14] = now.th_low
         row[15] = now.resisted
+        row[16] = kinetic_energy(body, now.th, now.om, now.vt, now.vn, now.th_low) if math.isnan(moving) else moving
+        row[17] = potential_energy(body, now.x, now.y, now.th)
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

@@ -305,18 +305,20 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
     second = time_unit(hoop, plane)
     stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED
-    for name, unit, allowed, what in (
-        ("stiffness", hoop.mass / (second * second), stiffness, "m g/R"),
-        ("tangential_stiffness", hoop.mass / (second * second), stiffness, "m g/R"),
-        ("slip_speed", hoop.radius / second, slip, "√(g R)"),
+    # in the order of operations of `compliant.parameters.compliance_of` and `module.compliant.compliance`
+    for name, factor, size, allowed, what in (
+        ("stiffness", second * second, hoop.mass, stiffness, "m g/R"),
+        ("tangential_stiffness", second * second, hoop.mass, stiffness, "m g/R"),
+        ("slip_speed", second, hoop.radius, slip, "√(g R)"),
     ):
         value = getattr(contact, name)
-        if value is not None and not allowed.holds(value / unit):
-            ratio = value / unit
+        ratio = math.nan if value is None else value * factor / size
+        if value is not None and not allowed.holds(ratio):
             raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
     k = STIFFNESS if contact.stiffness is None else contact.stiffness * (second * second) / hoop.mass
     given = start.state(hoop)
-    speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius
+    unit, omega = hoop.radius / second, given.omega * second
+    speed = abs(given.slip / unit + omega) + abs(given.vy / unit) + abs(omega)
     depth = interpreted(sinking)(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
     if depth > MOST_DEPTH:
         raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))

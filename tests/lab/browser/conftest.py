@@ -2,11 +2,17 @@
 
 import functools
 import http.server
+import os
 import threading
 import time
 from urllib.parse import urlsplit
 
 import pytest
+
+from slow_page import delaying
+
+DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
+SLOWER = 8
 
 
 @pytest.fixture(scope="session")
@@ -55,9 +61,10 @@ def site_address(site_folder):
 
 
 @pytest.fixture
-def visit(browser, address):
+def visit(browser, address, request):
     """Opens a page; at the end nothing may have gone wrong in any of them."""
     contexts, troubles = [], []
+    seed = getattr(request, "param", None) or DELAYS
 
     def trouble(kind, text):
         troubles.append(f"{kind}: {text}")
@@ -68,6 +75,10 @@ def visit(browser, address):
         contexts.append(context)
         page = context.new_page()
         page.set_default_timeout(30_000)
+        if seed:  # a slower processor, for this page alone
+            context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
+        if seed:
+            page.add_init_script(delaying(int(seed)))
         if script:
             page.add_init_script(script)
         page.on("pageerror", lambda error: trouble("page", error))

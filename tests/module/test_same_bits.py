@@ -1,0 +1,293 @@
+"""Every entry of the modules gives the bits of the library's public functions, in this process and in WebAssembly."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop import maps
+from hophoop.derivatives.carrying import carry
+from hophoop.explanation import margins
+from hophoop.lab.film import header
+from hophoop.lab.regions import regions
+from hophoop.maps.cells import make_cells
+from hophoop.maps.kernel import NUMBERS as MAP_NUMBERS
+from hophoop.maps.kernel import WORDS as MAP_WORDS
+from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
+from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
+from hophoop.module.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS
+from hophoop.module.stamp import DERIVATIVES, HERE, MODULE
+from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.records.writing import state_of
+from hophoop.rigid.margins import MARGINS
+from hophoop.scenario.parts import combine
+
+pytest.importorskip("wasmtime")
+
+from module.host import Calls, Host, InProcess
+from module.module_tools import cell_of, drawn, rates_of, references, same
+
+FROM_RECORD = ("x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential", "friction",
+               "impact_normal", "impact_tangential", "gain", "rolling_resistance")  # fmt: skip
+
+
+@pytest.fixture(scope="module", params=["in this process", "in WebAssembly"])
+def host(request: pytest.FixtureRequest) -> Calls:
+    return InProcess(ENTRIES) if request.param == "in this process" else Host(HERE / MODULE)
+
+
+@pytest.fixture(scope="module", params=["in this process", "in WebAssembly"])
+def changing(request: pytest.FixtureRequest) -> Calls:
+    return InProcess(DERIVATIVE_ENTRIES) if request.param == "in this process" else Host(HERE / DERIVATIVES)
+
+
+def scenarios() -> list[hh.Scenario]:
+    rigid = [scenario for scenario in drawn(70, 2000) if scenario.contact.model == "rigid"]
+    resisted = [each.replace("plane.rolling_resistance", 0.03) for each in rigid[:20] if each.hoop.inertia_ratio > 0.01]
+    massless = [
+        hh.Scenario(hoop=hh.Hoop.ideal(1.0, radius=radius), start=hh.Start.rolling(speed), duration=3.0)
+        for radius in (1.0, 0.37) for speed in (-2.3, 0.4, 1.1, 3.1)
+    ]  # fmt: skip
+    return [*references(), *rigid, *resisted, *massless]
+
+
+@pytest.fixture(scope="module")
+def decided() -> list[tuple[hh.Scenario, hh.Trajectory]]:
+    """Motions that doubles decide: of the others Python tells in more digits."""
+    found = [(scenario, hh.simulate(scenario)) for scenario in scenarios()]
+    certain = [pair for pair in found if math.isinf(pair[1].doubt)]
+    assert len(certain) > 90
+    return certain
+
+
+def event_row(event: hh.results.EventRecord) -> list[float]:
+    values = {name: getattr(event, name) for name in FROM_RECORD}
+    values |= {f"before_{name}": getattr(event.before, name) for name in ("vx", "vy", "omega", "slip")}
+    values |= {
+        "t": event.t,
+        "kind": EVENT_NAMES.index(event.kind),
+        "from_mode": -1 if event.from_mode is None else MODE_LETTERS.index(event.from_mode),
+        "to_mode": MODE_LETTERS.index(event.to_mode),
+        "collision": -1 if event.collision is None else float(event.collision),
+        "stable": -1 if event.stable is None else float(event.stable),
+    }
+    return [values[name] for name in EVENT_COLUMNS]
+
+
+def assert_told(heads: dict[str, float], events: np.ndarray, motion: hh.Trajectory) -> None:
+    """What the module tells of a motion is what the library does."""
+    what = motion.scenario.to_query()
+    assert Status(int(heads["status"])).name.lower() == motion.status, what
+    assert same(heads["duration"], motion.duration), what
+    for row, event in zip(events, motion.events, strict=True):
+        assert same(row, event_row(event)), (what, event.kind, event.t)
+    for name in ("kinetic", "potential", "spring", "damping", "friction", "impact_normal", "impact_tangential",
+                 "rolling_resistance", "residual"):  # fmt: skip
+        assert same(heads[name], getattr(motion.ledger, name)), (what, name)
+
+
+def assert_states(rows: np.ndarray, motion: hh.Trajectory, times: np.ndarray, left: bool) -> None:
+    sample = motion.at(times, side="left" if left else "right")
+    for name, column in zip(SAMPLE_COLUMNS, rows.T, strict=True):
+        what = (motion.scenario.to_query(), name, left)
+        if name == "mode":
+            assert [MODE_LETTERS[int(code)] for code in column] == list(sample.mode), what
+        elif name == "utilization":
+            assert same(column, sample.utilization(motion.scenario.plane)), what
+        else:
+            assert same(column, getattr(sample, name)), what
+
+
+def times_of(motion: hh.Trajectory) -> np.ndarray:
+    marks = [min(event.t, motion.duration) for event in motion.events]
+    return np.union1d(motion.times(31), marks)
+
+
+def test_motions_and_their_states(host: Calls, decided: list[tuple[hh.Scenario, hh.Trajectory]]) -> None:
+    for scenario, motion in decided:
+        heads, events = host.motion(cell_of(scenario))
+        assert math.isnan(heads["doubt_from"])
+        assert_told(heads, events, motion)
+        times = times_of(motion)
+        for left in (False, True):
+            assert_states(host.samples(int(heads["segments"]), times, left), motion, times, left)
+
+
+def test_random_motions(host: Calls) -> None:
+    assert told_alike(host, drawn(300, 10_000)) > 250
+
+
+@pytest.mark.slow
+def test_twenty_thousand_motions(host: Calls) -> None:
+    assert told_alike(host, drawn(20_000)) > 18_000
+
+
+def told_alike(host: Calls, scenarios: list[hh.Scenario]) -> int:
+    """How many motions are told alike: all that doubles decide."""
+    count = 0
+    for scenario in scenarios:
+        heads, events = host.motion(cell_of(scenario))
+        if math.isnan(heads["doubt_from"]):  # the library asks more digits else, and the page says so
+            assert_told(heads, events, hh.simulate(scenario))
+            count += 1
+    return count
+
+
+def test_margins(host: Calls, decided: list[tuple[hh.Scenario, hh.Trajectory]]) -> None:
+    """At the begin of each piece, whose state both sides have as it is."""
+    for scenario, motion in decided[:60]:
+        heads, _ = host.motion(cell_of(scenario))
+        pieces = motion.tables["segments"]
+        times = np.array([motion._seconds(float(t)) for t in pieces["t"]])
+        last = np.append(times[1:] > times[:-1], True)  # of several at one instant the last
+        times, pieces = times[last], pieces[last]
+        found = host.margins(int(heads["segments"]), times)
+        for row, piece in zip(found, pieces, strict=True):
+            state = state_of(piece)
+            theirs = margins(scenario.to_body(), motion.units, int(piece["mode"]), state)
+            assert same(row, [getattr(theirs, name) for name in MARGINS]), (scenario.to_query(), piece["t"])
+
+
+CONTACTS = [
+    hh.Compliant(),
+    hh.Compliant(stiffness=1e5, law="hunt-crossley", friction="bristle"),
+    hh.Compliant(stiffness=2e5, friction="linear", restitution=0.5, slip_speed=1e-3),
+    hh.Compliant(stiffness=3e4, damping=30.0, tangential_stiffness=2e4, friction="bristle", rtol=1e-7),
+]
+
+
+@pytest.mark.parametrize("contact", CONTACTS, ids=lambda contact: f"{contact.law} {contact.friction}")
+@pytest.mark.parametrize(
+    "query", ["start.speed=3.1", "start.vx=1&start.omega=2&start.height=0.2&plane.slope=0.1&hoop.radius=0.7"]
+)
+def test_compliant_motions_and_their_states(host: Calls, contact: hh.Compliant, query: str) -> None:
+    rigid = hh.Scenario.from_query(f"duration=0.8&plane.restitution=0.3&{query}")
+    scenario = rigid.replace("contact", contact)
+    given = [NormalLaw[contact.law.upper().replace("-", "_")], FrictionLaw[contact.friction.upper()]]
+    given += [contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness]
+    numbers = np.array([math.nan if value is None else float(value) for value in [*given, contact.rtol]])
+    motion = hh.simulate(scenario)
+    chosen = host.compliance(cell_of(rigid), numbers)
+    told = header(motion)["automatic"]
+    assert same(chosen["stiffness_si"], told["contact.stiffness"])
+    assert same(chosen["slip_speed_si"], told["contact.slip_speed"])
+    times = times_of(motion)
+    heads, events, after, before = host.compliant_motion(cell_of(rigid), numbers, times)
+    assert_told(heads, events, motion)
+    assert_states(after, motion, times, False)
+    assert_states(before, motion, times, True)
+
+
+@pytest.mark.parametrize(
+    "query",
+    ["", "plane.mu=0.5", "plane.mu=0.3&start.speed=0.1", "hoop.load_fraction=0.4&plane.slope=0.2&hoop.radius=0.3",
+     "plane.slope=-0.3", "hoop.load_fraction=1", "plane.gravity=0", "hoop.eccentricity=0.2&hoop.inertia_ratio=0.5",
+     "plane.mu=inf", "start.vx=1&start.omega=2", "plane.rolling_resistance=0.01",
+     "hoop.load_fraction=1&start.speed=0.7&plane.mu=0.3"],
+)  # fmt: skip
+def test_theory(host: Calls, query: str) -> None:
+    scenario = hh.Scenario.from_query(query)
+    speed = scenario.start.speed
+    found = host.thresholds(cell_of(scenario), math.nan if speed is None else speed)
+    known = {quantity.key: quantity.value for quantity in hh.theory.summary(scenario)}
+    if scenario.hoop.massless and scenario.plane.gravity > 0.0:
+        loss = hh.theory.massless_loss(speed or 0.0, scenario.hoop.radius, scenario.plane)
+        assert found["massless_loss_by_friction"] == float(loss.by_friction)
+    for name, value in found.items():
+        if known.get(name) is not None:
+            assert same(value, known[name]), (name, value, known[name])
+        elif name != "massless_loss_by_friction":
+            assert math.isnan(value) or name not in known or query == "plane.gravity=0", (name, value)
+
+
+@pytest.mark.parametrize(
+    "query", ["", "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3", "hoop.load_fraction=1", "plane.gravity=0", "plane.mu=inf"]
+)
+def test_regions(host: Calls, query: str) -> None:
+    scenario = hh.Scenario.from_query(query)
+    window = (-3.0, 7.0, -12.0, 12.0)
+    codes, paradox = host.regions(cell_of(scenario), window, 90, 60)
+    theirs = regions(scenario, window, 90, 60)
+    assert np.array_equal(codes, theirs["modes"])
+    assert np.array_equal(paradox, theirs["paradox"])
+
+
+def parts_within(radius: float, draw: np.random.Generator) -> list[Any]:
+    """A ring, and one part of each other shape."""
+    one = draw.uniform(0.05, 0.3, 12).tolist()
+    return [
+        hh.Ring(one[0], radius * (1.0 - one[1]), radius),
+        hh.Disk(one[2], radius * one[3], at=radius * one[4]),
+        hh.PointMass(one[5], at=-radius * one[6]),
+        hh.Rod(one[7], radius * one[8], at=radius * one[9]),
+        hh.Rod(one[10], radius * one[11], at=radius * one[9], direction="tangential"),
+    ]
+
+
+def test_hoops(host: Calls) -> None:
+    draw = np.random.default_rng(5)
+    for load_fraction in draw.uniform(0.0, 1.0, 40).tolist():
+        hoop = hh.Hoop.ideal(load_fraction)
+        assert same(host.number("ideal_hoop", load_fraction), hoop.inertia_ratio)
+        limit = hh.scenario.scenario.most_resistance(hoop.eccentricity, hoop.inertia_ratio)
+        assert same(host.number("resistance_limit", hoop.eccentricity, hoop.inertia_ratio), limit)
+    for _ in range(60):
+        radius = float(draw.uniform(0.1, 2.0))
+        parts = parts_within(radius, draw)
+        found, reaches = host.hoop_of_parts(radius, np.array([part.row for part in parts], float))
+        assert same(found, combine(radius, parts))
+        assert same(reaches, [part.reach for part in parts])
+
+
+@pytest.mark.parametrize("span", ["first_revolution", "takeoff", "reversal", "duration"])
+def test_maps(host: Calls, span: str) -> None:
+    base = hh.Scenario(duration=4.0)
+    mu, speed = np.linspace(0.2, 1.2, 9), np.linspace(0.1, 4.0, 11)
+    grid = np.meshgrid(mu, speed, indexing="ij")
+    cells = make_cells(base, {"plane.mu": grid[0].ravel(), "start.speed": grid[1].ravel()}, mu.size * speed.size)
+    names = tuple(name for name in QUANTITIES if name in (*MAP_NUMBERS, *MAP_WORDS))
+    taken = make_span(span)
+    wanted = wanted_of(choose_quantities(names))
+    numbers, words, _ = host.map_cells(cells, taken.angle, taken.stop, taken.timed, wanted)
+    theirs = maps.sweep(base, {"plane.mu": mu, "start.speed": speed}, names, span)
+    certain = np.isnan(numbers[:, MAP_NUMBERS.index("doubt_until")])
+    assert certain.mean() > 0.8
+    for name in names:
+        column = numbers[:, MAP_NUMBERS.index(name)] if name in MAP_NUMBERS else words[:, MAP_WORDS.index(name)]
+        values = theirs[name].values.ravel()
+        assert same(column[certain], values[certain].astype(float)), name
+
+
+WRT = (
+    "plane.mu_kinetic",
+    "plane.slope",
+    "plane.gravity",
+    "plane.restitution",
+    "hoop.radius",
+    "hoop.mass",
+    "start.x",
+    "start.angle",
+)
+
+
+def test_changes(changing: Calls, decided: list[tuple[hh.Scenario, hh.Trajectory]]) -> None:
+    count = 0
+    for scenario, motion in decided:
+        if len(motion.events) > 40 or not math.isfinite(scenario.plane.mu_static):
+            continue
+        for sign in (1.0, -1.0):
+            mine, reasons, failed = changing.changes(cell_of(scenario), rates_of(scenario, WRT), sign)
+            theirs = carry(motion, WRT, sign, edges=True)
+            assert reasons.tolist() == theirs.reasons.tolist()
+            assert failed.tolist() == theirs.failed.tolist()
+            for index in range(len(motion.events)):
+                for place, field in enumerate(CHANGE_COLUMNS):
+                    found = mine[index, place]
+                    assert same(found, theirs.at_event(index, field).rates), (scenario.to_query(), index, field)
+        count += 1
+    assert count > 40
