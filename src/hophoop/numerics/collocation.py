@@ -13,6 +13,7 @@ import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, interpreted_as, lean_jit
 from hophoop.numerics.constants import ANTIDERIVATIVE_T, NODES, SERIES, WEIGHTS
+from hophoop.numerics.exponentials import exponential
 
 ORDER = len(NODES)
 PARTS = 0.5 * (1.0 + NODES)  # of the panel before a node
@@ -102,7 +103,7 @@ def smallest(values):
 def _exponentials_by_arrays(values, out):
     if not max(0.0, np.fmax.reduce(np.abs(values))) <= 1.0:
         for i in range(ORDER):
-            out[i] = math.exp(values[i])
+            out[i] = exponential(values[i])
         return
     square = values * values
     even = EXP_18 * square + EXP_16
@@ -158,7 +159,7 @@ def exponentials(values, out):
     """out = exp(values)."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
-            out[i] = math.exp(values[i])
+            out[i] = exponential(values[i])
         return
     for i in range(ORDER):
         out[i] = _small_exponential(values[i])
@@ -175,7 +176,7 @@ def divided_by_exponentials(values, out, row):
     """out = exp(values), and row divided by it: in one loop, so that the processor takes several nodes at a time here, too."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
-            out[i] = math.exp(values[i])
+            out[i] = exponential(values[i])
             row[i] /= out[i]
         return
     for i in range(ORDER):

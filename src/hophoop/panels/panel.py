@@ -12,10 +12,12 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop.numerics.circular import sine
 from hophoop.numerics.collocation import ORDER, antiderivative
 from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
 from hophoop.numerics.constants import SINES as FORWARD_SINES
 from hophoop.numerics.double_double import plus
+from hophoop.numerics.exponentials import power
 from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
 from hophoop.physics.roll import rest_curvature
 
@@ -29,7 +31,7 @@ def width_of(level):
     """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
     if level < LEVELS:
         return WIDTHS[level]
-    return WIDTHS[LEVELS - 1] * math.pow(0.5, 0.5 * (level - (LEVELS - 1)))
+    return WIDTHS[LEVELS - 1] * power(0.5, 0.5 * (level - (LEVELS - 1)))
 
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
@@ -118,7 +120,7 @@ def fill_geometry(panel, work):
     if panel.extent > SMALL:
         for i in range(ORDER):
             offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
-            sines[i] = way * math.sin(offset)
+            sines[i] = way * sine(offset)
             versines[i] = versine_of(offset)
         return
     for i in range(ORDER):
@@ -212,7 +214,7 @@ def chord(panel, xi):
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
     angle = angle_at(panel, xi)
-    return math.sin(angle), versine_of(angle)
+    return sine(angle), versine_of(angle)
 
 
 @inline_jit
