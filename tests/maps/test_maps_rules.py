@@ -49,7 +49,7 @@ def test_rounding_at_the_border_of_a_narrow_class_does_not_take_it_away():
     assert narrow in tidied([below, narrow, below, above, below, above], ends.tolist())[0]
     fro = [below, above, below, above, below, above]
     assert tidied(fro, ends.tolist())[0] == [below, above]
-    assert tidied(fro[:5], ends[:6].tolist()[:-1] + [2.0])[0] == [below]
+    assert tidied(fro[:5], [*ends[:5].tolist(), 2.0])[0] == [below]
 
 
 def neighbours(*pairs):

@@ -99,8 +99,8 @@ def friction_ratio(th, speed):
 def test_the_neighbours_of_the_first_slip(mu):
     """The doubles to both sides of the critical speed, known to 40 digits: pure rolling below, a minute slip above.
 
-    `first_slip_speed` itself has some roundings of F/N, times the condition of the speed, d ln v / d ln μ: 8.6 at μ = 0.4, 1.8 at
-    0.5, 0.55 at 0.9. So its neighbours say nothing.
+    `first_slip_speed` itself has some roundings of F/N, times the condition of the speed, d ln v / d ln μ: 8.6 at μ = 0.4, 1.8
+    at 0.5, 0.55 at 0.9. So its neighbours say nothing.
     """
     speed = float(hh.theory.first_slip_speed(hh.Hoop.ideal(0.75), hh.Plane(mu=mu)))
     most = max(np.linspace(0.0, 2.0 * math.pi, 629), key=lambda th: abs(friction_ratio(mpf(th), mpf(speed))))

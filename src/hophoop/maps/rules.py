@@ -68,7 +68,7 @@ class Rules:
         if not all(keep):
             one = _without(one, keep)
             codes = one.codes.tolist()
-        # Within the rounding of little friction the class goes to and fro. A stretch that is wider than one beside it is none of
+        # Within the rounding of little friction the class goes to and fro. A stretch wider than one of its neighbours is none of
         # these: rounding at one of its borders would take a narrow class away.
         while True:
             width = np.diff(one.y)
