@@ -28,8 +28,8 @@ def roll(speed, mu=2.0, angle=0.0, hoop=MASSLESS, duration=6.0, **plane):
 def test_contact_is_lost_where_the_particle_says(speed, mu):
     """cos θ = v0²/(gR), or where tan(θ/2) = μ if that is sooner; then θ̇ = √(g/R).
 
-    The margin to the cone is N (1 − tan(θ/2)/μ). Where N comes to zero with a small second factor, 1e-5 at μ = 1 and 0.01 m/s, its
-    zero is known to a rounding of the forces over that factor only.
+    The margin to the cone is N (1 − tan(θ/2)/μ). Where N comes to zero with a small second factor, 1e-5 at μ = 1 and 0.01 m/s,
+    its zero is known to a rounding of the forces over that factor only.
     """
     motion = roll(speed, mu)
     (skim,) = motion.find("skim")

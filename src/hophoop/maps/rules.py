@@ -68,8 +68,8 @@ class Rules:
         if not all(keep):
             one = _without(one, keep)
             codes = one.codes.tolist()
-        # Within the rounding of little friction the class goes to and fro. A stretch wider than one of its neighbours is none of
-        # these: rounding at one of its borders would take a narrow class away.
+        # Within the rounding of little friction the class goes to and fro. A stretch wider than one of its neighbours is
+        # none of these: rounding at one of its borders would take a narrow class away.
         while True:
             width = np.diff(one.y)
             narrow = (width[1:-1] < ISLAND * one.y[-1]) & (width[1:-1] <= width[:-2]) & (width[1:-1] <= width[2:])
