@@ -42,6 +42,16 @@ def test_islands_of_rounding_are_taken_out_and_narrow_strips_are_not():
     assert tidied(row, [1.0, 2.0, 2.0 + 4e-16, 2.0 + 12e-16, 3.0])[0] == row
 
 
+def test_rounding_at_the_border_of_a_narrow_class_does_not_take_it_away():
+    """Near a meeting: the class below came back, for some doubles, between the narrow one and the one above."""
+    below, narrow, above = "RSKRSK reversal", "RSKRSK revolutions", "RSKSK revolutions"
+    ends = 1.0 + np.cumsum([0.0, 1e-4, 8e-10, 4e-16, 4e-16, 1e-14, 1e-4])
+    assert narrow in tidied([below, narrow, below, above, below, above], ends.tolist())[0]
+    fro = [below, above, below, above, below, above]
+    assert tidied(fro, ends.tolist())[0] == [below, above]
+    assert tidied(fro[:5], [*ends[:5].tolist(), 2.0])[0] == [below]
+
+
 def neighbours(*pairs):
     """An arrangement with these borders, one a line."""
     classes = list(dict.fromkeys(one for pair in pairs for one in pair))

@@ -118,8 +118,6 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     "the equality of two rounded numbers beside a limit that may be another by as much": (
         ("contact_phase", "advance_contact", "if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:", "if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) >= LOST * panel.u:"),
-        ("panel_events", "fall_of", "if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest <= floor:", "if found == NOT_FOUND and not state_is_fresh and lowest <= -floor and highest <= floor:"),
-        ("panel_events", "fall_of", "if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest <= floor:", "if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest < floor:"),
     ),
     "from which angle on a flight counts as blurred may be another by a rad, or by none": (
         ("flight_phase", "", "BLURRED = 1e9", "BLURRED = 1000000001.0"),

@@ -26,17 +26,24 @@ def roll(speed, mu=2.0, angle=0.0, hoop=MASSLESS, duration=6.0, **plane):
 @pytest.mark.parametrize("speed", [0.01, 0.1, 0.5, 1.0, 2.0, 3.0])
 @pytest.mark.parametrize("mu", [1.0, 5.0, math.inf])
 def test_contact_is_lost_where_the_particle_says(speed, mu):
-    """cos θ = v0²/(gR), or where tan(θ/2) = μ if that is sooner; then θ̇ = √(g/R)."""
+    """cos θ = v0²/(gR), or where tan(θ/2) = μ if that is sooner; then θ̇ = √(g/R).
+
+    The margin to the cone is N (1 − tan(θ/2)/μ). Where N comes to zero with a small second factor, 1e-5 at μ = 1 and 0.01 m/s,
+    its zero is known to a rounding of the forces over that factor only.
+    """
     motion = roll(speed, mu)
     (skim,) = motion.find("skim")
     ratio = speed**2 / G
     by_force = math.acos(ratio)
     by_friction = 2 * math.atan(mu)
-    assert skim.angle == pytest.approx(min(by_force, by_friction), rel=1e-12)
+    known = 1e-12
+    if by_force < by_friction:
+        known = max(known, 4e-16 / (1.0 - math.tan(0.5 * by_force) / mu))
+    assert skim.angle == pytest.approx(min(by_force, by_friction), rel=known)
     if by_force <= by_friction:
-        assert skim.omega == pytest.approx(math.sqrt(G), rel=1e-12)
+        assert skim.omega == pytest.approx(math.sqrt(G), rel=known)
     loss = hh.theory.massless_loss(speed, plane=hh.Plane(mu=mu))
-    assert (skim.angle, skim.omega) == pytest.approx((loss.angle, loss.omega), rel=1e-11)
+    assert (skim.angle, skim.omega) == pytest.approx((loss.angle, loss.omega), rel=max(known, 1e-11))
 
 
 def test_littlewoods_ninety_degrees():

@@ -68,9 +68,12 @@ class Rules:
         if not all(keep):
             one = _without(one, keep)
             codes = one.codes.tolist()
-        # within the rounding of little friction the class goes to and fro
+        # Within the rounding of little friction the class goes to and fro. A stretch wider than one of its neighbours is
+        # none of these: rounding at one of its borders would take a narrow class away.
         while True:
-            short = np.flatnonzero((np.diff(one.y)[1:-1] < ISLAND * one.y[-1]) & (one.codes[2:] == one.codes[:-2])) + 1
+            width = np.diff(one.y)
+            narrow = (width[1:-1] < ISLAND * one.y[-1]) & (width[1:-1] <= width[:-2]) & (width[1:-1] <= width[2:])
+            short = np.flatnonzero(narrow & (one.codes[2:] == one.codes[:-2])) + 1
             if not short.size:
                 break
             apart = short[np.concatenate(([True], np.diff(short) > 1))]
