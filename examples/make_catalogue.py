@@ -3,6 +3,7 @@
     python examples/make_catalogue.py [--out catalogue.json] [--resume]
     python examples/make_catalogue.py --figures docs/figures    # draw what is shipped
     python examples/make_catalogue.py --tables                  # print the tables of docs/catalogue.md
+    python examples/make_catalogue.py --fingerprints            # compute the examples' fingerprints again, in half a minute
 
 For each γ the borders between classes are followed through the window of friction and speed, and the places where
 classes meet to rounding (`hophoop.maps.survey`). Classes narrower than CHECKED are computed again from Taylor series
@@ -66,6 +67,12 @@ def class_in_digits(gamma: float, mu: float, speed: float, digits: int = 40) -> 
     return sequence, "unended"
 
 
+def fingerprint_of(gamma: float, entry: dict) -> str:
+    """The fingerprint of an entry's example."""
+    example = maps.Entry(**{**entry, "load_fraction": gamma, "fingerprint": ""})
+    return hh.simulate(example.scenario()).fingerprint
+
+
 def hoop_of(task: tuple[float, int, float, bool]) -> dict:
     """The catalogue of one γ, as it is stored."""
     gamma, lines, part, check = task
@@ -82,6 +89,7 @@ def hoop_of(task: tuple[float, int, float, bool]) -> dict:
             "mu": one.mu,
             "speed": one.speed,
         }
+        entry["fingerprint"] = fingerprint_of(gamma, entry)
         if check and one.width < CHECKED:
             truth = class_in_digits(gamma, one.mu, one.speed)
             if truth != (one.sequence, one.ending):
@@ -123,7 +131,11 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=ROOT / "src" / "hophoop" / "maps" / "catalogue.json")
     parser.add_argument("--figures", type=Path, help="only draw the shipped catalogue, into this folder")
     parser.add_argument("--tables", action="store_true", help="only print the tables of the page")
+    parser.add_argument("--fingerprints", action="store_true", help="only compute the fingerprints in the file again")
     options = parser.parse_args()
+    if options.fingerprints:
+        renew_fingerprints(options.out)
+        return
     if options.figures or options.tables:
         if options.figures:
             draw(options.figures)
@@ -166,11 +178,28 @@ def collect(out: Path, hoops: dict, left: int, found: Iterable[dict], began: flo
             f"{hoop['motions']:,} motions in {seconds:.0f} s{notes}; {time.perf_counter() - began:.0f} s so far",
             flush=True,
         )
-        # a line a hoop
-        ordered = {repr(one): hoops[repr(one)] for one in HOOPS if repr(one) in hoops}
-        lines = [f"{json.dumps(key)}:{json.dumps(value, separators=(',', ':'))}" for key, value in ordered.items()]
-        text = f'{{"hophoop":{json.dumps(hh.__version__)},"hoops":{{\n' + ",\n".join(lines) + "\n}}\n"
-        out.write_text(text, encoding="utf-8")
+        write(out, hoops)
+
+
+def write(out: Path, hoops: dict) -> None:
+    """The file, with one line per hoop."""
+    ordered = {repr(one): hoops[repr(one)] for one in HOOPS if repr(one) in hoops}
+    lines = [f"{json.dumps(key)}:{json.dumps(value, separators=(',', ':'))}" for key, value in ordered.items()]
+    text = f'{{"hophoop":{json.dumps(hh.__version__)},"hoops":{{\n' + ",\n".join(lines) + "\n}}\n"
+    out.write_text(text, encoding="utf-8")
+
+
+def renew_fingerprints(out: Path) -> None:
+    """Compute the fingerprints of all examples in the file again, after a change of the kernels' bits."""
+    hoops = json.loads(out.read_text(encoding="utf-8"))["hoops"]
+    changed = 0
+    for key, hoop in hoops.items():
+        for entry in hoop["entries"]:
+            before = entry.get("fingerprint")
+            entry["fingerprint"] = fingerprint_of(float(key), entry)
+            changed += entry["fingerprint"] != before
+    write(out, hoops)
+    print(f"{changed} fingerprints of {sum(len(hoop['entries']) for hoop in hoops.values())} have changed: {out}")
 
 
 def counts(gamma: float, width: float) -> tuple[int, int]:

@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+import re
 
 import netCDF4
 import numpy as np
@@ -303,6 +304,48 @@ def test_a_folder_that_is_not_there_is_named(motion, tmp_path, write):
     target = tmp_path / "nowhere" / "hop.nc"
     with pytest.raises(OSError, match="nowhere"):
         write(motion, target)
+
+
+# --- fingerprints ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_file_has_the_fingerprint(motion, compliant, tmp_path, name):
+    for one in (motion, compliant):
+        one.save(tmp_path / name)
+        loaded = hh.load(tmp_path / name, check_fingerprint=True)
+        assert loaded.fingerprint == one.fingerprint
+        assert one.to_xarray(n=2).attrs["fingerprint"] == one.fingerprint
+
+
+@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
+def test_events_of_another_fingerprint_are_damage(motion, tmp_path, name):
+    path = with_attributes(motion, tmp_path / name, fingerprint="0123456789abcdef")
+    said = f"is damaged: its fingerprint '0123456789abcdef' is not that of its events, '{motion.fingerprint}'"
+    with pytest.raises(ValueError, match=re.escape(said)):
+        hh.load(path)
+
+
+def test_a_file_of_before_there_were_fingerprints_is_read(motion, tmp_path):
+    path = with_attributes(motion, tmp_path / "hop.nc")
+    with netCDF4.Dataset(path, "a") as file:
+        file.delncattr("fingerprint")
+    assert_same_bits(hh.load(path, check_fingerprint=True), motion)
+
+
+def test_bits_that_this_machine_does_not_get_are_told(motion, tmp_path):
+    """As if written on a machine that rounds otherwise; only a check that is asked for computes anything."""
+    events = motion.tables["events"].copy()
+    events["omega"][1] = np.nextafter(events["omega"][1], 9.0)
+    other = hh.Trajectory(motion.scenario, motion._status, events, motion.tables["segments"], motion.version)
+    other.save(tmp_path / "hop.nc")
+    assert hh.load(tmp_path / "hop.nc").fingerprint == other.fingerprint != motion.fingerprint
+    said = (
+        f"was written by hophoop {hh.__version__} with the fingerprint {other.fingerprint}; "
+        f"hophoop {hh.__version__} on this machine gets {motion.fingerprint}."
+    )
+    with pytest.raises(ValueError, match=re.escape(said)):
+        hh.load(tmp_path / "hop.nc", check_fingerprint=True)
 
 
 # --- what to cite ----------------------------------------------------------------------------------

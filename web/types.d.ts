@@ -420,6 +420,7 @@ interface Compliance {
 interface ComputedMotion {
   status: string;
   sequence: string;
+  fingerprint: string | null; // Trajectory.fingerprint; null where doubles do not decide the motion
   duration: number; // Trajectory.duration [s]
   events: MotionEvent[]; // as Trajectory.to_dict()["events"]; null where not finite
   final: Record<string, any>; // as in to_dict()

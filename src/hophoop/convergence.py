@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop.numerics.elementwise import arccosine, sine_and_cosine
 from hophoop.physics.compliant import KELVIN_VOIGT, Compliance, FrictionLaw, normal_force
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.impact import impulse_ratio, slip_rates
@@ -223,7 +224,8 @@ def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: flo
         number if kelvin else 0.0, 0.0 if kelvin else number, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0,
     )  # fmt: skip
     body = Scenario(hoop=hoop, plane=plane).to_body()
-    arm, lever = contact_arms(body, math.sin(touch.angle), math.cos(touch.angle))
+    s, c = sine_and_cosine(touch.angle)
+    arm, lever = contact_arms(body, s, c)
     y, vt, vn = 0.0, touch.before.slip / speed, touch.before.vy / speed
     compression = restitution = 0.0
     step = 0.002 / (1.0 + (number if kelvin else 0.0))
@@ -384,7 +386,7 @@ def painleve_scenario(omega: float = 0.0, duration: float = 0.4, painleve: str =
     -------
     scenario : Scenario
     """
-    start = Start(angle=-math.acos(0.75), vx=1.0 + omega, omega=omega)
+    start = Start(angle=-arccosine(0.75), vx=1.0 + omega, omega=omega)
     return Scenario(plane=Plane(painleve=painleve), start=start, duration=duration)
 
 

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     import xarray
 
 SCHEMA = "hophoop/1"
+FINGERPRINT = "fingerprint"  # the attribute that holds it
 
 # Fields of an event that have a unit; the others are codes.
 EVENT_UNITS = {
@@ -61,7 +62,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None = None) -> xarray.Dataset:
     -------
     dataset : xarray.Dataset
         Every variable has units and long_name; the mode is a code with CF's flag_meanings. The attributes
-        hold the scenario as JSON, the status, the sequence, the version and the schema.
+        hold the scenario as JSON, the status, the sequence, the fingerprint, the version and the schema.
 
     Raises
     ------
@@ -288,6 +289,7 @@ def _attributes(motion: Motion) -> dict[str, str]:
         "scenario": json.dumps(motion.scenario.to_dict(), ensure_ascii=False),
         "status": motion.status,
         "sequence": motion.sequence,
+        FINGERPRINT: motion.fingerprint,
     }
 
 

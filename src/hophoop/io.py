@@ -15,21 +15,24 @@ import hophoop
 from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
 from hophoop._files import strangers_unsaid
-from hophoop.export import SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
+from hophoop.export import FINGERPRINT, SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
 from hophoop.physics.body import Status
 from hophoop.scenario import InputError, Scenario
+from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 
 __all__ = ["load", "save", "to_xarray", "write_csv", "write_events_csv", "write_json"]
 
 
-def load(path: str | Path) -> Trajectory:
+def load(path: str | Path, *, check_fingerprint: bool = False) -> Trajectory:
     """Read a motion that `save` wrote.
 
     Parameters
     ----------
     path : str or Path
         Ends in .nc, .zarr or .zarr.zip.
+    check_fingerprint : bool, default False
+        Also compute the motion again and compare fingerprints: whether this machine gets the same bits.
 
     Returns
     -------
@@ -40,7 +43,8 @@ def load(path: str | Path) -> Trajectory:
     Raises
     ------
     ValueError
-        If the file is not a saved motion, or one that this version cannot read.
+        If the file is not a saved motion, is damaged, or one that this version cannot read; with `check_fingerprint`
+        also if this machine gets other bits.
     OSError
         If the file cannot be read.
     ImportError
@@ -53,11 +57,15 @@ def load(path: str | Path) -> Trajectory:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
         before = _identity(file)
         try:
-            return _load(file, kind)
+            motion = _load(file, kind)
         except ValueError:
             # what another process put in its place meanwhile was read in part before and in part after
             if _identity(file) == before:
                 raise
+            continue
+        if check_fingerprint:
+            _check_reproduced(motion, file)
+        return motion
     raise InputError(f"{file} is written again and again while it is read.")
 
 
@@ -93,9 +101,22 @@ def _load(file: Path, kind: str) -> Trajectory:
         if version != hophoop.__version__ and isinstance(error, InputError):
             raise InputError(f"{file} was written by hophoop {version}: {error}") from None
         raise InputError(f"{file} is damaged: {_first_line(error)}.") from None
+    said = attributes.get(FINGERPRINT)  # files of hophoop before there were fingerprints have none
+    if said is not None and said != motion.fingerprint:
+        raise InputError(f"{file} is damaged: its fingerprint {said!r} is not that of its events, {motion.fingerprint!r}.")
     if version != hophoop.__version__:
         _check_other_version(motion, file, groups["/"])
     return motion
+
+
+def _check_reproduced(motion: Trajectory, file: Path) -> None:
+    """Refuse a motion that this machine does not compute to the same bits."""
+    now = simulate(motion.scenario).fingerprint
+    if now != motion.fingerprint:
+        raise InputError(
+            f"{file} was written by hophoop {motion.version} with the fingerprint {motion.fingerprint}; "
+            f"hophoop {hophoop.__version__} on this machine gets {now}."
+        )
 
 
 def _check_whole(file: Path, groups: dict[str, Any]) -> None:

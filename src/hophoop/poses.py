@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop.numerics.elementwise import hypotenuse, sine_and_cosine
 from hophoop.results import Motion, Sample
 from hophoop.scenario import Hoop, PointMass, Ring
 from hophoop.scenario.scenario import time_unit
@@ -71,7 +72,7 @@ def to_world(along: ArrayLike, above: ArrayLike, slope: float) -> Floats:
         X level and Y up, in the same unit [1].
     """
     a, b = np.asarray(along, dtype=float), np.asarray(above, dtype=float)
-    cosine, sine = math.cos(slope), math.sin(slope)
+    sine, cosine = sine_and_cosine(slope)
     return np.stack(np.broadcast_arrays(a * cosine + b * sine, b * cosine - a * sine), axis=-1)
 
 
@@ -137,7 +138,7 @@ def poses_of(motion: Motion, times: ArrayLike) -> Poses:
     hoop, slope = motion.scenario.hoop, motion.scenario.plane.slope
     radius, arm = hoop.radius, hoop.radius * hoop.eccentricity
     reach = load_distance(hoop)
-    sine, cosine = np.sin(sample.angle), np.cos(sample.angle)
+    sine, cosine = sine_and_cosine(sample.angle)
     level = radius + sample.height
     nothing = np.zeros_like(level)
 
@@ -180,9 +181,10 @@ def rim_speeds(poses: Poses, angles: ArrayLike, radius: float) -> Floats:
     """
     phi = np.asarray(angles, dtype=float)[None, :]
     turning = radius * _finite(poses.omega)[:, None]
-    along = poses.velocity[:, :1] + turning * np.cos(phi)
-    away = poses.velocity[:, 1:] - turning * np.sin(phi)
-    return np.asarray(np.hypot(along, away))
+    sine, cosine = sine_and_cosine(phi)
+    along = poses.velocity[:, :1] + turning * cosine
+    away = poses.velocity[:, 1:] - turning * sine
+    return np.asarray(hypotenuse(along, away))
 
 
 def event_times(motion: Motion) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
@@ -106,6 +107,49 @@ class EventRecord:
     collision: bool | None
     gain: float
     stable: bool | None
+
+    def state_to_dict(self) -> dict[str, float | None]:
+        """State just after the event as JSON has it.
+
+        Returns
+        -------
+        state : dict of float
+            x, height [m], angle [rad], vx, vy [m/s] and omega [rad/s]; None where one is not finite.
+        """
+        return {name: _finite(getattr(self, name)) for name in _STATE}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The event as the JSON of the file format.
+
+        Returns
+        -------
+        event : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        result: dict[str, Any] = {
+            "t": self.t,
+            "kind": self.kind,
+            "from": self.from_mode,
+            "to": self.to_mode,
+            **self.state_to_dict(),
+            "before": {name: _finite(getattr(self.before, name)) for name in ("vx", "vy", "omega")},
+            "impulse": {"normal": self.impulse_normal, "tangential": self.impulse_tangential},
+        }
+        if self.collision is False:
+            result["collision"] = False
+        if self.kind == "kane_gain":
+            result["gain"] = self.gain
+        if self.stable is not None:
+            result["stable"] = self.stable
+        return result
+
+
+_STATE = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+def _finite(value: float) -> float | None:
+    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
+    return value if math.isfinite(value) else None
 
 
 @dataclass(frozen=True)
@@ -261,6 +305,10 @@ class Motion(Protocol):
     @property
     def sequence(self) -> str:
         """One letter a phase."""
+
+    @property
+    def fingerprint(self) -> str:
+        """Hash of the bits of all events."""
 
     @property
     def duration(self) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import cached_property
@@ -14,8 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop import export, portrait
+from hophoop._fingerprint import STATE, fingerprint
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
-from hophoop.physics.energy import kinetic_energy, potential_energy
+from hophoop.physics.energy import kinetic_energies, potential_energies
 from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import InputError, Scenario
 from hophoop.units import Units
@@ -106,6 +106,28 @@ class Trajectory:
     def duration(self) -> float:
         """Time from the start to the end of the motion, however it ended [s]."""
         return self._seconds(float(self._segments["t_end"][-1]))
+
+    @cached_property
+    def fingerprint(self) -> str:
+        """Hash of the bits of all events; equal on every machine, and in the browser, with one version of hophoop.
+
+        Notes
+        -----
+        The first 16 hexadecimal digits of the SHA-256 of the events in order: for each the name of its kind in UTF-8 and
+        t, x, height, angle, vx, vy, omega and slip as little-endian binary64, in SI units and radians. −0 is hashed as 0,
+        any nan as the quiet nan 0x7ff8000000000000.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> scenario = hh.Scenario(duration=2.0)
+        >>> hh.simulate(scenario).fingerprint == hh.simulate(scenario).fingerprint
+        True
+        """
+        events, unit = self._events, self.units
+        times = np.array([self._seconds(t) for t in events["t"].tolist()])
+        columns = [times, *(events[name] * unit.of(name) for name in STATE[1:])]
+        return fingerprint((EVENT_NAMES[kind] for kind in events["kind"]), np.column_stack(columns))
 
     # --- the motion ----------------------------------------------------------------------------
 
@@ -295,7 +317,7 @@ class Trajectory:
     # --- other forms ---------------------------------------------------------------------------
 
     def to_dict(self) -> dict[str, Any]:
-        """The motion as the JSON of the file format: scenario, status, sequence, events, final state, energy.
+        """The motion as the JSON of the file format: scenario, status, sequence, fingerprint, events, final state, energy.
 
         Returns
         -------
@@ -313,8 +335,9 @@ class Trajectory:
             "scenario": self.scenario.to_dict(),
             "status": self.status,
             "sequence": self.sequence,
-            "events": [_event_dict(event) for event in self.events],
-            "final": {"t": final.t, "mode": final.to_mode, **_state_dict(final)},
+            "fingerprint": self.fingerprint,
+            "events": [event.to_dict() for event in self.events],
+            "final": {"t": final.t, "mode": final.to_mode, **final.state_to_dict()},
             "energy": energy,
         }
 
@@ -391,10 +414,10 @@ class Trajectory:
         body = self.scenario.to_body()
         theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
         with np.errstate(invalid="ignore"):
-            kinetic = kinetic_energy(
+            kinetic = kinetic_energies(
                 body, theta, columns["omega"], columns["slip"], columns["vy"], columns.get("theta_low", 0.0)
             )
-        potential = potential_energy(body, columns["x"], columns["height"], theta)
+        potential = potential_energies(body, columns["x"], columns["height"], theta)
         return kinetic * self.units.energy, potential * self.units.energy
 
     def _event_record(self, row: np.void) -> EventRecord:
@@ -451,36 +474,7 @@ _EVENT_NUMBERS = (
     "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
     *LOSSES, "gain",
 )  # fmt: skip
-_JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
 
 
 def _columns(row: np.void) -> dict[str, Any]:
     return {name: row[name] for name in ("x", "height", "angle", "theta", "theta_low", "slip", "vy", "omega")}
-
-
-def _number(value: float) -> float | None:
-    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
-    return value if math.isfinite(value) else None
-
-
-def _state_dict(event: EventRecord) -> dict[str, float | None]:
-    return {name: _number(getattr(event, name)) for name in _JSON_STATE}
-
-
-def _event_dict(event: EventRecord) -> dict[str, Any]:
-    result: dict[str, Any] = {
-        "t": event.t,
-        "kind": event.kind,
-        "from": event.from_mode,
-        "to": event.to_mode,
-        **_state_dict(event),
-        "before": {name: _number(getattr(event.before, name)) for name in ("vx", "vy", "omega")},
-        "impulse": {"normal": event.impulse_normal, "tangential": event.impulse_tangential},
-    }
-    if event.collision is False:
-        result["collision"] = False
-    if event.kind == "kane_gain":
-        result["gain"] = event.gain
-    if event.stable is not None:
-        result["stable"] = event.stable
-    return result

@@ -37,7 +37,8 @@ class Units:
     @property
     def energy(self) -> float:
         """Unit of energy [J]."""
-        return self.mass * (self.length / self.time) ** 2
+        speed = self.length / self.time
+        return self.mass * (speed * speed)
 
     def kernel_times(self, segments: np.ndarray, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """Times in kernel units, on the same side of each event as they are in seconds.
@@ -78,7 +79,7 @@ class Units:
         if name == "omega":
             return 1.0 / self.time
         if name in ("friction_force", "normal_force"):
-            return self.mass * self.length / self.time**2
+            return self.mass * self.length / (self.time * self.time)
         if name in ("impulse_normal", "impulse_tangential"):
             return self.mass * self.length / self.time
         if name == "angle":

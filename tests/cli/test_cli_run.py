@@ -32,7 +32,7 @@ def test_json_is_the_result_and_nothing_else():
     assert done.exit_code == 0
     data = json.loads(done.stdout)
     assert data == hop().to_dict()
-    assert list(data) == ["schema", "version", "scenario", "status", "sequence", "events", "final", "energy"]
+    assert list(data) == ["schema", "version", "scenario", "status", "sequence", "fingerprint", "events", "final", "energy"]
     assert data["schema"] == "hophoop/1"
     assert data["version"] == hh.__version__
     assert (data["status"], data["sequence"]) == ("completed", "RKRSHR")

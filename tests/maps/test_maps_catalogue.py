@@ -48,6 +48,28 @@ def test_examples_do_what_they_say(gamma):
         assert (sequence, ending) == (entry.sequence, entry.ending)
 
 
+@pytest.mark.parametrize("gamma", maps.catalogued())
+def test_examples_have_their_bits(gamma):
+    """After a change of the kernels' bits: `python examples/make_catalogue.py --fingerprints`."""
+    others = [one for one in maps.catalogue(gamma) if hh.simulate(one.scenario()).fingerprint != one.fingerprint]
+    assert others == []
+
+
+def test_fingerprints_are_renewed(script, tmp_path, monkeypatch, capsys):
+    stored = {"hophoop": hh.__version__, "hoops": {"0.02": HOOPS["0.02"], "0.999": HOOPS["0.999"]}}
+    out = tmp_path / "catalogue.json"
+    script.write(out, stored["hoops"])
+    whole = out.read_text(encoding="utf-8")
+    stale = json.loads(whole)
+    del stale["hoops"]["0.02"]["entries"][0]["fingerprint"]
+    stale["hoops"]["0.999"]["entries"][-1]["fingerprint"] = "0123456789abcdef"
+    out.write_text(json.dumps(stale), encoding="utf-8")
+    monkeypatch.setattr("sys.argv", ["make_catalogue.py", "--fingerprints", "--out", str(out)])
+    script.main()
+    assert out.read_text(encoding="utf-8") == whole
+    assert capsys.readouterr().out.startswith("2 fingerprints of ")
+
+
 def test_an_example_is_a_scenario():
     entry = next(entry for entry in maps.catalogue() if entry.sequence == "RSKSR")
     motion = hh.simulate(entry.scenario())
@@ -206,6 +228,7 @@ def test_the_script_makes_it(script, tmp_path, monkeypatch, capsys):
         assert one["width"] == pytest.approx(other["width"], rel=0.12)
         assert one["mu"] == pytest.approx(other["mu"], rel=0.1)
         assert one["speed"] == pytest.approx(other["speed"], rel=0.02)
+        assert one["fingerprint"] == script.fingerprint_of(0.02, one)
     printed = capsys.readouterr().out
     assert printed.startswith("1/1 γ = 0.02: 32 sequences, 36 with their endings")
 

@@ -56,8 +56,13 @@ CALLS.local = async ({ name, body }) => {
   return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
 };
 // a server that does no more than say what it is asked for
-const served = new LocalBackend(kernel, mechanics, { server: { call: async (name, body) => ({ header: { name, body }, arrays: {} }) } });
+const server = {
+  call: async (name, body) => ({ header: { name, body }, arrays: {} }),
+  file: async (name, query) => new Blob([JSON.stringify({ name, query })]),
+};
+const served = new LocalBackend(kernel, mechanics, { server });
 CALLS.served = async ({ name, body }) => (await served.call(name, body)).header;
+CALLS.servedFile = async ({ name, query }) => (await served.file(name, query)).text();
 CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
 
 for await (const line of createInterface({ input: process.stdin })) {

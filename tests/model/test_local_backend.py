@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop._fingerprint import is_fingerprint
 from hophoop.lab import calls, files, presets
 from hophoop.lab.limits import USUAL
 from hophoop.vocabulary.classes import class_color, class_text
@@ -81,10 +82,16 @@ def test_a_motion_that_doubles_do_not_decide_is_asked_of_the_server_or_said():
     (here,) = local("film", [{"query": UNDECIDED}])
     assert here["value"]["header"]["doubt"].startswith("What comes after 0 s hangs on more digits")
     (decided,) = local("film", [{}])
+    assert here["value"]["header"]["fingerprint"] is None
     assert "doubt" not in decided["value"]["header"]
+    assert is_fingerprint(decided["value"]["header"]["fingerprint"])
     asked, usual = answers("served", [{"name": "film", "body": {"query": query}} for query in (UNDECIDED, "")])
     assert asked["value"] == {"name": "film", "body": {"query": UNDECIDED}}
     assert usual["value"]["sequence"].startswith("RKRSHR")  # computed here
+    for name in ("motion.json", "motion.csv"):
+        asked, usual = answers("servedFile", [{"name": name, "query": query} for query in (UNDECIDED, "")])
+        assert json.loads(asked["value"]) == {"name": name, "query": UNDECIDED}
+        assert usual["value"] == answers("file", [{"name": name, "query": ""}])[0]["value"]
 
 
 def test_a_part_of_a_film_is_finer():
@@ -102,7 +109,7 @@ def test_a_compliant_film_is_that_of_python():
     (answer,) = local("film", [body])
     header, _ = of_python("film", body)
     found = answer["value"]["header"]
-    for name in ("scenario", "query", "values", "automatic", "summary", "sequence", "status", "duration"):
+    for name in ("scenario", "query", "values", "automatic", "summary", "sequence", "fingerprint", "status", "duration"):
         alike(found[name], header[name], name)
 
 

@@ -14,8 +14,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop._fingerprint import STATE, fingerprint
 from hophoop.lab import film
+from hophoop.module.layout import EVENT_COLUMNS
 from hophoop.module.stamp import HERE, MODULE
+from hophoop.physics.body import EVENT_NAMES
 from module.host import Host
 from module.module_tools import cell_of, drawn
 
@@ -149,6 +152,25 @@ def test_compliant_motions_are_the_same(answers: dict[str, Any]) -> None:
         chosen = film.header(motion)["automatic"]
         assert answer["compliance"]["automatic"]["stiffness"] == pytest.approx(chosen["contact.stiffness"], rel=1e-12)
         assert answer["compliance"]["automatic"]["slip_speed"] == pytest.approx(chosen["contact.slip_speed"], rel=1e-12)
+
+
+def test_fingerprints_are_those_of_the_events_of_the_module(answers: dict[str, Any]) -> None:
+    host = Host(HERE / MODULE)
+    places = [EVENT_COLUMNS.index(name) for name in STATE]
+    for scenario, answer in zip(scenarios(), answers["found"], strict=False):
+        heads, rows = host.motion(cell_of(scenario))
+        decided = math.isnan(heads["doubt_from"])
+        kinds = [EVENT_NAMES[int(kind)] for kind in rows[:, EVENT_COLUMNS.index("kind")]]
+        assert answer["motion"]["fingerprint"] == (fingerprint(kinds, rows[:, places]) if decided else None)
+
+
+def test_fingerprints_are_those_of_python(answers: dict[str, Any]) -> None:
+    """Where doubles decide: equal bits of all events."""
+    told = zip((*scenarios(), *compliant()), answers["found"], strict=True)
+    pairs = [(scenario, answer["motion"]) for scenario, answer in told if answer["motion"]["doubt"] is None]
+    assert len(pairs) > 45
+    others = [scenario.to_query() for scenario, mine in pairs if mine["fingerprint"] != hh.simulate(scenario).fingerprint]
+    assert others == []
 
 
 def test_the_same_bits_in_another_engine(answers: dict[str, Any]) -> None:

@@ -13,7 +13,8 @@ from scipy.integrate import solve_ivp
 import hophoop as hh
 from contact_tools import STARTED, body_of, sines_of, state_of
 from hophoop._jit import forced, interpreted
-from hophoop.numerics.collocation import NODES, ORDER, lagrange
+from hophoop.numerics.collocation import ORDER, lagrange
+from hophoop.numerics.constants import NODES
 from hophoop.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
 from hophoop.panels.panel import ARRIVE, LEAVE, LINEAR
 from hophoop.physics.body import Event, Status

@@ -11,7 +11,7 @@ from numpy.polynomial import chebyshev
 
 import hophoop as hh
 from hophoop._jit import interpreted
-from hophoop.numerics.collocation import NODES
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND
 from hophoop.panels.panel import A, B
 from hophoop.records.scratch import new_scratch

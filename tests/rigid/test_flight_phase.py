@@ -12,7 +12,7 @@ import hophoop as hh
 from hophoop._jit import interpreted
 from hophoop.panels.panel import FLY
 from hophoop.physics.body import Event, Mode, Status
-from hophoop.physics.energy import kinetic_energy, potential_energy
+from hophoop.physics.energy import kinetic_energies, potential_energies
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
@@ -121,8 +121,8 @@ def test_a_hop_of_nothing_lands_where_it_begins_and_never_upwards(rise):
 
 
 def energy(body, state):
-    kinetic = kinetic_energy(body, state["theta"], state["omega"], state["slip"], state["vy"], state["theta_low"])
-    return kinetic + potential_energy(body, state["x"], state["height"], state["theta"])
+    kinetic = kinetic_energies(body, state["theta"], state["omega"], state["slip"], state["vy"], state["theta_low"])
+    return kinetic + potential_energies(body, state["x"], state["height"], state["theta"])
 
 
 @pytest.mark.parametrize("om", [3e8, 1e9, 3e9, 1e10])
@@ -140,7 +140,7 @@ def test_a_flight_whose_angle_time_cannot_tell_keeps_its_energy(om, way):
             {"theta": at.th, "theta_low": at.th_low, "omega": at.om, "slip": at.vt, "vy": at.vn, "x": at.x, "height": at.y}
             for at in (state, after)
         )
-        size = kinetic_energy(body, 0.0, 0.0, after.vt + 1.75 * abs(om), 0.0)
+        size = kinetic_energies(body, 0.0, 0.0, after.vt + 1.75 * abs(om), 0.0)
         assert energy(body, end) == pytest.approx(energy(body, begin), abs=1e-14 * size)
         for apex in apexes:
             assert energy(body, apex) == pytest.approx(energy(body, begin), abs=1e-14 * size)

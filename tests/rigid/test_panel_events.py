@@ -12,7 +12,7 @@ from scipy.optimize import brentq, minimize_scalar
 import hophoop as hh
 from contact_tools import sines_of
 from hophoop._jit import interpreted
-from hophoop.numerics.collocation import NODES
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND
 from hophoop.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
 from hophoop.records.scratch import new_scratch

@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop._jit import forced, interpreted
-from hophoop.numerics.collocation import NODES
+from hophoop.numerics.constants import NODES
 from hophoop.panels.panel import FLY, HOLD, SKIMMING
 from hophoop.physics.body import Mode
 from hophoop.records.layout import SEGMENT

@@ -3,6 +3,7 @@
 import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.js";
 import { Memory } from "./memory.js";
 import { columnsOf } from "./columns.js";
+import { fingerprintOf } from "./fingerprint.js";
 import { sequencesOf } from "./sequences.js";
 
 const FIRST_EVENTS = 256;
@@ -402,14 +403,16 @@ function told({ given, head, rows, count, duration }) {
   const energy = Object.fromEntries(
     [...ENERGIES, ...(given.contact ? ["spring", "damping"] : [])].map((name) => [name, head[HEAD[name]]]),
   );
+  const doubt = finite(head[HEAD.doubt_from]);
   return {
     status: layout.statuses[head[HEAD.status]],
     sequence: sequenceOf(events),
+    fingerprint: doubt === null ? fingerprintOf(rows, count) : null,
     duration,
     events,
     final: { t: last.t, mode: last.to, ...Object.fromEntries(STATE.map((name) => [name, last[name]])) },
     energy,
-    doubt: finite(head[HEAD.doubt_from]),
+    doubt,
   };
 }
 

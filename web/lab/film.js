@@ -25,6 +25,8 @@ export class Film {
     this.status = header.status;
     /** @type {string} */
     this.sequence = header.sequence;
+    /** @type {string | null} hash of the bits of all events; null where this page does not decide them */
+    this.fingerprint = header.fingerprint ?? null;
     /** @type {MotionEvent[]} */
     this.events = header.events;
     /** @type {Record<string, any>} */

@@ -11,6 +11,8 @@ export class Story {
   items;
   /** @type {number} */
   current;
+  /** @type {string | null | undefined} the fingerprint that is shown */
+  signed;
 
   /** @param {Clock} clock */
   constructor(clock) {
@@ -19,6 +21,7 @@ export class Story {
     this.doubt = h("p", { class: "hint", hidden: true });
     this.list = h("ol", { class: "story-list" });
     this.heading = h("h2", {}, "What happens");
+    this.fingerprint = h("p", { class: "hint fingerprint" });
     this.live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
     this.element = h(
       "section",
@@ -27,6 +30,7 @@ export class Story {
       this.summary,
       this.doubt,
       this.list,
+      this.fingerprint,
       this.live,
     );
   }
@@ -64,8 +68,17 @@ export class Story {
       ),
     );
     this.list.replaceChildren(...this.items);
+    this.sign();
     this.current = -1;
     this.cursor(this.clock.time);
+  }
+
+  /** The fingerprint; its button stays, with what it has said, until the motion is another. */
+  sign() {
+    const { fingerprint } = this.film;
+    if (fingerprint === this.signed) return;
+    this.signed = fingerprint;
+    this.fingerprint.replaceChildren(...fingerprintOf(fingerprint));
   }
 
   /**
@@ -101,6 +114,27 @@ export class Story {
       }
     }
   }
+}
+
+/**
+ * The fingerprint with a button that copies it, or why there is none.
+ * @param {string | null} fingerprint
+ */
+function fingerprintOf(fingerprint) {
+  if (!fingerprint)
+    return [h("span", {}, "No fingerprint: this motion depends on more digits than this page computes.")];
+  const code = h("code", {}, document.createTextNode(fingerprint));
+  const copy = h("button", { type: "button" }, "Copy");
+  copy.onclick = async () => {
+    try {
+      await navigator.clipboard.writeText(fingerprint);
+      say(copy, "Copied");
+    } catch {
+      getSelection()?.selectAllChildren(code); // to be copied by hand
+    }
+  };
+  const title = "A hash of all events: the same wherever hophoop computes the same bits, also in Python";
+  return [h("span", { title }, "Fingerprint"), " ", code, " ", copy];
 }
 
 export class Theory {

@@ -11,13 +11,23 @@ const MOST_EVENTS = 2000;
 const written = (value) => (value === Infinity ? "inf" : value);
 
 /**
- * The motion as the JSON of the file format, as Python's `Trajectory.to_dict`.
+ * The motion as the JSON of the file format, as Python's `Trajectory.to_dict`, but without a fingerprint where doubles do not decide.
  * @param {Checked} checked that it was computed for
  * @param {ComputedMotion} motion
  */
-export function resultOf(checked, { status, sequence, events, final, energy }) {
+export function resultOf(checked, { status, sequence, fingerprint, events, final, energy }) {
   const { schema, setup } = tables;
-  return { schema, version: setup.version, scenario: toDict(checked), status, sequence, events, final, energy };
+  return {
+    schema,
+    version: setup.version,
+    scenario: toDict(checked),
+    status,
+    sequence,
+    fingerprint,
+    events,
+    final,
+    energy,
+  };
 }
 
 /**

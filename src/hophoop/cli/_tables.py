@@ -157,4 +157,5 @@ def _summary(motion: Trajectory) -> Table:
         f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "
         f"{ledger.friction:.6g} J, impacts {impacts:.6g} J{rolling}; residual {ledger.residual:.1e} J",
     )
+    table.add_row("fingerprint", motion.fingerprint)
     return table

@@ -185,8 +185,19 @@ def run(
             rich_help_panel=OUTPUT,
         ),
     ] = False,
+    check_fingerprint: Annotated[
+        str | None,
+        typer.Option(
+            "--check-fingerprint",
+            metavar="HEX",
+            help="Compare the motion's fingerprint with this one: whether this machine gets the same bits.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
+    from hophoop._fingerprint import DIGITS, is_fingerprint
     from hophoop.cli import NO_ANSWER, _tables, say
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
     from hophoop.scenario import InputError
@@ -197,6 +208,8 @@ def run(
         check_ending("--save", save, STORES)
     if samples < 2:
         raise InputError(f"--samples = {samples} must be at least 2.")
+    if check_fingerprint is not None and not is_fingerprint(check_fingerprint):
+        raise InputError(f"--check-fingerprint = {check_fingerprint!r} must be {DIGITS} hexadecimal digits.")
     result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
         raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")
@@ -209,7 +222,12 @@ def run(
     check_apart([path for path in outputs.values() if path is not None], file)
 
     if digits is not None or check:
-        asked = outputs | {"--explain": explain, "--errors": errors, "--sensitivity": sensitivity}
+        asked = outputs | {
+            "--explain": explain,
+            "--errors": errors,
+            "--sensitivity": sensitivity,
+            "--check-fingerprint": check_fingerprint,
+        }
         for option, given in asked.items():
             if given and (check or option != "--json"):
                 raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
@@ -234,9 +252,26 @@ def run(
             _tables.print_phases(explained, everything)
         if derived is not None:
             typer.echo(derived)
+    same = check_fingerprint is None or _compare_fingerprints(motion, check_fingerprint.lower(), json == "-")
     if not motion.ok:
         say(_tables.unanswered(motion.duration, motion.status))
+    if not (motion.ok and same):
         raise typer.Exit(NO_ANSWER)
+
+
+def _compare_fingerprints(motion: Trajectory, expected: str, aside: bool) -> bool:
+    """Say whether this machine gets the expected bits; `aside` where standard output is for JSON alone."""
+    from hophoop.cli import say
+
+    found = motion.fingerprint
+    if found == expected:
+        typer.echo(f"This machine gets the same bits: the fingerprint is {found}.", err=aside)
+        return True
+    say(
+        f"hophoop {motion.version} gets other bits on this machine: the fingerprint is {found}, not {expected}. "
+        "Only the same version of hophoop and the same scenario give the same bits."
+    )
+    return False
 
 
 def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:

@@ -13,6 +13,8 @@ from hophoop.compliant.phase import FLIGHT, Phase, begun, ended, keep, mode_of, 
 from hophoop.compliant.records import DYNAMIC, HOLD, OM, SIZE, STEP, TH, VN, VT, Y, Z
 from hophoop.compliant.step import FAILED, attempt, make_poly, poly_value, predict
 from hophoop.compliant.tableau import STAGES
+from hophoop.numerics.circular import sine_and_cosine
+from hophoop.numerics.exponentials import power
 from hophoop.physics.body import Event, Status
 from hophoop.physics.compliant import BRISTLE, TANH, friction_force, normal_force, resisting_couple
 from hophoop.physics.contact import delassus
@@ -34,8 +36,7 @@ STILL = 1e-11
 @jit
 def first_step(body, comp, regime, u, rtol):
     """Length of a step that resolves the fastest transient of a contact that begins."""
-    s = math.sin(u[TH])
-    c = math.cos(u[TH])
+    s, c = sine_and_cosine(u[TH])
     W_tt, W_nn, _ = delassus(body, s, c)
     normal, normal_y, normal_vn = normal_force(comp, u[Y], u[VN])
     friction_vt = friction_force(comp, regime, normal, u[Z], u[VT])[2]
@@ -45,7 +46,7 @@ def first_step(body, comp, regime, u, rtol):
     speed += 1.0 + abs(u[OM])
     if body.resist > 0.0:
         speed += abs(resisting_couple(comp, body.resist, normal, u[OM])[2]) / body.kap
-    return 0.3 * rtol ** (1.0 / ORDER_OF_ERROR) / speed
+    return 0.3 * power(rtol, 1.0 / ORDER_OF_ERROR) / speed
 
 
 @jit
@@ -58,7 +59,8 @@ def at_rest(body, comp, regime, u, work):
     speed = max(speed, abs(work.trial[VT]), abs(work.trial[VN]), abs(work.trial[OM]))
     if speed > STILL:
         return False, False
-    bend = rest_curvature(body, math.sin(u[TH]), math.cos(u[TH]))
+    s, c = sine_and_cosine(u[TH])
+    bend = rest_curvature(body, s, c)
     stable = bend > 0.0 or (body.eps == 0.0 and body.gt == 0.0)
     return stable or speed < 1e-15, stable
 
@@ -164,7 +166,7 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     if error >= FAILED:
         # Newton's iteration may have been sent astray by its first guess
         return tried(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0), rows
-    factor = SAFETY * max(error, 1e-10) ** (-1.0 / ORDER_OF_ERROR)
+    factor = SAFETY * power(max(error, 1e-10), -1.0 / ORDER_OF_ERROR)
     if error > 1.0:
         return tried(phase, max(factor, SLOWER) * length, phase.before), rows
     phase = tried(phase, min(factor, FASTER) * length, phase.before)

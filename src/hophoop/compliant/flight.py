@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from hophoop._jit import jit
 from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note, turned, within_turn
 from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
-from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.circular import sine_and_cosine
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.double_double import turns_and_rest
+from hophoop.numerics.exponentials import exponential
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.landing import first_landing
 from hophoop.physics.body import Event, Status
@@ -28,8 +29,7 @@ LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
 @jit
 def fly_state(body, comp, begin, opening, tau, out):
     """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Returns the turns made."""
-    s = math.sin(begin[TH])
-    c = math.cos(begin[TH])
+    s, c = sine_and_cosine(begin[TH])
     out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
     along, out[VT] = flight_displacement(body, begin[VT], begin[OM], s, c, tau)
     out[X] = begin[X] + along
@@ -42,7 +42,7 @@ def fly_state(body, comp, begin, opening, tau, out):
     out[RESISTED] = begin[RESISTED]
     if comp.friction == BRISTLE and begin[Z] != 0.0:
         # the free bristle relaxes; its spring's energy ends in its damper
-        out[Z] = begin[Z] * math.exp(-comp.k_t / comp.c_t * tau)
+        out[Z] = begin[Z] * exponential(-comp.k_t / comp.c_t * tau)
         out[FRICTION] += 0.5 * comp.k_t * (begin[Z] - out[Z]) * (begin[Z] + out[Z])
     # so does that of the normal spring, which cannot follow the rim
     before = min(begin[Y], 0.0)
@@ -62,8 +62,7 @@ def _regain(comp, y, vn):
 @jit
 def fly_below(body, comp, begin, opening, limit, work):
     """(what, τ): a flight below the plane's level gets CLEAR of it, has LANDED again, or LASTS; GIVEN_UP after many turns."""
-    s = math.sin(begin[TH])
-    c = math.cos(begin[TH])
+    s, c = sine_and_cosine(begin[TH])
     om = begin[OM]
     start = 0.0
     length = 4.0 * abs(begin[Y]) / max(begin[VN], 1e-300)
@@ -111,7 +110,8 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
     """(the phase after a flight, segments)."""
     u = work.state
     t = phase.t
-    opening = free_acceleration(body, math.sin(u[TH]), math.cos(u[TH]), u[OM] * u[OM])[1]
+    s, c = sine_and_cosine(u[TH])
+    opening = free_acceleration(body, s, c, u[OM] * u[OM])[1]
     apex = -1.0
     if u[Y] < 0.0:
         what, tau = fly_below(body, comp, u, opening, t_end - t, work)

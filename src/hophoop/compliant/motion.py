@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import jit
 from hophoop.compliant.records import DAMPING, DYNAMIC, FRICTION, OM, RESISTED, TH, VN, VT, X, Y, Z
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force, resisting_couple, spring_energy
 from hophoop.physics.contact import delassus, free_acceleration
 from hophoop.physics.energy import kinetic_energy, potential_energy
-
-kinetic, potential = jit(kinetic_energy), jit(potential_energy)
 
 
 @jit
@@ -23,8 +20,7 @@ def contact_force(comp, regime, u):
 @jit
 def rates(body, comp, regime, u, out):
     """Time derivatives of the dynamic variables."""
-    s = math.sin(u[TH])
-    c = math.cos(u[TH])
+    s, c = sine_and_cosine(u[TH])
     friction, normal = contact_force(comp, regime, u)
     W_tt, W_nn, W_tn = delassus(body, s, c)
     f_t, f_n = free_acceleration(body, s, c, u[OM] * u[OM])
@@ -61,15 +57,14 @@ def powers(body, comp, regime, u, out, begin):
 @jit
 def stored(body, comp, u):
     """(energy of motion and in the springs, potential energy as at x = 0)."""
-    moving = kinetic(body, u[TH], u[OM], u[VT], u[VN], 0.0)
-    return moving + spring_energy(comp, u[Y], u[Z]), potential(body, 0.0, u[Y], u[TH])
+    moving = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
+    return moving + spring_energy(comp, u[Y], u[Z]), potential_energy(body, 0.0, u[Y], u[TH])
 
 
 @jit
 def jacobian(body, comp, regime, u, out):
     """∂(rates)/∂u."""
-    s = math.sin(u[TH])
-    c = math.cos(u[TH])
+    s, c = sine_and_cosine(u[TH])
     eps, kap, om = body.eps, body.kap, u[OM]
     arm = 1.0 + eps * c
     normal, normal_y, normal_vn = normal_force(comp, u[Y], u[VN])

@@ -8,6 +8,7 @@ import numpy as np
 
 from hophoop._jit import interpreted, jit
 from hophoop.compliant.records import OM, SIZE, TH, VN, VT, X, Y, Z
+from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.physics.body import Body
 from hophoop.physics.compliant import (
     BRISTLE,
@@ -44,7 +45,7 @@ def least_restitution(k):
 @jit
 def compliance_of(body, length, second, mass, law, friction, stiffness, damping, restitution, slip_speed, tangential):
     """The contact's numbers in the kernel's units from those in SI units; nan stands for what it chooses by itself."""
-    k = STIFFNESS if math.isnan(stiffness) else stiffness * second**2 / mass
+    k = STIFFNESS if math.isnan(stiffness) else stiffness * (second * second) / mass
     c = 0.0
     d = 0.0
     if not math.isnan(damping):
@@ -66,7 +67,7 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
         v_s = min(1.0 / k, 1.0)
     if body.mu_s == 0.0:  # nothing for a bristle to hold
         friction = LINEAR
-    k_t = k if math.isnan(tangential) else tangential * second**2 / mass
+    k_t = k if math.isnan(tangential) else tangential * (second * second) / mass
     excess = static_excess(body.mu_s, body.mu_k) if friction == TANH else 0.0
     om_s = usual if friction == BRISTLE else v_s
     return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
@@ -143,11 +144,12 @@ def load_contact(body, comp, start):
     if start[Y] > 0.0 or start[VN] != 0.0:
         return False
     friction, normal = rigid_force(body, start)
-    opening = free_acceleration(body, math.sin(start[TH]), math.cos(start[TH]), start[OM] * start[OM])[1]
+    s, c = sine_and_cosine(start[TH])
+    opening = free_acceleration(body, s, c, start[OM] * start[OM])[1]
     if not normal > 0.0:
         u = start[OM] * start[OM]
         if abs(opening) <= ROUNDING * (body.gn + u):  # zero: its rate decides
-            opening = -body.eps * start[OM] * u * math.sin(start[TH])
+            opening = -body.eps * start[OM] * u * sine(start[TH])
         return opening < 0.0
     start[Y] = -normal / comp.k
     if start[VT] == 0.0 and comp.friction == BRISTLE:
@@ -158,9 +160,8 @@ def load_contact(body, comp, start):
 @jit
 def rigid_force(body, start):
     """(F, N) that rigid contact would have in a state without approach."""
-    s = math.sin(start[TH])
-    c = math.cos(start[TH])
-    u = start[OM] ** 2
+    s, c = sine_and_cosine(start[TH])
+    u = start[OM] * start[OM]
     sigma = direction(start[VT])
     if sigma == 0:
         friction, normal = forces_rolling(body, s, c, start[OM])

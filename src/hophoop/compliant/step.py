@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
+from hophoop.compliant.elimination import divided, factor, factor_complex, product, scaled, solve, solve_complex
 from hophoop.compliant.motion import jacobian, powers, rates, stored
 from hophoop.compliant.records import DYNAMIC, MEASURED, OM, SIZE, VN, VT, X
 from hophoop.compliant.tableau import (
@@ -22,54 +23,13 @@ from hophoop.compliant.tableau import (
     TO_REAL,
     A,
 )
+from hophoop.numerics.powers import integer_power
 
 ITERATIONS = 10
 NEWTON = 1e-3  # of the tolerance: what Newton's iteration may leave
 LEDGER = 0.1  # of rtol: how much of the energy a step may leave out of the ledger
 ROUNDING = 4e-16  # of an energy, beside the speeds that it is a difference of
 FAILED = 1e300  # an error that no step may have
-
-
-@jit
-def factor(matrix, pivots):
-    """LU factors of a small matrix in place, with partial pivoting; False where it is singular."""
-    n = matrix.shape[0]
-    for k in range(n):
-        best = k
-        size = abs(matrix[k, k])
-        for i in range(k + 1, n):
-            if abs(matrix[i, k]) > size:
-                best = i
-                size = abs(matrix[i, k])
-        pivots[k] = best
-        if not 0.0 < size < math.inf:
-            return False
-        if best != k:
-            for j in range(n):
-                matrix[k, j], matrix[best, j] = matrix[best, j], matrix[k, j]
-        inverse = 1.0 / matrix[k, k]
-        for i in range(k + 1, n):
-            matrix[i, k] *= inverse
-            for j in range(k + 1, n):
-                matrix[i, j] -= matrix[i, k] * matrix[k, j]
-    return True
-
-
-@jit
-def solve(matrix, pivots, side):
-    """Solve with the factors, in place."""
-    n = matrix.shape[0]
-    for k in range(n):
-        best = pivots[k]
-        if best != k:
-            side[k], side[best] = side[best], side[k]
-    for i in range(1, n):
-        for j in range(i):
-            side[i] -= matrix[i, j] * side[j]
-    for i in range(n - 1, -1, -1):
-        for j in range(i + 1, n):
-            side[i] -= matrix[i, j] * side[j]
-        side[i] /= matrix[i, i]
 
 
 @jit
@@ -101,7 +61,7 @@ def form_of(work):
         for k in range(PAIRS):
             pair = 0.0j
             for i in range(STAGES):
-                pair += TO_PAIR[k, i] * work.stages[i, m]
+                pair += scaled(TO_PAIR[k, i], work.stages[i, m])
             work.pair_form[k, m] = pair
 
 
@@ -125,24 +85,25 @@ def newton(body, comp, regime, work, start, h):
         solve(work.real, work.real_pivots, work.real_side)
         for m in range(DYNAMIC):
             work.real_form[m] += work.real_side[m]
-            size += (work.real_side[m] / work.scale[m]) ** 2
+            part = work.real_side[m] / work.scale[m]
+            size += part * part
         for k in range(PAIRS):
-            eigenvalue = LAMBDA[k] / h
+            eigenvalue = divided(LAMBDA[k], h)
             for m in range(DYNAMIC):
                 pair = 0.0j
                 for i in range(STAGES):
-                    pair += TO_PAIR[k, i] * work.rates[i, m]
-                work.pair_side[m] = pair - eigenvalue * work.pair_form[k, m]
-            solve(work.pairs[k], work.pair_pivots[k], work.pair_side)
+                    pair += scaled(TO_PAIR[k, i], work.rates[i, m])
+                work.pair_side[m] = pair - product(eigenvalue, work.pair_form[k, m])
+            solve_complex(work.pairs[k], work.pair_pivots[k], work.pair_side)
             for m in range(DYNAMIC):
                 work.pair_form[k, m] += work.pair_side[m]
-                part = work.pair_side[m] / work.scale[m]
-                size += part.real * part.real + part.imag * part.imag
+                shift = divided(work.pair_side[m], work.scale[m])
+                size += shift.real * shift.real + shift.imag * shift.imag
         for i in range(STAGES):
             for m in range(DYNAMIC):
                 total = FROM_REAL[i] * work.real_form[m]
                 for k in range(PAIRS):
-                    total += (FROM_PAIR[i, k] * work.pair_form[k, m]).real
+                    total += product(FROM_PAIR[i, k], work.pair_form[k, m]).real
                 work.stages[i, m] = total
         size = math.sqrt(size / (STAGES * DYNAMIC))
         if not size < 1e100:
@@ -153,12 +114,22 @@ def newton(body, comp, regime, work, start, h):
                 return False
             if rate < 1.0 and rate / (1.0 - rate) * size <= NEWTON:
                 return True
-            if rate < 1.0 and rate ** (ITERATIONS - 1 - iteration) / (1.0 - rate) * size > NEWTON:
+            if rate < 1.0 and integer_power(rate, ITERATIONS - 1 - iteration) / (1.0 - rate) * size > NEWTON:
                 return False
         if size <= 1e-2 * NEWTON:
             return True
         before = size
     return False
+
+
+@jit
+def scaled_square(work):
+    """Return the sum of squares of the right-hand side over the scales."""
+    total = 0.0
+    for m in range(DYNAMIC):
+        part = work.real_side[m] / work.scale[m]
+        total += part * part
+    return total
 
 
 @jit
@@ -178,11 +149,11 @@ def attempt(body, comp, regime, work, start, h, rtol):
                 work.pairs[k, i, j] = -work.jacobian[i, j]
         work.real[i, i] += GAMMA / h
         for k in range(PAIRS):
-            work.pairs[k, i, i] += LAMBDA[k] / h
+            work.pairs[k, i, i] += divided(LAMBDA[k], h)
     if not factor(work.real, work.real_pivots):
         return FAILED
     for k in range(PAIRS):
-        if not factor(work.pairs[k], work.pair_pivots[k]):
+        if not factor_complex(work.pairs[k], work.pair_pivots[k]):
             return FAILED
     if not newton(body, comp, regime, work, start, h):
         return FAILED
@@ -202,7 +173,8 @@ def attempt(body, comp, regime, work, start, h, rtol):
             for j in range(STAGES):
                 value += A[i, j] * work.powers[j, m]
             work.integrals[i, m] = h * value
-        total += (h * error / work.scale[DYNAMIC + m]) ** 2
+        part = h * error / work.scale[DYNAMIC + m]
+        total += part * part
     for m in range(DYNAMIC):
         stages = 0.0
         for i in range(STAGES):
@@ -210,9 +182,7 @@ def attempt(body, comp, regime, work, start, h, rtol):
         work.error[m] = stages * GAMMA / h
         work.real_side[m] = work.start_rate[m] + work.error[m]
     solve(work.real, work.real_pivots, work.real_side)
-    size = 0.0
-    for m in range(DYNAMIC):
-        size += (work.real_side[m] / work.scale[m]) ** 2
+    size = scaled_square(work)
     if size + total > MEASURED:
         # filtered once more, which stiff components need (Hairer & Wanner, IV.8)
         for m in range(DYNAMIC):
@@ -221,9 +191,7 @@ def attempt(body, comp, regime, work, start, h, rtol):
         for m in range(DYNAMIC):
             work.real_side[m] += work.error[m]
         solve(work.real, work.real_pivots, work.real_side)
-        size = 0.0
-        for m in range(DYNAMIC):
-            size += (work.real_side[m] / work.scale[m]) ** 2
+        size = scaled_square(work)
     result = math.sqrt((size + total) / MEASURED)
     if not result < FAILED:
         return FAILED

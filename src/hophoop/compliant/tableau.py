@@ -1,53 +1,51 @@
-"""Radau IIA with five stages, order 9: its constants, computed at import (Hairer & Wanner, IV.8)."""
+"""Radau IIA with five stages, order 9: its constants (Hairer & Wanner, IV.8)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.polynomial import Polynomial
 
-STAGES = 5
-PAIRS = (STAGES - 1) // 2
+from hophoop.numerics.constants import RADAU_A as A
+from hophoop.numerics.constants import RADAU_A_INVERSE as A_INVERSE
+from hophoop.numerics.constants import RADAU_DEFECT as DEFECT
+from hophoop.numerics.constants import RADAU_ERROR as ERROR
+from hophoop.numerics.constants import RADAU_FROM_PAIR, RADAU_LAMBDA, RADAU_TO_PAIR
+from hophoop.numerics.constants import RADAU_FROM_REAL as FROM_REAL
+from hophoop.numerics.constants import RADAU_GAMMA as GAMMA
+from hophoop.numerics.constants import RADAU_NODES as NODES
+from hophoop.numerics.constants import RADAU_POWERS as POWERS
+from hophoop.numerics.constants import RADAU_TO_REAL as TO_REAL
 
-
-def _nodes() -> np.ndarray:
-    # zeros of the (s−1)th derivative of x^(s−1) (x−1)^s, polished by Newton's method
-    polynomial = (Polynomial([0, 1]) ** (STAGES - 1) * Polynomial([-1, 1]) ** STAGES).deriv(STAGES - 1)
-    slope = polynomial.deriv()
-    roots = np.sort(polynomial.roots().real)
-    for _ in range(4):
-        roots = roots - polynomial(roots) / slope(roots)
-    roots[-1] = 1.0
-    return roots
-
-
-def _collocation(c: np.ndarray) -> np.ndarray:
-    powers = np.arange(STAGES)
-    return np.linalg.solve(
-        (c[:, None] ** powers).T, (c[:, None] ** (powers + 1) / (powers + 1)).T
-    ).T  # Σ_j a_ij c_j^q = c_i^(q+1)/(q+1)
+STAGES = len(NODES)
+PAIRS = len(RADAU_LAMBDA)
 
 
-NODES = _nodes()
-A = _collocation(NODES)
-A_INVERSE = np.linalg.inv(A)
-_values, _vectors = np.linalg.eig(A_INVERSE)
-_real = int(np.argmin(np.abs(_values.imag)))
-_upper = [i for i in np.argsort(_values.real) if _values[i].imag > 1e-6]
-# A⁻¹ has one real eigenvalue and two pairs; one of each pair is enough, the other is its conjugate.
-GAMMA = float(_values[_real].real)
-LAMBDA = np.ascontiguousarray(_values[_upper])
-_inverse = np.linalg.inv(_vectors)
-TO_REAL = np.ascontiguousarray((_inverse[_real] * _vectors[-1, _real]).real)
-FROM_REAL = np.ascontiguousarray((_vectors[:, _real] / _vectors[-1, _real]).real)
-TO_PAIR = np.ascontiguousarray(_inverse[_upper])
-FROM_PAIR = np.ascontiguousarray(2.0 * _vectors[:, _upper])  # the conjugate's share is in the factor 2
+def _complex(parts: np.ndarray) -> np.ndarray:
+    """Return complex numbers from their parts along the last dimension."""
+    return np.ascontiguousarray(parts).view(np.complex128)[..., 0]
 
-# The solution of order 5 that also uses f at the start with weight 1/γ; its difference from the method,
+
+# A⁻¹ has one real eigenvalue, GAMMA, and two pairs; one of each pair is enough, the other is its conjugate.
+LAMBDA = _complex(RADAU_LAMBDA)
+TO_PAIR = _complex(RADAU_TO_PAIR)
+FROM_PAIR = _complex(RADAU_FROM_PAIR)  # twice the eigenvectors: the conjugate's share is in the factor 2
+
+# DEFECT and ERROR: the solution of order 5 that also uses f at the start with weight 1/γ; its difference from the method,
 # h f(y0)/γ + Σ DEFECT_i h f_i = h f(y0)/γ + Σ ERROR_i Z_i, estimates the error.
-_moments = np.zeros(STAGES)
-_moments[0] = -1.0 / GAMMA
-DEFECT = np.linalg.solve((NODES[:, None] ** np.arange(STAGES)).T, _moments)
-ERROR = np.ascontiguousarray(DEFECT @ A_INVERSE)
+# POWERS: coefficients of s, s², …, s⁵ of the polynomial through (0, 0) and (c_i, Z_i).
 
-# Coefficients of s, s², …, s⁵ of the polynomial through (0, 0) and (c_i, Z_i).
-POWERS = np.ascontiguousarray(np.linalg.inv(NODES[:, None] ** np.arange(1, STAGES + 1)))
+__all__ = [
+    "A_INVERSE",
+    "DEFECT",
+    "ERROR",
+    "FROM_PAIR",
+    "FROM_REAL",
+    "GAMMA",
+    "LAMBDA",
+    "NODES",
+    "PAIRS",
+    "POWERS",
+    "STAGES",
+    "TO_PAIR",
+    "TO_REAL",
+    "A",
+]

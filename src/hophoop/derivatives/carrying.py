@@ -39,6 +39,8 @@ from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.rows import ROWS
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
+from hophoop.numerics.powers import unit_size
+from hophoop.numerics.sums import matrix_product
 from hophoop.physics.body import Body
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch, thread_scratch
@@ -73,7 +75,7 @@ SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
 SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOMENTUM: "N s", ENERGY: "J"}
 UNITS = tuple(SI)
-EXPONENTS = np.array(UNITS, float)
+EXPONENTS = np.array(UNITS)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
 BORDER, CONTACT = int(Reason.BORDER), int(Reason.CONTACT)
 
@@ -269,8 +271,8 @@ class Carried:
     def _units(self) -> tuple[Floats, Floats]:
         """Sizes of UNITS and their logarithmic rates."""
         unit = self.motion.units
-        sizes = [unit.length**length * unit.time**time * unit.mass**mass for length, time, mass in UNITS]
-        return np.array(sizes), EXPONENTS @ self.directions.units
+        sizes = [interpreted(unit_size)(unit.length, unit.time, unit.mass, exponents) for exponents in UNITS]
+        return np.array(sizes), matrix_product(EXPONENTS.astype(float), self.directions.units)
 
 
 def _state_of(row: np.void) -> Floats:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import lean_jit
+from hophoop.numerics.circular import sine_and_cosine
 
 # A scenario's numbers, in SI units, and in the same order how each changes with a parameter.
 NUMBERS = (
@@ -28,7 +29,7 @@ def direction(given, more):
     gravity = given[GRAVITY]
     weighs = gravity > 0.0
     second = math.sqrt(length / (gravity if weighs else 1.0))
-    sine, cosine = math.sin(given[SLOPE]), math.cos(given[SLOPE])
+    sine, cosine = sine_and_cosine(given[SLOPE])
     by_length = more[RADIUS] / length
     by_time = 0.5 * by_length
     if weighs:

@@ -8,6 +8,8 @@ import numpy as np
 
 from hophoop.derivatives.layout import EPS, GT, VN, X
 from hophoop.derivatives.parameters import Floats
+from hophoop.numerics import elementwise
+from hophoop.numerics.sums import weighted_sum
 from hophoop.physics.body import Body
 
 COLUMNS = "x", "height", "theta", "omega", "slip", "vy"  # rows X to VN of what is carried
@@ -45,13 +47,13 @@ def energy_rates(field: str, body: Body, state: Floats, rates: Floats, changes: 
     else:
         value, *slopes = (_kinetic if field == "kinetic" else _potential)(body, *columns)
         by_state, by_parameters = (np.array(each) for each in slopes)
-    by_place = (by_state.T[..., None, :] @ rates[..., X : VN + 1, :])[..., 0, :]
-    return value, by_place + by_parameters.T @ changes[EPS : GT + 1]
+    by_place = weighted_sum(by_state[..., None], [rates[..., row, :] for row in range(X, VN + 1)])
+    return value, by_place + weighted_sum(by_parameters[..., None], changes[EPS : GT + 1])
 
 
 def _kinetic(body: Body, x: Any, y: Any, th: Any, om: Any, vt: Any, vn: Any) -> tuple[Any, list[Any], list[Any]]:
     """The energy, its slopes by x, y, θ, θ̇, v_t, v_n, and those by ε, κ, μs, μk, g_n, g_t."""
-    s, c = np.sin(th), np.cos(th)
+    s, c = elementwise.sine_and_cosine(th)
     arm = 1.0 + body.eps * c
     along = vt + om * arm
     up = vn - body.eps * om * s
@@ -65,8 +67,9 @@ def _kinetic(body: Body, x: Any, y: Any, th: Any, om: Any, vt: Any, vn: Any) -> 
 
 def _potential(body: Body, x: Any, y: Any, th: Any, om: Any, vt: Any, vn: Any) -> tuple[Any, list[Any], list[Any]]:
     """As `_kinetic`."""
-    s, c = np.sin(th), np.cos(th)
-    fallen = -2.0 * np.sin(0.5 * th) ** 2
+    s, c = elementwise.sine_and_cosine(th)
+    half = elementwise.sine(0.5 * th)
+    fallen = -2.0 * half * half
     drop = y + body.eps * fallen
     ahead = x + body.eps * s
     none = 0.0 * th

@@ -21,14 +21,14 @@ from hophoop.derivatives.layout import (
     T,
     X,
 )
+from hophoop.numerics.circular import cosine, sine_and_cosine
 from hophoop.physics.massless import strike
 
 
 @lean_jit
 def load_changes(begin, z, k):
     """Changes of the load: (its height at the begin, its rate of sinking, its speed along the plane)."""
-    s = math.sin(begin.th)
-    c = math.cos(begin.th)
+    s, c = sine_and_cosine(begin.th)
     dth = z[TH, k]
     fallen = s * dth
     sink = c * begin.om * dth + s * z[OM, k]
@@ -39,8 +39,7 @@ def load_changes(begin, z, k):
 @lean_jit
 def skim_rates(body, state):
     """(θ̈, v̇_t, v̇_n, 0) while the rim skims: the load falls freely, which gives θ̈ sin θ + θ̇² cos θ = g."""
-    s = math.sin(state.th)
-    c = math.cos(state.th)
+    s, c = sine_and_cosine(state.th)
     turning = (body.gn - c * state.om * state.om) / s
     return turning, state.om * state.om * s - turning * (1.0 + c), 0.0, 0.0
 
@@ -48,9 +47,8 @@ def skim_rates(body, state):
 @apart_jit
 def follow_skim(body, begin, end, tau, z):
     """Carry all directions over the time tau of skimming."""
-    s1 = math.sin(end.th)
-    c1 = math.cos(end.th)
-    c0 = math.cos(begin.th)
+    s1, c1 = sine_and_cosine(end.th)
+    c0 = cosine(begin.th)
     if tau <= 0.0:
         return
     for k in range(z.shape[1]):
@@ -66,8 +64,7 @@ def follow_skim(body, begin, end, tau, z):
 @apart_jit
 def follow_strike(body, begin, tau, changes, z, kept):
     """Carry all directions from the begin of the skimming to just after the load has struck, at the time tau."""
-    s = math.sin(begin.th)
-    c = math.cos(begin.th)
+    s, c = sine_and_cosine(begin.th)
     sink = s * begin.om + body.gn * tau
     speed = begin.vt + begin.om * (1.0 + c)
     after, _, _ = strike(body, speed, -sink)

@@ -7,7 +7,9 @@ import math
 from hophoop._jit import apart_jit, lean_jit
 from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, RESISTED, TH, VN, VT, T, X, Y
 from hophoop.derivatives.panels import follow_slip
-from hophoop.numerics.trigonometry import sine_cosine, turn_deficits
+from hophoop.numerics.circular import sine, sine_and_cosine
+from hophoop.numerics.hyperbolic import hyperbolic_cosine, hyperbolic_sine
+from hophoop.numerics.trigonometry import sine_cosine, turn_deficits, versine_of
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import (
     free_acceleration,
@@ -87,7 +89,7 @@ def follow_flight(body, opening, begin, end, tau, changes, z):
     om = begin.om
     phi = om * tau
     sine_part, cosine_part, versine = turn_deficits(phi)
-    sine = math.sin(phi)
+    turned = sine(phi)
     half = 0.5 * tau * tau
     for k in range(z.shape[1]):
         deps = changes[EPS, k]
@@ -100,7 +102,7 @@ def follow_flight(body, opening, begin, end, tau, changes, z):
         z[Y, k] += z[VN, k] * tau + dopening * half - deps * (c0 * cosine_part + s0 * sine_part)
         z[Y, k] -= body.eps * ((c0 * sine_part - s0 * cosine_part) * dth + (c0 * sine_part + s0 * versine) * tau * dom)
         z[VN, k] += dopening * tau - (deps * om + body.eps * dom) * (c0 * sine_part + s0 * versine)
-        z[VN, k] -= body.eps * om * ((c0 * versine - s0 * sine_part) * dth + (c0 * versine + s0 * sine) * tau * dom)
+        z[VN, k] -= body.eps * om * ((c0 * versine - s0 * sine_part) * dth + (c0 * versine + s0 * turned) * tau * dom)
         dth1 = dth + tau * dom
         # G moves on a parabola
         along = z[VT, k] + dom * (1.0 + body.eps * c0) + om * (deps * c0 - body.eps * s0 * dth)
@@ -147,18 +149,19 @@ def disturbed(stiffness, drive, angle, rate, tau):
     phase = pace * tau
     if phase < 1e-3:  # to rounding
         square = stiffness * tau * tau
-        cosine = 1.0 + 0.5 * square * (1.0 + square / 12.0)
-        sine = tau * (1.0 + square / 6.0 * (1.0 + square / 20.0))
+        even = 1.0 + 0.5 * square * (1.0 + square / 12.0)
+        odd = tau * (1.0 + square / 6.0 * (1.0 + square / 20.0))
         bent = 0.5 * tau * tau * (1.0 + square / 12.0)
     elif stiffness > 0.0:
-        cosine = math.cosh(phase)
-        sine = math.sinh(phase) / pace
-        bent = 2.0 * math.sinh(0.5 * phase) ** 2 / pull
+        even = hyperbolic_cosine(phase)
+        odd = hyperbolic_sine(phase) / pace
+        half = hyperbolic_sine(0.5 * phase)
+        bent = 2.0 * half * half / pull
     else:
-        cosine = math.cos(phase)
-        sine = math.sin(phase) / pace
-        bent = 2.0 * math.sin(0.5 * phase) ** 2 / pull
-    return angle * cosine + rate * sine + drive * bent, stiffness * angle * sine + rate * cosine + drive * sine
+        odd, even = sine_and_cosine(phase)
+        odd /= pace
+        bent = versine_of(phase) / pull
+    return angle * even + rate * odd + drive * bent, stiffness * angle * odd + rate * even + drive * odd
 
 
 @apart_jit

@@ -7,7 +7,9 @@ import math
 from hophoop._jit import apart_jit, jit
 from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.layout import MU_S
-from hophoop.numerics.collocation import NODES, ORDER
+from hophoop.numerics.circular import sine_and_cosine
+from hophoop.numerics.collocation import ORDER
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import COSINE, SINE, U, fill_inside
 from hophoop.physics.resistance import resistance_arm
@@ -81,8 +83,7 @@ def peak_on_panel(body, segments, index, low, high, scratch):
 @jit
 def need_at_rest(body, th):
     """(abs(F)/N, ρ) of a hoop that rests in contact."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     rho = resistance_arm(body, s, c, 0.0, 0)
     return need_of(body, s, c, 0.0, rho, 1.0)[0], rho
 
@@ -90,7 +91,8 @@ def need_at_rest(body, th):
 @jit
 def use_changes(body, th, om, rho, z, changes, larger, smaller):
     """Fill in how abs(F)/(μs N) changes in each direction at an angle of rolling, and to the other side."""
-    friction, normal, _, of_friction, of_normal = rolling_slopes(body, math.sin(th), math.cos(th), om, rho)
+    s, c = sine_and_cosine(th)
+    friction, normal, _, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)
     if om == 0.0 and abs(rho) < body.resist:  # held: F = −g_t and N = g_n
         of_friction = (0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0)
         of_normal = (0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)

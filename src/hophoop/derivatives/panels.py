@@ -32,16 +32,8 @@ from hophoop.derivatives.rows import (
     WEIGHED,
     integrate_row,
 )
-from hophoop.numerics.collocation import (
-    ANTIDERIVATIVE_T,
-    NODES,
-    ORDER,
-    WEIGHTS,
-    dot,
-    exponentials,
-    lagrange,
-    product,
-)
+from hophoop.numerics.collocation import ORDER, dot, exponentials, lagrange, product
+from hophoop.numerics.constants import ANTIDERIVATIVE_T, NODES, WEIGHTS
 from hophoop.numerics.trigonometry import rotated, sine_cosine
 from hophoop.panels.panel import (
     ARM,

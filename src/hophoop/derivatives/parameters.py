@@ -85,9 +85,8 @@ def _of_part(scenario: Scenario, path: str) -> Change:
     away = part.at / radius - centre
     dcentre = (dmass * away + part.mass * dat / radius) / mass
     # the parts' first moment about G is zero, so that a change of G adds nothing
-    dinertia_ratio = (
-        dinertia / radius**2 + dmass * away**2 + 2.0 * part.mass * away * dat / radius - dmass * hoop.inertia_ratio
-    ) / mass
+    dmoment = dinertia / (radius * radius) + dmass * (away * away) + 2.0 * part.mass * away * dat / radius
+    dinertia_ratio = (dmoment - dmass * hoop.inertia_ratio) / mass
     return Change(mass=dmass, eccentricity=math.copysign(1.0, centre) * dcentre, inertia_ratio=dinertia_ratio)
 
 
@@ -95,7 +94,7 @@ def _of_radius(scenario: Scenario) -> Change:
     hoop, start = scenario.hoop, scenario.start
     change = Change(radius=1.0)
     if start.speed is not None:
-        change.start["omega"] = -start.speed / hoop.radius**2
+        change.start["omega"] = -start.speed / (hoop.radius * hoop.radius)
     else:
         change.start["slip"] = -(start.omega or 0.0)
     if hoop.parts is not None:

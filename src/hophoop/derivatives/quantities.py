@@ -11,6 +11,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from hophoop.derivatives.carrying import FIELDS, Carried, Rated, unit_of
+from hophoop.numerics.elementwise import cosine, sine
 from hophoop.physics.body import EVENT_NAMES, Event, Mode
 from hophoop.results import Motion
 from hophoop.scenario import InputError
@@ -192,7 +193,7 @@ def _of_hop(motion: Motion, name: str, place: int, field: str) -> Callable[[Carr
             return carried.at_event(begin, "t" if field == "takeoff_time" else "angle")
         if field in ("landing_angle", "load_up"):
             angle = carried.at_event(end, "angle")
-            return angle if field == "landing_angle" else Rated(math.cos(angle.value), -math.sin(angle.value) * angle.rates)
+            return angle if field == "landing_angle" else Rated(cosine(angle.value), -sine(angle.value) * angle.rates)
         if field == "loss":
             return _impact_loss(carried, end) - _impact_loss(carried, begin)
         of = "x" if field == "distance" else "t"

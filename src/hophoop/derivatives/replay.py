@@ -44,6 +44,7 @@ from hophoop.derivatives.lifted import let_fall, stop_throw
 from hophoop.derivatives.massless import follow_strike, skim_rates
 from hophoop.derivatives.moving import accelerations, motion_against, resisted_motion, skims_plane
 from hophoop.derivatives.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
+from hophoop.numerics.circular import sine
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, LINEAR, SKIMMING
 from hophoop.physics.body import Event, Mode
@@ -255,7 +256,7 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
         elif passed:
             fail_all(z, reasons, ENDED)
     keep_before(z, kept)
-    if kind == SKIM_START and math.sin(before.th) == 0.0:
+    if kind == SKIM_START and sine(before.th) == 0.0:
         fail_all(z, reasons, MASSLESS)
     if kind == IMPACT:
         collide_changes(body, body.rest, row, before, changes, z, kept, reasons)

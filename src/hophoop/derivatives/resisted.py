@@ -19,7 +19,8 @@ from hophoop.derivatives.rows import (
     WEIGHED,
     integrate_row,
 )
-from hophoop.numerics.collocation import NODES, ORDER, dot
+from hophoop.numerics.collocation import ORDER, dot
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.trigonometry import rotated, sine_cosine
 from hophoop.panels.panel import (
     ARRIVE,

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.quantities import AT_TIMES
 from hophoop.derivatives.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
+from hophoop.numerics.sums import matrix_product, weighted_sum
 from hophoop.results import Motion
 from hophoop.scenario import InputError
 
@@ -109,8 +110,7 @@ class Uncertainty:
             If there is no such quantity.
         """
         slopes = self.sensitivity(of).derivatives
-        result: Floats = slopes @ self.parameter_covariance @ slopes.T
-        return result
+        return matrix_product(matrix_product(slopes, self.parameter_covariance), slopes.T)
 
     def deviation(self, of: str | Sequence[str]) -> Floats:
         """Standard deviations of some quantities.
@@ -177,11 +177,14 @@ class Uncertainty:
         times = np.atleast_1d(np.asarray(t, float))
         self.motion.at(times)  # refuses times outside
         rates = _rates_at(self.motion, self.wrt, times, side == "left")
-        found = {
-            name: np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", slopes, self.parameter_covariance, slopes), 0.0))
-            for name, slopes in rates.items()
-        }
+        found = {name: np.sqrt(np.maximum(self._variances(slopes), 0.0)) for name, slopes in rates.items()}
         return Deviations(t=times, **found)
+
+    def _variances(self, slopes: Floats) -> Floats:
+        """Return the variances of quantities with these derivatives, one row each."""
+        columns = matrix_product(slopes, self.parameter_covariance)
+        result: Floats = weighted_sum(columns.T, slopes.T)
+        return result
 
 
 def _rates_at(motion: Motion, paths: Sequence[str], times: Floats, left: bool) -> dict[str, Floats]:

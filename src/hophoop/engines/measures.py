@@ -11,7 +11,7 @@ from hophoop.engines.phases import FREE, SHORT, Phase, normal_force, phases, sli
 from hophoop.engines.scenarios import BenchScenario
 from hophoop.engines.task import SPACING, Floats, States, Task, task_of
 from hophoop.physics.body import Body
-from hophoop.physics.energy import kinetic_energy, potential_energy
+from hophoop.physics.energy import kinetic_energies, potential_energies
 
 BACK = 0.010  # s of contact before a take-off from which it is found
 BEFORE, AFTER = 0.005, 0.020  # s around a landing
@@ -84,8 +84,8 @@ def energy(task: Task, states: States) -> Floats:
     # lengths in radii, times in seconds
     body = Body(task.arm / size, kappa, task.mu, task.mu, -off / size, along / size, task.restitution, 0, False, task.slope)
     slip = slip_velocity(task, states) / size
-    kinetic = kinetic_energy(body, states.angle, states.omega, slip, states.vy / size)
-    result: Floats = kinetic + potential_energy(body, states.x / size, states.y / size, states.angle)
+    kinetic = kinetic_energies(body, states.angle, states.omega, slip, states.vy / size)
+    result: Floats = kinetic + potential_energies(body, states.x / size, states.y / size, states.angle)
     return task.mass * size**2 * result
 
 

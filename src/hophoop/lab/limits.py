@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from hophoop.numerics.elementwise import sine
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.scenario.scenario import time_unit
 from hophoop.vocabulary.sentences import LAB
@@ -158,7 +159,7 @@ def turns_of(scenario: Scenario, **values: Any) -> Any:
     duration, radius, gravity, slope, vx, vy, omega = (np.asarray(values.get(name, value)) for name, value in given.items())
     # twice what the start has and the fall of the load gives, and what the slope adds on the way
     start = np.abs(vx) + np.abs(vy) + radius * np.abs(omega) + 2.0 * np.sqrt(gravity * (radius + state.height))
-    speed = 2.0 * start + 0.5 * gravity * np.abs(np.sin(slope)) * duration
+    speed = 2.0 * start + 0.5 * gravity * np.abs(sine(slope)) * duration
     return speed * duration / (2.0 * math.pi * radius)
 
 

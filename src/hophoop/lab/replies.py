@@ -66,6 +66,7 @@ class Result(BaseModel):
     scenario: dict[str, Any] = Field(description="As it was asked for")
     status: Literal["completed", "at_rest", "jammed", "undetermined", "event_limit"]
     sequence: str = Field(description="One letter a phase: R roll, S spin, K skid, H flight, M skim")
+    fingerprint: str = Field(description="First 16 hexadecimal digits of the SHA-256 of the bits of all events")
     events: list[Event]
     final: Final
     energy: dict[str, float | None] = Field(description="Kinetic, potential and lost energies [J]")

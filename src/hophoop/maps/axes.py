@@ -5,11 +5,13 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping, Sequence
+from decimal import Context, Decimal, localcontext
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop.numerics.elementwise import exponential
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
 from hophoop.scenario.paths import contradiction
@@ -19,6 +21,9 @@ SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 MOST_VALUES = 100_000_000  # on one axis: they are in memory, whatever the map
 # Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
 SIDE = 256
+LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
+LOWEST_DECADE, HIGHEST_DECADE = -323, 308  # of doubles
+TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, HIGHEST_DECADE + 1)])
 
 
 class Axis(NamedTuple):
@@ -98,7 +103,16 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     for end in (first, last):
         if not end > 0.0:
             raise ValueError(f"end of a logarithmic axis = {end!r} must be greater than 0.")
-    values = np.geomspace(first, last, _count(count))
+    return geometric(first, last, _count(count))
+
+
+def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
+    """Return values of equal ratios, with powers of ten exact where they are among them."""
+    with localcontext(Context(prec=30)):
+        low, high = (float(Decimal(float(end)).log10()) for end in (first, last))
+    exponents = np.linspace(low, high, count)
+    decades = np.floor(exponents + 0.5)
+    values: NDArray[np.float64] = TENS[(decades - LOWEST_DECADE).astype(int)] * exponential((exponents - decades) * LN_10)
     values[0], values[-1] = first, last
     return values
 

@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from hophoop.maps.classes import Classifier, Floats, Window, make_window
+from hophoop.numerics.elementwise import arccosine, arctangent2, hypotenuse, sine_and_cosine
+from hophoop.numerics.sums import weighted_sum
 from hophoop.scenario import InputError, Scenario
 
 if TYPE_CHECKING:
@@ -135,11 +137,11 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
         place = one[:, None] + (other - one)[:, None] * part
         return place[0], place[1]
 
-    parts, codes = _divide(classify, along, 0.0, 1.0, int(code), math.hypot(*(other - one)))
+    parts, codes = _divide(classify, along, 0.0, 1.0, int(code), hypotenuse(*(other - one)))
     point = np.array(along(np.array([parts]))).reshape(2)
     way = other - one
     # to the right of the way along the border lies the first class
-    ahead = np.array([-way[1], way[0]]) / math.hypot(*way)
+    ahead = np.array([-way[1], way[0]]) / hypotenuse(*way)
     first, ends_first = _walk(classify, point, ahead, codes, step, most)
     if ends_first == "closed":
         second: list[Floats] = []
@@ -195,7 +197,7 @@ def _walk(
                 return points, "junction"
             continue
         way = (found - point) / radius
-        turned = math.acos(max(-1.0, min(1.0, float(way @ ahead))))
+        turned = arccosine(max(-1.0, min(1.0, float(weighted_sum(way, ahead)))))
         if turned > BEND and radius > 1e-4 * step and points:
             radius *= 0.5
             continue
@@ -207,7 +209,7 @@ def _walk(
             return [*points, settled], "edge"
         points.append(found)
         point, ahead = found, way
-        if len(points) > 3 and float(np.hypot(*(point - start))) < 0.6 * radius:
+        if len(points) > 3 and hypotenuse(*(point - start)) < 0.6 * radius:
             return [*points, start], "closed"
         if turned < 0.3 * BEND:
             radius = min(1.5 * radius, step)
@@ -216,14 +218,12 @@ def _walk(
 
 def _next(classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, int], radius: float) -> Floats | None:
     """The next point of the border, on a circle; None where it is not to be seen."""
-    middle = math.atan2(ahead[1], ahead[0])
+    middle = arctangent2(ahead[1], ahead[0])
 
     def circle(phi: Floats) -> tuple[Floats, Floats]:
         # outside of the window the classes go on as at its edge
-        return (
-            np.clip(point[0] + radius * np.cos(phi), 0.0, 1.0),
-            np.clip(point[1] + radius * np.sin(phi), 0.0, 1.0),
-        )
+        sines, cosines = sine_and_cosine(phi)
+        return np.clip(point[0] + radius * cosines, 0.0, 1.0), np.clip(point[1] + radius * sines, 0.0, 1.0)
 
     for count, reach in ((AHEAD, NARROW), (AROUND, WIDE)):
         # from the right, through ahead, to the left
@@ -235,7 +235,8 @@ def _next(classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, 
         k = int(changes[np.argmin(np.abs(angles[changes] - middle))])
         phi, pair = _divide(classify, circle, float(angles[k]), float(angles[k + 1]), codes[1], radius)
         if pair == (codes[1], codes[0]):
-            return np.array([point[0] + radius * math.cos(phi), point[1] + radius * math.sin(phi)])
+            sine, cosine = sine_and_cosine(phi)
+            return np.array([point[0] + radius * cosine, point[1] + radius * sine])
     return None
 
 

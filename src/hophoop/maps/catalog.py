@@ -30,6 +30,8 @@ class Entry(NamedTuple):
         window's sides [1].
     mu, speed : float
         Friction [1] and speed at the start [m/s] of an example, as far inside as was seen.
+    fingerprint : str
+        That of the example's motion (see `Trajectory.fingerprint`), over the 6 s of `scenario`.
     """
 
     sequence: str
@@ -39,6 +41,7 @@ class Entry(NamedTuple):
     width: float
     mu: float
     speed: float
+    fingerprint: str
 
     def scenario(self) -> Scenario:
         """The example.

@@ -13,6 +13,7 @@ from hophoop.maps.cells import make_cells
 from hophoop.maps.evaluate import Results, run_cells
 from hophoop.maps.kernel import BLOCK
 from hophoop.maps.quantities import Quantity, choose_quantities, distinct_rows, make_span, unpack
+from hophoop.numerics.elementwise import exponential, logarithm
 from hophoop.scenario import InputError, Scenario
 
 Floats = NDArray[np.float64]
@@ -41,7 +42,7 @@ class Window(NamedTuple):
         """Values of the parameters at places of the window."""
         ranges = (self.x_range, self.y_range)
         x, y = (
-            low * (high / low) ** place if by_ratio else low + (high - low) * place
+            low * exponential(place * logarithm(high / low)) if by_ratio else low + (high - low) * place
             for place, (low, high), by_ratio in zip((u, v), ranges, self.logarithmic, strict=True)
         )
         return x, y
@@ -50,7 +51,7 @@ class Window(NamedTuple):
         """Places of values in the window."""
         ranges = (self.x_range, self.y_range)
         u, v = (
-            np.log(value / low) / np.log(high / low) if by_ratio else (value - low) / (high - low)
+            logarithm(value / low) / logarithm(high / low) if by_ratio else (value - low) / (high - low)
             for value, (low, high), by_ratio in zip((x, y), ranges, self.logarithmic, strict=True)
         )
         return u, v

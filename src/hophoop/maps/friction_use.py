@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import lean_jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.contact import rolling_forces
 from hophoop.physics.friction import utilization
@@ -22,7 +23,8 @@ SLIP_START, TAKEOFF = int(Event.SLIP_START), int(Event.TAKEOFF)
 def friction_need(body, th0, u0, offset):
     """abs(F)/N at an angle that rolling reaches."""
     u = max(rolling_u(body, th0, u0, offset), 0.0)
-    friction, normal = rolling_forces(body, math.sin(th0 + offset), math.cos(th0 + offset), u)
+    s, c = sine_and_cosine(th0 + offset)
+    friction, normal = rolling_forces(body, s, c, u)
     if friction == 0.0:
         return 0.0
     return abs(friction) / normal if normal > 0.0 else math.inf
@@ -31,7 +33,8 @@ def friction_need(body, th0, u0, offset):
 @lean_jit
 def resisted_slope(body, th, u, rho):
     """dθ̇²/dθ of rolling with rolling resistance."""
-    return 2.0 * resisted_acceleration(body, math.sin(th), math.cos(th), u, rho)
+    s, c = sine_and_cosine(th)
+    return 2.0 * resisted_acceleration(body, s, c, u, rho)
 
 
 @lean_jit
@@ -48,7 +51,8 @@ def resisted_u(body, th, u, rho, step):
 def resisted_use(body, th, u, rho, step):
     """abs(F)/N a short way on from a state of rolling with rolling resistance."""
     u = max(resisted_u(body, th, u, rho, step), 0.0)
-    friction, normal = resisted_forces(body, math.sin(th + step), math.cos(th + step), u, rho)
+    s, c = sine_and_cosine(th + step)
+    friction, normal = resisted_forces(body, s, c, u, rho)
     return abs(friction) / normal if normal > 0.0 else math.inf
 
 

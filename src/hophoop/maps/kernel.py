@@ -9,6 +9,7 @@ import numpy as np
 
 from hophoop._jit import jit, lean_jit
 from hophoop.maps.friction_use import greatest_utilization
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -122,20 +123,22 @@ def scales_of(cells, k):
     """Units of a cell."""
     second = second_of(cells, k)
     length = cells[RADIUS, k]
-    return Scales(length, second, cells[MASS, k] * (length / second) ** 2)
+    speed = length / second
+    return Scales(length, second, cells[MASS, k] * (speed * speed))
 
 
 @lean_jit
 def body_of(cells, k):
     """Body of a cell, as `scenario.to_body` makes it."""
     weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
+    s, c = sine_and_cosine(cells[SLOPE, k])
     return Body(
         cells[ECCENTRICITY, k],
         cells[INERTIA_RATIO, k],
         cells[MU_STATIC, k],
         cells[MU_KINETIC, k],
-        weight * math.cos(cells[SLOPE, k]),
-        weight * math.sin(cells[SLOPE, k]),
+        weight * c,
+        weight * s,
         cells[RESTITUTION, k],
         int(cells[LAW, k]),
         cells[STRIKE, k] != 0.0,

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from hophoop._extras import need
 from hophoop.maps.quantities import QUANTITIES
 from hophoop.maps.sweeping import sweep
+from hophoop.numerics.elementwise import cosine
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory import jam_states, painleve_region
 
@@ -64,9 +65,9 @@ def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
     eps, kappa = hoop.eccentricity, hoop.inertia_ratio
     for state in jam_states(hoop, plane):
         if state.mode == "K" and painleve_region(state.angle + 1e-7, plane.mu_kinetic, hoop) == 1:
-            cosine = math.cos(state.angle)
-            need_of_it = (1.0 + kappa + eps**2 + 2.0 * eps * cosine) / (2.0 * eps * cosine) - eps * (1.0 - cosine)
-            return math.sqrt(2.0 * plane.gravity * hoop.radius * need_of_it / ((1.0 + eps) ** 2 + kappa))
+            up = cosine(state.angle)
+            need_of_it = (1.0 + kappa + eps * eps + 2.0 * eps * up) / (2.0 * eps * up) - eps * (1.0 - up)
+            return math.sqrt(2.0 * plane.gravity * hoop.radius * need_of_it / ((1.0 + eps) * (1.0 + eps) + kappa))
     return math.inf
 
 
@@ -130,7 +131,7 @@ def paradoxes(
         quantities=("status", "painleve"),
         span=span,
     )
-    weight = base.plane.gravity * math.cos(base.plane.slope) * base.hoop.radius
+    weight = base.plane.gravity * cosine(base.plane.slope) * base.hoop.radius
     rolls = fast[None, :] ** 2 * gammas[:, None] <= weight
     counted = np.broadcast_to((rolls | hops)[:, None, :], (gammas.size, mus.size, fast.size))
     met = counted & (cells["painleve"].values == QUANTITIES["painleve"].words.index("yes"))

@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.maps.coincidences import REVERSAL, REVOLUTIONS, Class
+from hophoop.numerics.elementwise import arcsine, arctangent, cosine, exponential, hypotenuse, logarithm, logarithm_1p, sine
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
@@ -63,11 +64,11 @@ def saddle_of_skid(eccentricity: float, inertia_ratio: float, mu: float) -> tupl
         If friction is so high that a skidding hoop is braked everywhere.
     """
     # ε (sinθ + μ cosθ) = −μ
-    size = mu / (eccentricity * math.hypot(1.0, mu))
+    size = mu / (eccentricity * hypotenuse(1.0, mu))
     if not size < 1.0:
         raise InputError(f"mu = {mu!r} must be below ε/√(1 − ε²): a skid has no saddle otherwise.")
-    angle = -math.asin(size) - math.atan(mu)
-    return angle, math.sqrt(eccentricity / inertia_ratio * (math.cos(angle) - mu * math.sin(angle)))
+    angle = -arcsine(size) - arctangent(mu)
+    return angle, math.sqrt(eccentricity / inertia_ratio * (cosine(angle) - mu * sine(angle)))
 
 
 class Strips(NamedTuple):
@@ -120,9 +121,9 @@ def strips_at(scenario: Scenario, path: str = "start.speed") -> Strips:
     # a hoop that moves on at λδ sticks before one that stands, by λδ (1 + ε) R/(μ g)
     sooner = rate**2 * (1.0 + hoop.eccentricity) / plane.mu_kinetic
     grown = 0.5 * (arrivals[0].growth + arrivals[1].growth)
-    reversal, both = (math.log(way / growing) + sooner * way - grown for way in ways)
-    revolutions = both + math.log1p(-math.exp(reversal - both))
-    return Strips(reversal / math.log(10.0), revolutions / math.log(10.0))
+    reversal, both = (logarithm(way / growing) + sooner * way - grown for way in ways)
+    revolutions = both + logarithm_1p(-exponential(reversal - both))
+    return Strips(reversal / logarithm(10.0), revolutions / logarithm(10.0))
 
 
 class _Arrival(NamedTuple):
@@ -148,7 +149,7 @@ def _arrivals(sides: list[Scenario]) -> list[_Arrival]:
             low, high = float(times[k - 1]), float(times[k])
         here = motion.at(high)
         # ẋ_G + μ ẏ_G loses μ g t and nothing else; without rotation it is v_t
-        lever = math.cos(here.angle) - plane.mu_kinetic * math.sin(here.angle)
+        lever = cosine(here.angle) - plane.mu_kinetic * sine(here.angle)
         slip = float(here.vx) + hoop.eccentricity * hoop.radius * float(here.omega) * lever
         rate *= math.sqrt(plane.gravity / hoop.radius)
         found.append(_Arrival(rate * slip / (plane.mu_kinetic * plane.gravity), float(here.omega) / rate))

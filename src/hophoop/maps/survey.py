@@ -8,12 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.maps.arrangement import Arrangement, Seen, arrange
+from hophoop.maps.axes import LN_10, geometric
 from hophoop.maps.classes import Classifier, make_window
 from hophoop.maps.coincidences import Class
 from hophoop.maps.evaluate import points
 from hophoop.maps.rules import Place, Rules, explain
 from hophoop.maps.slices import Floats, Ints
 from hophoop.maps.strips import strips_at
+from hophoop.numerics.elementwise import logarithm
 from hophoop.scenario import InputError, Scenario
 
 # Both parameters run from next to 0: on the edges themselves the hoop rests or nothing is friction. The immediate hop
@@ -163,13 +165,13 @@ def survey(
     frictions = np.unique(
         np.concatenate(
             [
-                np.geomspace(least_friction, MOST_FRICTION, lines),
+                geometric(least_friction, MOST_FRICTION, lines),
                 np.linspace(least_friction, 0.25 * MOST_FRICTION, lines),
                 np.linspace(least_friction, MOST_FRICTION, max(lines // 2, 2)),
             ]
         )
     )
-    speeds = np.unique(np.concatenate([np.geomspace(least_speed, fastest, lines), np.linspace(least_speed, fastest, lines)]))
+    speeds = np.unique(np.concatenate([geometric(least_speed, fastest, lines), np.linspace(least_speed, fastest, lines)]))
     arrangement = arrange(classify.at, frictions, speeds, part, THIN * fastest, rules.settled, BORDER_PART, rules.tidy)
     sides = MOST_FRICTION - least_friction, fastest - least_speed
     places = _widest(classify, arrangement.seen, ranges["plane.mu"], ranges["start.speed"])
@@ -270,6 +272,6 @@ def _by_theory(base: Scenario, strip: Class, places: list[Place], sides: Place) 
             logs = [getattr(strips_at(at, path), strip[1]) for path in ("plane.mu", "start.speed")]
         except InputError:  # beside the place where the skid begins or ends
             continue
-        width = min(log - math.log10(side) for log, side in zip(logs, sides, strict=True))
+        width = min(log - logarithm(side) / LN_10 for log, side in zip(logs, sides, strict=True))
         best = max(best, Narrow(*strip, mu, speed, width), key=lambda one: one.log10_width)
     return best

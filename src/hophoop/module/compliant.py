@@ -19,8 +19,6 @@ from hophoop.module.layout import CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS
 from hophoop.module.motions import (
     FIELDS,
     SAMPLE_WIDTH,
-    kinetic,
-    potential,
     seconds,
     write_energies,
     write_event,
@@ -28,6 +26,7 @@ from hophoop.module.motions import (
 )
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import sinking
+from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.records.layout import SEGMENT
 from hophoop.records.times import kernel_times
 
@@ -75,7 +74,7 @@ def compliance(given, contact, out):
     row[1] = comp.k_t
     row[2] = comp.v_s
     row[3] = sinking(comp.k, body.gn > 0.0, start[Y], speed)
-    row[4] = comp.k * cells[MASS, 0] / scales.time**2
+    row[4] = comp.k * cells[MASS, 0] / (scales.time * scales.time)
     row[5] = comp.v_s * scales.length / scales.time
 
 
@@ -143,5 +142,5 @@ def compliant_samples(given, contact, rows, count, times, n, left, out):
         write_state(body, scales, line, states[k])
         states[k, 13] = line[SPRING] * scales.energy
         states[k, 14] = line[DAMPER] * scales.energy
-        states[k, 15] = kinetic(body, line[THETA], line[6], line[7], line[5], 0.0) * scales.energy
-        states[k, 16] = potential(body, line[1], line[2], line[THETA]) * scales.energy
+        states[k, 15] = kinetic_energy(body, line[THETA], line[6], line[7], line[5], 0.0) * scales.energy
+        states[k, 16] = potential_energy(body, line[1], line[2], line[THETA]) * scales.energy

@@ -17,6 +17,7 @@ from hophoop.maps.kernel import CELL, DURATION, MASS, body_of, scales_of
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.motions import FIELDS
 from hophoop.numerics.collocation import ORDER
+from hophoop.numerics.powers import unit_size
 from hophoop.records.scratch import new_scratch
 from hophoop.records.times import kernel_times
 
@@ -53,7 +54,7 @@ def write_changes(row, scales, mass, units, sign, kept, out):
     for k in range(out.shape[1]):
         for i in range(CARRIED):
             powers = EXPONENTS[UNIT_OF_ROW[i]]
-            size = scales.length ** powers[0] * scales.time ** powers[1] * mass ** powers[2]
+            size = unit_size(scales.length, scales.time, mass, powers)
             by_units = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
             out[i, k] = size * (sign * kept[i, k] + values[i] * by_units)
         # ẋ = v_t + R θ̇

@@ -26,9 +26,6 @@ RAW_WIDTH, MARGIN_WIDTH = len(sampling.COLUMNS), len(MARGINS)
 RESISTED = sampling.COLUMNS.index("rolling_resistance")
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
-kinetic = jit(kinetic_energy)
-potential = jit(potential_energy)
-
 
 @jit
 def seconds(t, t_end, duration, second):
@@ -73,8 +70,8 @@ def write_event(row, scales, t, out):
 def energies_at(body, row):
     """(W_k, W_p) just after an event, in the kernel's units."""
     return (
-        kinetic(body, row["theta"], row["omega"], row["slip"], row["vy"], row["theta_low"]),
-        potential(body, row["x"], row["height"], row["theta"]),
+        kinetic_energy(body, row["theta"], row["omega"], row["slip"], row["vy"], row["theta_low"]),
+        potential_energy(body, row["x"], row["height"], row["theta"]),
     )
 
 
@@ -179,8 +176,8 @@ def samples(given, segments, count, times, n, left, out):
         write_state(body, scales, line, rows[k])
         rows[k, 13] = 0.0
         rows[k, 14] = 0.0
-        rows[k, 15] = kinetic(body, line[13], line[6], line[7], line[5], line[14]) * scales.energy
-        rows[k, 16] = potential(body, line[1], line[2], line[13]) * scales.energy
+        rows[k, 15] = kinetic_energy(body, line[13], line[6], line[7], line[5], line[14]) * scales.energy
+        rows[k, 16] = potential_energy(body, line[1], line[2], line[13]) * scales.energy
 
 
 @jit

@@ -10,30 +10,17 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.polynomial import chebyshev, legendre
 
 from hophoop._jit import apart_jit, inline_jit, interpreted_as, lean_jit
+from hophoop.numerics.constants import ANTIDERIVATIVE_T, NODES, SERIES, WEIGHTS
+from hophoop.numerics.exponentials import exponential
 
-ORDER = 16
-NODES, WEIGHTS = legendre.leggauss(ORDER)
+ORDER = len(NODES)
 PARTS = 0.5 * (1.0 + NODES)  # of the panel before a node
 
-
-def _antiderivative_matrix() -> np.ndarray:
-    values = legendre.legvander(NODES, ORDER)
-    integrals = np.empty((ORDER, ORDER))
-    integrals[:, 0] = NODES + 1.0
-    for k in range(1, ORDER):
-        integrals[:, k] = (values[:, k + 1] - values[:, k - 1]) / (2 * k + 1)
-    norms = (2 * np.arange(ORDER) + 1) / 2
-    return (integrals * norms) @ (values[:, :ORDER] * WEIGHTS[:, None]).T
-
-
-# Transposed and contiguous, so that products run as sums of columns, which vectorise without reassociation.
-ANTIDERIVATIVE_T = np.ascontiguousarray(_antiderivative_matrix().T)
+# ANTIDERIVATIVE_T is transposed, so that products run as sums of columns, which vectorise without reassociation.
 # The integral from every node to the end of the panel.
 REMAINDER_T = np.ascontiguousarray(ANTIDERIVATIVE_T[::-1, ::-1])
-SERIES = np.ascontiguousarray(np.linalg.inv(chebyshev.chebvander(NODES, ORDER - 1)))
 SERIES_T = np.ascontiguousarray(SERIES.T)
 TAIL = np.ascontiguousarray(SERIES[ORDER - 3 :])
 EXP_3, EXP_4, EXP_5, EXP_6, EXP_7, EXP_8, EXP_9, EXP_10 = (1.0 / math.factorial(k) for k in range(3, 11))
@@ -116,7 +103,7 @@ def smallest(values):
 def _exponentials_by_arrays(values, out):
     if not max(0.0, np.fmax.reduce(np.abs(values))) <= 1.0:
         for i in range(ORDER):
-            out[i] = math.exp(values[i])
+            out[i] = exponential(values[i])
         return
     square = values * values
     even = EXP_18 * square + EXP_16
@@ -172,7 +159,7 @@ def exponentials(values, out):
     """out = exp(values)."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
-            out[i] = math.exp(values[i])
+            out[i] = exponential(values[i])
         return
     for i in range(ORDER):
         out[i] = _small_exponential(values[i])
@@ -189,7 +176,7 @@ def divided_by_exponentials(values, out, row):
     """out = exp(values), and row divided by it: in one loop, so that the processor takes several nodes at a time here, too."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
-            out[i] = math.exp(values[i])
+            out[i] = exponential(values[i])
             row[i] /= out[i]
         return
     for i in range(ORDER):

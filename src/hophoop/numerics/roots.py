@@ -7,22 +7,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.polynomial import chebyshev
-
 from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import ORDER, end_values, product, value_slope_bend
+from hophoop.numerics.constants import LEFT_T, RIGHT_T
 
-
-def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
-    points = chebyshev.chebpts1(ORDER)
-    to_series = np.linalg.inv(chebyshev.chebvander(points, ORDER - 1))
-    left = to_series @ chebyshev.chebvander((points - 1) / 2, ORDER - 1)
-    right = to_series @ chebyshev.chebvander((points + 1) / 2, ORDER - 1)
-    return left, right
-
-
-LEFT_T, RIGHT_T = (np.ascontiguousarray(matrix.T) for matrix in _halving_matrices())
 MOST_INTERVALS = 4096  # looked at in one search; a polynomial that is more than noise needs some tens
 DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel

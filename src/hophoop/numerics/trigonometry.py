@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from hophoop._jit import inline_jit
+from hophoop.numerics.circular import sine, sine_and_cosine
 
 SMALL = 0.9  # rad: up to here nine terms of the series are exact to rounding
 _SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
@@ -16,7 +17,7 @@ _COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range
 @inline_jit
 def versine_of(angle):
     """1 − cos, with all its digits; a product, since a power is rounded otherwise where code is interpreted."""
-    half = math.sin(0.5 * angle)
+    half = sine(0.5 * angle)
     return 2.0 * half * half
 
 
@@ -24,13 +25,13 @@ def versine_of(angle):
 def small_turn_deficits(phi):
     """`turn_deficits` up to `SMALL`, by series, which the processor does for several angles at a time."""
     square = phi * phi
-    sine = 0.0
-    cosine = 0.0
+    odd = 0.0
+    even = 0.0
     for k in range(8, -1, -1):
-        sine = sine * square + _SINE_TERMS[k]
-        cosine = cosine * square + _COSINE_TERMS[k]
-    cosine *= square * square
-    return sine * square * phi, cosine, 0.5 * square - cosine
+        odd = odd * square + _SINE_TERMS[k]
+        even = even * square + _COSINE_TERMS[k]
+    even *= square * square
+    return odd * square * phi, even, 0.5 * square - even
 
 
 @inline_jit
@@ -38,24 +39,21 @@ def turn_deficits(phi):
     """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
     if abs(phi) > SMALL:
         versine = versine_of(phi)
-        return phi - math.sin(phi), 0.5 * phi * phi - versine, versine
+        return phi - sine(phi), 0.5 * phi * phi - versine, versine
     return small_turn_deficits(phi)
 
 
 @inline_jit
 def sine_cosine(th, low):
     """(sin, cos) of an angle of two doubles, with all digits of both also beside multiples of π/2."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     return s + low * c, c - low * s
 
 
 @inline_jit
 def turn(s, c, angle):
     """(sin, cos) of θ + angle minus those of θ, without cancellation."""
-    sine = math.sin(angle)
-    versine = versine_of(angle)
-    return c * sine - s * versine, -s * sine - c * versine
+    return rotated(s, c, sine(angle), versine_of(angle))
 
 
 @inline_jit

@@ -17,18 +17,19 @@ import math
 from typing import NamedTuple
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop.numerics.circular import sine, sine_and_cosine
+from hophoop.numerics.double_angles import arc_sine, sine_versine
 from hophoop.numerics.double_double import (
     PI,
     PI_LOW,
     add,
-    arc_sine,
     divide,
     negative,
-    sine_versine,
     square_root,
     two_product,
 )
-from hophoop.numerics.trigonometry import turn_deficits
+from hophoop.numerics.exponentials import power
+from hophoop.numerics.trigonometry import sine_cosine, turn_deficits
 from hophoop.physics.contact import inertia_at_height, load_height, slip_torque_arm
 from hophoop.physics.roll import rest_curvature
 
@@ -68,7 +69,7 @@ def offset_from(th, low, base, base_low):
 def fallen(body, bend, psi):
     """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
     if body.gt == 0.0:
-        half = math.sin(0.5 * psi)
+        half = sine(0.5 * psi)
         return 2.0 * bend * half * half
     bent, _, versine = turn_deficits(psi)
     return bend * versine + body.gt * bent
@@ -83,7 +84,8 @@ def rolling_anchor(body, th, low, s, c, u):
     base_low = 0.0
     if body.gt != 0.0:
         base, base_low = rolling_hilltop(body)
-    bend = -rest_curvature(body, math.sin(base), math.cos(base))
+    top, side = sine_and_cosine(base)
+    bend = -rest_curvature(body, top, side)
     psi = offset_from(th, low, base, base_low)
     energy = inertia_at_height(body, load_height(s, c)) * u
     excess = energy - 2.0 * fallen(body, bend, psi)
@@ -108,8 +110,8 @@ def rolling_begin(body, anchor, th, low, s, c, u):
     psi = 0.0
     if body.gt != 0.0:
         psi = offset_from(th, low, anchor.base, anchor.base_low)
-        half = math.sin(0.5 * psi)
-        torque = anchor.bend * math.sin(psi) + 2.0 * body.gt * half * half
+        half = sine(0.5 * psi)
+        torque = anchor.bend * sine(psi) + 2.0 * body.gt * half * half
     if body.gt == 0.0:  # ψ is θ or θ ± π: 1 − cos ψ without another sine
         height = c if anchor.bend > 0.0 else -c
         versine = s * s / (1.0 + height) if height > 0.0 else 1.0 - height
@@ -138,8 +140,7 @@ def separatrix(body, sigma, base, out):
     """Series in ψ of θ̇² of the slip that comes to rest at its hilltop; returns up to which ψ it is good to rounding."""
     eps = body.eps
     signed_mu = sigma * body.mu_k
-    s = math.sin(base)
-    c = math.cos(base)
+    s, c = sine_and_cosine(base)
     s2 = 2.0 * s * c
     c2 = (c - s) * (c + s)
     out[0] = 0.0
@@ -162,7 +163,7 @@ def separatrix(body, sigma, base, out):
     reach = LARGEST_PSI
     for k in range(TERMS - 3, TERMS):
         if out[k] != 0.0:
-            reach = min(reach, math.pow(1e-17 * abs(out[2] / out[k]), 1.0 / (k - 2)))
+            reach = min(reach, power(1e-17 * abs(out[2] / out[k]), 1.0 / (k - 2)))
     return reach
 
 
@@ -178,8 +179,8 @@ def separatrix_value(series, psi):
 @lean_jit
 def frictionless_value(body, th, low):
     """θ̇² of the slip without friction that comes to rest on the hilltop: its energy is conserved."""
-    s = math.sin(th) + low * math.cos(th)
-    half = math.sin(0.5 * (th + low))
+    s = sine_cosine(th, low)[0]
+    half = sine(0.5 * (th + low))
     return 4.0 * body.eps * body.gn * half * half / (body.kap + body.eps * s * body.eps * s)
 
 
@@ -212,11 +213,10 @@ def slip_begin(body, anchor, sigma, th, low, arm, u, series):
     psi = offset_from(th, low, anchor.base, anchor.base_low)
     if not abs(psi) < LARGEST_PSI:
         return arm, u
-    top = math.sin(anchor.base)
-    side = math.cos(anchor.base)
+    top, side = sine_and_cosine(anchor.base)
     signed_mu = sigma * body.mu_k
-    half = math.sin(0.5 * psi)
-    arm = body.eps * ((side - signed_mu * top) * math.sin(psi) - 2.0 * (top + signed_mu * side) * half * half)
+    half = sine(0.5 * psi)
+    arm = body.eps * ((side - signed_mu * top) * sine(psi) - 2.0 * (top + signed_mu * side) * half * half)
     if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
         high = separatrix_value(series, psi)
         found = anchor.excess + high

@@ -11,6 +11,8 @@ import math
 from typing import NamedTuple
 
 from hophoop._jit import apart_jit, inline_jit
+from hophoop.numerics.arcs import arccosine
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.flight import MANY_TURNS, flight_rates
 
 MOST_BENDS = 20_000  # looked at in one flight: some 10,000 turns close to the plane
@@ -212,14 +214,15 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
     seen : float
         Time up to which the flight was looked at: `limit`, or less where that would take more than `MOST_BENDS`.
     """
-    flight = Flight(math.sin(th), math.cos(th), om, y, vn, fn)
+    s, c = sine_and_cosine(th)
+    flight = Flight(s, c, om, y, vn, fn)
     rise = vn - body.eps * flight.s * om
     # Stretches depend on this and not on the limit of time, so that a motion has the same bits however long it is followed.
     never = latest(body, flight, rise)
     turned = abs(om)
     high = body.eps * om * om
     # within this angle of the top the gap bends up
-    half = math.acos(body.gn / high) if high > body.gn else 0.0
+    half = arccosine(body.gn / high) if high > body.gn else 0.0
     angle = from_top(th if om > 0.0 else -th)
     if order >= 2:
         # the rim leaves the plane because the gap begins to bend up, of which rounding may leave nothing

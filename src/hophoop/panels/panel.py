@@ -12,20 +12,18 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.collocation import NODES, ORDER, antiderivative
+from hophoop.numerics.circular import sine
+from hophoop.numerics.collocation import ORDER, antiderivative
+from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
+from hophoop.numerics.constants import SINES as FORWARD_SINES
 from hophoop.numerics.double_double import plus
+from hophoop.numerics.exponentials import power
 from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
 from hophoop.physics.roll import rest_curvature
 
-WIDEST = 0.9  # rad
-LEVELS = 96  # widths WIDEST · 2^(−k/2)
-WIDTHS = WIDEST * 0.5 ** (np.arange(LEVELS) / 2)
-_offsets = WIDTHS[:, None] * (1.0 + NODES[None, :]) / 2
-SINES = np.sin(_offsets)[None] * np.array([-1.0, 1.0])[:, None, None]  # backwards and forwards
+LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
+SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backwards and forwards
 HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
-VERSINES = 2.0 * np.sin(_offsets / 2) ** 2
-FAR_SINES = np.sin(WIDTHS)
-FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
 
 
 @inline_jit
@@ -33,7 +31,7 @@ def width_of(level):
     """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
     if level < LEVELS:
         return WIDTHS[level]
-    return WIDTHS[LEVELS - 1] * math.pow(0.5, 0.5 * (level - (LEVELS - 1)))
+    return WIDTHS[LEVELS - 1] * power(0.5, 0.5 * (level - (LEVELS - 1)))
 
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
@@ -122,7 +120,7 @@ def fill_geometry(panel, work):
     if panel.extent > SMALL:
         for i in range(ORDER):
             offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
-            sines[i] = way * math.sin(offset)
+            sines[i] = way * sine(offset)
             versines[i] = versine_of(offset)
         return
     for i in range(ORDER):
@@ -216,7 +214,7 @@ def chord(panel, xi):
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
     angle = angle_at(panel, xi)
-    return math.sin(angle), versine_of(angle)
+    return sine(angle), versine_of(angle)
 
 
 @inline_jit

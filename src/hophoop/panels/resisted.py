@@ -6,6 +6,7 @@ import math
 
 from hophoop._jit import apart_jit
 from hophoop.numerics.collocation import ORDER, exponentials, tail, total
+from hophoop.numerics.exponentials import exponential
 from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
     ARRIVE,
@@ -65,7 +66,7 @@ def solve_resisted(body, panel, work):
     size = tail(factor, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
-    grown = math.exp(from_reference(panel, factor, integral))
+    grown = exponential(from_reference(panel, factor, integral))
     exponentials(integral, growth)
     for i in range(ORDER):
         drive[i] /= growth[i]

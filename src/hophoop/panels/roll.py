@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import inline_jit
-from hophoop.numerics.collocation import NODES, ORDER, tail, total
+from hophoop.numerics.collocation import ORDER, tail, total
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.trigonometry import rotated, turn_deficits
 from hophoop.panels.panel import (
     ARRIVE,

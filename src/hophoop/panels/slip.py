@@ -15,6 +15,7 @@ from hophoop.numerics.collocation import (
     tail,
     total,
 )
+from hophoop.numerics.exponentials import exponential
 from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
     ARM,
@@ -131,7 +132,7 @@ def solve_slip(body, panel, work):
     us = work[U]
     for i in range(ORDER):
         us[i] = growth[i] * (panel.u + integral[i])
-    growth_far = math.exp(exponent)
+    growth_far = exponential(exponent)
     u_far = growth_far * (panel.u + driven)
     if not (smallest(us) > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
         return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)

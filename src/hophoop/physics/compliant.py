@@ -21,6 +21,9 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from hophoop._jit import jit
+from hophoop.numerics.arcs import arccosine
+from hophoop.numerics.exponentials import exponential, logarithm_1p
+from hophoop.numerics.hyperbolic import hyperbolic_tangent, inverse_hyperbolic_cosine
 
 
 class NormalLaw(IntEnum):
@@ -87,15 +90,16 @@ def traction(comp, regime, vt):
     """(φ, dφ/dv_t) of the tanh and linear laws; `regime` is 0 below the creep speed, else sign(v_t)."""
     if comp.friction == TANH:
         xi = vt / comp.v_s
-        hyper = math.tanh(xi)
-        decay = comp.excess * math.exp(-((xi / STRIBECK) ** 2))
+        hyper = hyperbolic_tangent(xi)
+        part = xi / STRIBECK
+        decay = comp.excess * exponential(-(part * part))
         level = comp.mu_k + decay
-        slope = level * (1.0 - hyper * hyper) - hyper * decay * 2.0 * xi / STRIBECK**2
+        slope = level * (1.0 - hyper * hyper) - hyper * decay * 2.0 * part / STRIBECK
         return hyper * level, slope / comp.v_s
     if regime == 0:
         return comp.mu_s * vt / comp.v_s, comp.mu_s / comp.v_s
     beyond = regime * vt / comp.v_s - 1.0
-    decay = (comp.mu_s - comp.mu_k) * math.exp(-beyond * beyond)
+    decay = (comp.mu_s - comp.mu_k) * exponential(-beyond * beyond)
     return regime * (comp.mu_k + decay), -2.0 * beyond * decay / comp.v_s
 
 
@@ -121,7 +125,7 @@ def friction_force(comp, regime, normal, z, vt):
 @jit
 def resisting_couple(comp, resist, normal, om):
     """(C, ∂C/∂N, ∂C/∂θ̇) of the couple of rolling resistance."""
-    hyper = math.tanh(om / comp.om_s)
+    hyper = hyperbolic_tangent(om / comp.om_s)
     return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.om_s
 
 
@@ -170,9 +174,9 @@ def ratio_restitution(ratio):
     """
     if ratio < 1.0:
         root = math.sqrt((1.0 - ratio) * (1.0 + ratio))
-        return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(-2.0)
+        return exponential(-2.0 * ratio * arccosine(ratio) / root) if root > 0.0 else exponential(-2.0)
     root = math.sqrt((ratio - 1.0) * (ratio + 1.0))
-    return math.exp(-2.0 * ratio * math.acosh(ratio) / root) if root > 0.0 else math.exp(-2.0)
+    return exponential(-2.0 * ratio * inverse_hyperbolic_cosine(ratio) / root) if root > 0.0 else exponential(-2.0)
 
 
 @jit
@@ -208,7 +212,7 @@ def damping_ratio(restitution):
 @jit
 def hunt_crossley_excess(restitution, u):
     """ln(1 + u) − ln(1 − e u) − (1 + e) u."""
-    return math.log1p(u) - math.log1p(-restitution * u) - (1.0 + restitution) * u
+    return logarithm_1p(u) - logarithm_1p(-restitution * u) - (1.0 + restitution) * u
 
 
 @jit
@@ -249,7 +253,8 @@ def hunt_crossley_number(restitution):
 @jit
 def static_height(mu_kinetic, excess, xi):
     """tanh ξ (μk + A exp(−ξ²/9))."""
-    return math.tanh(xi) * (mu_kinetic + excess * math.exp(-((xi / STRIBECK) ** 2)))
+    part = xi / STRIBECK
+    return hyperbolic_tangent(xi) * (mu_kinetic + excess * exponential(-(part * part)))
 
 
 @jit

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import lean_jit
-from hophoop.numerics.trigonometry import turn, turn_deficits, versine_of
+from hophoop.numerics.trigonometry import turn, turn_deficits
 
 # rad: over more the parabola of G and the turning are added up as they are. Their sum from the start, which keeps the digits
 # of a short flight, would lose φ² of them.
@@ -44,10 +42,7 @@ def flight_gap(body, s, c, om, y, vn, fn, tau):
 def flight_displacement(body, vt, om, s, c, tau):
     """(change of x, v_t) after the time tau."""
     phi = om * tau
-    sine = math.sin(phi)
-    versine = versine_of(phi)
-    ds = c * sine - s * versine
-    dc = -s * sine - c * versine
+    ds, dc = turn(s, c, phi)
     # G moves on a parabola: ẋ_G = v_t + θ̇ (1 + ε cos θ)
     along = (vt + om * (1.0 + body.eps * c)) * tau + 0.5 * body.gt * tau * tau - body.eps * ds
     return along, vt + body.gt * tau - body.eps * om * dc

@@ -6,9 +6,8 @@ not zero decides. A series is a tuple of its first five coefficients: kernels fo
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import apart_jit, lean_jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.contact import cone_weights
 from hophoop.physics.resistance import resistance_arm
 
@@ -62,8 +61,7 @@ def _shifted(value, x, a):
 def _sine_cosine(th, rate):
     # s' = c th' and c' = −s th', coefficient by coefficient
     r0, r1, r2, r3, _ = rate
-    s0 = math.sin(th)
-    c0 = math.cos(th)
+    s0, c0 = sine_and_cosine(th)
     s1 = r0 * c0
     c1 = -(r0 * s0)
     s2 = r0 * c1 / 2 + r1 * c0 / 2
@@ -80,7 +78,8 @@ def candidate_series(body, th, om, sigma):
     """Taylor coefficients of (N, cone margin at F > 0, at F < 0, v̇_t) in rolling (sigma = 0) or slip."""
     eps = body.eps
     drag = sigma * body.mu_k
-    rho = resistance_arm(body, math.sin(th), math.cos(th), om, sigma)
+    sine, cosine = sine_and_cosine(th)
+    rho = resistance_arm(body, sine, cosine, om, sigma)
     a, b = cone_weights(body.mu_s)
     normal = (0.0, 0.0, 0.0, 0.0, 0.0)
     friction = normal

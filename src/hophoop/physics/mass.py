@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import jit
+from hophoop.numerics.arcs import hypotenuse
 from hophoop.numerics.double_double import plus
 
 RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
@@ -23,12 +22,12 @@ def ideal_inertia(load_fraction):
 def part_inertia(shape, mass, first, second):
     """Moment of inertia about the part's own centre."""
     if shape == RING:
-        return 0.5 * mass * (first**2 + second**2)
+        return 0.5 * mass * (first * first + second * second)
     if shape == DISK:
-        return 0.5 * mass * first**2
+        return 0.5 * mass * (first * first)
     if shape == POINT_MASS:
         return 0.0
-    return mass * first**2 / 12.0
+    return mass * (first * first) / 12.0
 
 
 @jit
@@ -42,7 +41,7 @@ def part_reach(shape, first, second, at):
         return abs(at)
     if shape == RADIAL_ROD:
         return abs(at) + 0.5 * first
-    return math.hypot(at, 0.5 * first)
+    return hypotenuse(at, 0.5 * first)
 
 
 @jit
@@ -66,5 +65,5 @@ def combined(radius, parts):
     for k in range(parts.shape[0]):
         own = part_inertia(parts[k, SHAPE], parts[k, MASS], parts[k, FIRST], parts[k, SECOND])
         arm = parts[k, AT] / radius - centre
-        inertia, low = plus(inertia, low, own / radius**2 + parts[k, MASS] * arm**2)
+        inertia, low = plus(inertia, low, own / (radius * radius) + parts[k, MASS] * (arm * arm))
     return mass, min(abs(centre), 1.0), inertia / mass

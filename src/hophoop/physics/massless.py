@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import lean_jit
+from hophoop.numerics.arcs import arcsine
+from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.numerics.trigonometry import versine_of
 
 
@@ -26,18 +28,17 @@ def skim_duration(body, c, sink):
 @lean_jit
 def skim_state(body, x, th, vt, om, way, tau):
     """(x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite where the load strikes the plane."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     sink = s * om
     speed = vt + om * (1.0 + c)  # of the load, along the plane
     fallen = sink * tau + 0.5 * body.gn * tau * tau
     versine = versine_of(th) + fallen  # 1 − cos θ
-    half = math.asin(math.sqrt(min(max(0.5 * versine, 0.0), 1.0)))
+    half = arcsine(math.sqrt(min(max(0.5 * versine, 0.0), 1.0)))
     turns = 2.0 * math.pi * math.floor(0.5 * th / math.pi)
     th_end = turns + 2.0 * half if way > 0 else turns + 2.0 * math.pi - 2.0 * half
     if way < 0 and s == 0.0 and c > 0.0:
         th_end -= 2.0 * math.pi
-    s_end = math.sin(2.0 * half)
+    s_end = sine(2.0 * half)
     rate = sink + body.gn * tau
     if s_end > 0.0:
         om_end = way * rate / s_end
@@ -46,7 +47,7 @@ def skim_state(body, x, th, vt, om, way, tau):
     if versine >= 2.0:
         om_end = way * math.inf
     along = speed + body.gt * tau
-    x_end = x + s + speed * tau + 0.5 * body.gt * tau * tau - math.sin(th_end)
+    x_end = x + s + speed * tau + 0.5 * body.gt * tau * tau - sine(th_end)
     return x_end, th_end, along - om_end * (2.0 - versine), om_end
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import cone_weights, free_acceleration
@@ -39,8 +40,7 @@ def slip_direction(mode):
 @apart_jit
 def opening_sign(body, th, om):
     """Sign of f_n, or of its first derivative in free motion that is not zero."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     u = om * om
     scale = body.gn + body.eps * u
     f_n = free_acceleration(body, s, c, u)[1]
@@ -58,8 +58,7 @@ def opening_sign(body, th, om):
 @apart_jit
 def can_roll(body, th, om):
     """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     u = om * om
     friction, normal = forces_rolling(body, s, c, om)
     a, b = cone_weights(body.mu_s)
@@ -79,8 +78,7 @@ def can_roll(body, th, om):
 @apart_jit
 def can_start_slip(body, th, om, sigma):
     """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     u = om * om
     scale = body.gn + abs(body.gt) + u
     tie = TIE * scale
@@ -136,14 +134,14 @@ def next_mode(body, th, th_low, om, vt):
         if math.isinf(body.mu_k):
             return UNDECIDED  # rolling would need to pull and free motion would enter the plane
         # for f_n < 0 just one of roll and slip exists: rounding hides which
-        friction, normal = forces_rolling(body, math.sin(th), math.cos(th), om)
+        s, c = sine_and_cosine(th)
+        friction, normal = forces_rolling(body, s, c, om)
         a, b = cone_weights(body.mu_s)
         if a * normal >= b * abs(friction):
             return ROLL
         return slip_mode(-1 if friction > 0.0 else 1)
     sigma = 1 if vt > 0.0 else -1
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     opening = opening_sign(body, th, om)
     if math.isinf(body.mu_k):  # infinite friction stops any slip at once
         return FLIGHT if opening >= 0 else INCONSISTENT

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.numerics.double_double import add, multiply, negative, sine_versine, two_product
+from hophoop.numerics.double_angles import sine_versine
+from hophoop.numerics.double_double import add, multiply, negative, two_product
 from hophoop.physics.contact import slip_torque_arm
 
 NEARLY = 1e-8  # nearer to zero than this κ p_σ and q have lost half their digits

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import inline_jit, lean_jit
+from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.numerics.trigonometry import rotated, turn_deficits, versine_of
 from hophoop.physics.contact import inertia_at_height, load_height
 
@@ -39,6 +38,5 @@ def _u_after(body, s0, c0, u0, sine, versine, angle):
 @lean_jit
 def rolling_u(body, th0, u0, offset):
     """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
-    sine = math.sin(offset)
-    versine = versine_of(offset)
-    return _u_after(body, math.sin(th0), math.cos(th0), u0, sine, versine, offset)
+    s0, c0 = sine_and_cosine(th0)
+    return _u_after(body, s0, c0, u0, sine(offset), versine_of(offset), offset)

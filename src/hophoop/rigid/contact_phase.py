@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, aside_jit, inline_jit, lean_jit, outer_jit
-from hophoop.numerics.collocation import NODES, ORDER, antiderivative, dot, lagrange
+from hophoop.numerics.circular import cosine, sine_and_cosine
+from hophoop.numerics.collocation import ORDER, antiderivative, dot, lagrange
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
 from hophoop.numerics.trigonometry import rotated, sine_cosine, turn
 from hophoop.panels.anchor import (
@@ -96,8 +98,7 @@ def is_still(body, sigma, state):
         # beside the top of the level by less than 1e-280 rad it takes 600 √(R/g) to be seen
         return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
     th = state.th
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
     rounding = STILL_ACCELERATION * (1.0 + abs(th))
     if firm > 0.0:
@@ -108,7 +109,7 @@ def is_still(body, sigma, state):
 @inline_jit
 def stays(body, sigma, state):
     """Whether a hoop that does not turn goes on so."""
-    if body.kap == 0.0 and (sigma != 0 or math.cos(state.th) <= -1.0):
+    if body.kap == 0.0 and (sigma != 0 or cosine(state.th) <= -1.0):
         return True  # the massless hoop with its load on the plane
     return is_still(body, sigma, state)
 
@@ -279,8 +280,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
 @lean_jit
 def equilibrium_is_stable(body, th):
     """Whether rest at the angle th is a minimum of the potential energy, or held by less than all the rolling resistance."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     if body.resist > 0.0 and abs(torque_at_rest(body, s, c)) < body.resist * body.gn:
         return True
     return rest_curvature(body, s, c) > 0.0

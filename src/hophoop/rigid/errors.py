@@ -84,11 +84,12 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
     count = len(events)
     squares = np.zeros((count, len(FIELDS)))
     table = np.abs(_numbers(events))
-    squares += (ROUNDING * (1.0 + table)) ** 2
+    own = ROUNDING * (1.0 + table)
+    squares += own * own
     for i in range(count - 1):
         row = events[i]
         if reached is not None:
-            reached[0] = 1.0 - (1.0 - i / count) ** 2  # each event asks for all that follow
+            reached[0] = 1.0 - (1.0 - i / count) * (1.0 - i / count)  # each event asks for all that follow
         sizes = _natural_sizes(row)
         plain = _again(body, row, t_end, 2 * count + 8)
         if plain is None:
@@ -109,7 +110,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
                     break
             if other is not None and alike > 1:
                 rate = (_numbers(other[1:alike]) - _numbers(plain[1:alike])) / change
-                squares[i + 1 : i + alike] += (rate * ROUNDING) ** 2
+                squares[i + 1 : i + alike] += (rate * ROUNDING) * (rate * ROUNDING)
             if alike < reach:
                 squares[i + max(alike, 1) :] = math.inf
     result: np.ndarray = np.sqrt(squares)

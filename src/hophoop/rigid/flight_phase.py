@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, outer_jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.landing import first_landing
@@ -100,7 +101,8 @@ def fly(body, state, opening, zeros, limits, log):
 @apart_jit
 def is_last_bounce(body, state, after, last):
     """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
-    fall = -free_acceleration(body, math.sin(state.th), math.cos(state.th), after.om * after.om)[1]
+    s, c = sine_and_cosine(state.th)
+    fall = -free_acceleration(body, s, c, after.om * after.om)[1]
     if not (after.vn > 0.0 and fall > 0.0):
         return False
     if after.vn < SLOWEST_BOUNCE:

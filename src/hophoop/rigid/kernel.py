@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import aside_jit, outer_jit, unit_jit
+from hophoop.numerics.circular import cosine
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import can_roll, slip_mode
 from hophoop.records.state import moved, with_velocities
@@ -36,7 +37,7 @@ def begin_massless(body, state, log, scratch):
         return ended(entered(body, mode, state, 0.0, ON, scratch), mode, state, ON, UNDETERMINED)
     mode = ROLL
     note(log, START, -1, ROLL, state)
-    down = math.cos(state.th) <= -1.0
+    down = cosine(state.th) <= -1.0
     if down and state.om != 0.0:  # the load on the plane: no energy in the rotation, which nothing determines
         return ended(entered(body, mode, state, 0.0, ON, scratch), mode, state, ON, UNDETERMINED)
     if not down and not can_roll(body, state.th, state.om):

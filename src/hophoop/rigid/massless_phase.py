@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import aside_jit, lean_jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.panels.panel import FLY, SKIMMING, no_panel
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.massless import skim_duration, skim_state, strike
@@ -25,8 +26,8 @@ def let_go(body, state, log):
 
     Returns (mode, state); the mode is UNDECIDED where the load rises, which leaves the rim's rotation open.
     """
-    s = math.sin(state.th)
-    if not (s * state.om > 0.0 or (state.om == 0.0 and s != 0.0) or math.cos(state.th) == 1.0):
+    s, c = sine_and_cosine(state.th)
+    if not (s * state.om > 0.0 or (state.om == 0.0 and s != 0.0) or c == 1.0):
         return UNDECIDED, state
     if s == 0.0:
         jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
@@ -41,11 +42,11 @@ def skim(body, state, t_end, log):
 
     Where it strikes, v_t of the state is the speed of the load along the plane.
     """
-    way = 1.0 if state.om > 0.0 or (state.om == 0.0 and math.sin(state.th) > 0.0) else -1.0
-    c = math.cos(state.th)
+    s, c = sine_and_cosine(state.th)
+    way = 1.0 if state.om > 0.0 or (state.om == 0.0 and s > 0.0) else -1.0
     along = state.vt + state.om * (1.0 + c)
     # within rounding of the top the load may still rise
-    duration = skim_duration(body, c, max(math.sin(state.th) * state.om, 0.0))
+    duration = skim_duration(body, c, max(s * state.om, 0.0))
     left = time_left(state, t_end)
     strikes = duration <= left
     tau = duration if strikes else left
@@ -55,11 +56,11 @@ def skim(body, state, t_end, log):
     if not strikes:
         t, t_low = t_end, 0.0
     if strikes:
-        x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau * tau
+        x = state.x + s + along * tau + 0.5 * body.gt * tau * tau
         th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)
         vt = along + body.gt * tau
     after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.turns, th, 0.0), vt, 0.0, om)
-    return strikes, after, -(math.sin(state.th) * state.om + body.gn * tau)
+    return strikes, after, -(s * state.om + body.gn * tau)
 
 
 @aside_jit

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit
+from hophoop.numerics.circular import sine
 from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.exponentials import binary_logarithm, logarithm, power
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.anchor import (
@@ -108,7 +110,7 @@ def narrower(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
         return level + 3
-    more = int(math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL))
+    more = int(math.ceil(binary_logarithm(size / RESOLVED) / GAIN_OF_A_LEVEL))
     return level + max(1, min(4, more))
 
 
@@ -118,19 +120,19 @@ def levels_away(body, sigma, way, begin):
     slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
     if slope * way <= 0.0 or begin.stiffness <= 0.0:
         return 0
-    return int(math.ceil(2.0 * math.log2(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
+    return int(math.ceil(2.0 * binary_logarithm(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
 
 
 @apart_jit
 def turns_within(body, panel, reach):
     """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
-    sine = math.sin(reach)
+    end = sine(reach)
     while reach >= 0.5 * panel.extent:
-        half = math.sin(0.5 * reach)  # gives 1 − cos as in `versine_of`, and is the sine of the next angle
-        if u_on_panel(body, panel, panel.way * sine, 2.0 * half * half, panel.way * reach) < 0.0:
+        half = sine(0.5 * reach)  # gives 1 − cos as in `versine_of`, and is the sine of the next angle
+        if u_on_panel(body, panel, panel.way * end, 2.0 * half * half, panel.way * reach) < 0.0:
             return True
         reach *= 0.5
-        sine = half
+        end = half
     return False
 
 
@@ -165,18 +167,18 @@ def solve_arrival(body, before, ahead, work):
     `ahead` is as good as a panel that is not resolved. The turning point is moved to where this one, which goes back
     from there, finds θ̇² at the start as it is.
     """
-    power = 1.0  # of `ahead` in θ̇² at the start
+    exponent = 1.0  # of `ahead` in θ̇² at the start
     panel = arriving_panel(body, before, ahead)
     totals = solve_aside(body, panel, work)
     for _ in range(MOST_MOVES):
         if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
             break
-        moved = ahead * math.pow(before.u / totals.u, 1.0 / power)
+        moved = ahead * power(before.u / totals.u, 1.0 / exponent)
         panel = arriving_panel(body, before, moved)
         u = totals.u
         totals = solve_aside(body, panel, work)
         if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
-            power = min(max(math.log(totals.u / u) / math.log(moved / ahead), 0.25), 4.0)
+            exponent = min(max(logarithm(totals.u / u) / logarithm(moved / ahead), 0.25), 4.0)
         ahead = moved
     return panel, totals
 
@@ -217,7 +219,7 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
     way = 1.0 if state.om > 0.0 else -1.0
     finest = LEVELS
     if u < SLOW * SLOW:
-        finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
+        finest += int(math.ceil(2.0 * binary_logarithm(SLOW * SLOW / u)))
     if sigma != 0 and begin.stiffness * min(u, 1.0) < BESIDE_SINGULAR:
         finest += levels_away(body, sigma, way, begin)
     while True:  # at most `finest` times: each time a finer level
@@ -231,7 +233,7 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
             ahead = turning_point_ahead(body, panel, totals, scratch)
             if ahead > 0.0 and ahead < panel.extent / 16.0 and level < finest:
                 # a place known to the rounding of a panel this wide is not known well enough
-                level = min(level + int(math.floor(2.0 * math.log2(panel.extent / ahead))) - 3, finest)
+                level = min(level + int(math.floor(2.0 * binary_logarithm(panel.extent / ahead))) - 3, finest)
                 continue
             if ahead > 0.0:
                 arrival, totals = solve_arrival(body, panel, ahead, work)
@@ -259,6 +261,6 @@ def shortened(body, panel, totals, state, left, scratch):
         short = leaving_panel(panel.sigma, panel.way, extent, begin)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
-        level = min(max(int(math.floor(2.0 * math.log2(wide))), 0), NARROWEST)
+        level = min(max(int(math.floor(2.0 * binary_logarithm(wide))), 0), NARROWEST)
         short = linear_panel(panel.sigma, level, panel.way, begin)
     return short, solve_aside(body, short, scratch.work)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import NODES, ORDER, PARTS, antiderivative, coefficients, extremes, left_value
+from hophoop.numerics.collocation import ORDER, PARTS, antiderivative, coefficients, extremes, left_value
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.panel import (
     ARRIVE,

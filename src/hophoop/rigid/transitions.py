@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.anchor import NONE
 from hophoop.physics.body import Event, Mode
@@ -157,7 +158,8 @@ def leave_cone(body, state, ahead, log, scratch):
     Slip goes against the friction that was at its limit, unless the rim is free to leave the plane.
     """
     u = state.om * state.om
-    opens = free_acceleration(body, math.sin(state.th), math.cos(state.th), u)[1]
+    s, c = sine_and_cosine(state.th)
+    opens = free_acceleration(body, s, c, u)[1]
     if abs(opens) <= CLOSE * (body.gn + u) and not math.isinf(body.mu_s):
         note_doubt(scratch, state.t, state.t)
     if opens >= 0.0:

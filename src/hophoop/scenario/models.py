@@ -183,7 +183,7 @@ class Hoop(Frozen):
     @property
     def inertia(self) -> float:
         """Moment of inertia about G, κ m R² [kg m²]."""
-        return self.inertia_ratio * self.mass * self.radius**2
+        return self.inertia_ratio * self.mass * (self.radius * self.radius)
 
 
 def _check_derived(hoop: Hoop) -> None:

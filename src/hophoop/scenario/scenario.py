@@ -12,6 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
 from hophoop._jit import interpreted
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.physics.compliant import STIFFNESS, sinking
 from hophoop.physics.resistance import most_resistance
@@ -305,15 +306,15 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     second = time_unit(hoop, plane)
     stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED
     for name, unit, allowed, what in (
-        ("stiffness", hoop.mass / second**2, stiffness, "m g/R"),
-        ("tangential_stiffness", hoop.mass / second**2, stiffness, "m g/R"),
+        ("stiffness", hoop.mass / (second * second), stiffness, "m g/R"),
+        ("tangential_stiffness", hoop.mass / (second * second), stiffness, "m g/R"),
         ("slip_speed", hoop.radius / second, slip, "√(g R)"),
     ):
         value = getattr(contact, name)
         if value is not None and not allowed.holds(value / unit):
             ratio = value / unit
             raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
-    k = STIFFNESS if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
+    k = STIFFNESS if contact.stiffness is None else contact.stiffness * (second * second) / hoop.mass
     given = start.state(hoop)
     speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius
     depth = interpreted(sinking)(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
@@ -335,13 +336,14 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         In units of R, m and √(R/g); see `time_unit` for g = 0.
     """
     weight = 1.0 if plane.gravity > 0.0 else 0.0
+    s, c = interpreted(sine_and_cosine)(plane.slope)
     return Body(
         eps=hoop.eccentricity,
         kap=hoop.inertia_ratio,
         mu_s=plane.mu_static,
         mu_k=plane.mu_kinetic,
-        gn=weight * math.cos(plane.slope),
-        gt=weight * math.sin(plane.slope),
+        gn=weight * c,
+        gt=weight * s,
         rest=plane.restitution,
         law=int(ImpactLaw[plane.impact_law.upper()]),
         strike=plane.painleve == "impact",

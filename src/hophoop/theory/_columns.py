@@ -66,7 +66,7 @@ class Columns:
     @property
     def force(self) -> Floats:
         """Unit of force [N]."""
-        result: Floats = self.mass * self.length / self.time**2
+        result: Floats = self.mass * self.length / (self.time * self.time)
         return result
 
     def of_speed(self, name: str) -> Floats:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from hophoop.numerics.elementwise import arcsine, cosine, sine, tangent
 from hophoop.physics.contact import rolling_inertia
 from hophoop.rigid.contact_phase import equilibrium_is_stable
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
@@ -78,9 +79,9 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
         stable = bool(equilibrium_is_stable(body, angle))
         period = math.nan
         if stable:
-            stiffness = body.eps * (body.gt * math.sin(angle) - body.gn * math.cos(angle))
-            period = TURN * math.sqrt(rolling_inertia(body, math.cos(angle)) / stiffness) * second
-        holds = abs(math.tan(plane.slope)) <= plane.mu_static
+            stiffness = body.eps * (body.gt * sine(angle) - body.gn * cosine(angle))
+            period = TURN * math.sqrt(rolling_inertia(body, cosine(angle)) / stiffness) * second
+        holds = abs(tangent(plane.slope)) <= plane.mu_static
         found.append(Equilibrium(angle % TURN, stable, holds, period))
     return tuple(found)
 
@@ -136,8 +137,8 @@ def rest_ranges(hoop: Hoop, plane: Plane) -> tuple[RestRange, ...]:
     """
     if plane.gravity == 0.0:
         raise InputError("plane.gravity = 0 must be above 0: nothing presses the hoop on the plane.")
-    reach, push = plane.rolling_resistance * math.cos(plane.slope), math.sin(plane.slope)
-    holds = abs(math.tan(plane.slope)) <= plane.mu_static
+    reach, push = plane.rolling_resistance * cosine(plane.slope), sine(plane.slope)
+    holds = abs(tangent(plane.slope)) <= plane.mu_static
     eps = hoop.eccentricity
     least, most = -push - reach, reach - push  # of ε sin(θ + β)
     if least > eps or most < -eps:
@@ -145,7 +146,7 @@ def rest_ranges(hoop: Hoop, plane: Plane) -> tuple[RestRange, ...]:
     low, high = max(least, -eps), min(most, eps)
     if low <= -eps and high >= eps:
         return (RestRange(0.0, TURN, holds),)
-    first, last = math.asin(low / eps), math.asin(high / eps)
+    first, last = arcsine(low / eps), arcsine(high / eps)
     if high >= eps:  # the range goes on through the side of the load
         pairs = [(first, math.pi - first)]
     elif low <= -eps:

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 59c86f40b1562ec42e5c454291ad3c75 */
-var l={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 5632d25e47a625fd2c529b77cdfa8108 */
+var c={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -22,66 +22,97 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
 "jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
-compliant_segment_bytes:536};var v=o=>Object.fromEntries(o.map((e,t)=>[e,t])),ae=v(l.cell),y=v(l.heads),d=v(l.events),O=v(l.samples),le=v(l.changes),M=v(l.numbers),S=v(l.words),U={newton:0,
-poisson:1,stronge:2};function k(o){let e=new Float64Array(l.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:U[o.
-impact_law],strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return l.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function A(o){let e=t=>t??Number.NaN;
-return Float64Array.of(l.laws.indexOf(o.law),l.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),
-e(o.rtol))}var x=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
-rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
-n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,C=6e3,[he,R,F]=[0,1,2],D={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
-force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function N(o,e,t){let{rows:s,count:n,duration:r}=e,[i,a]=(t??[0,r]).map(p=>Math.
-min(Math.max(p,0),r)),c=Math.min(Math.max(Math.ceil((a-i)*W),B),C),m=l.events.length,f=new Set;for(let p=0;p<=c&&r>0;p++)f.add(p===c?a:i+p*((a-i)/c));let h=new Set;
-for(let p=0;p<n;p++){let _=Math.min(s[p*m+d.t],r);_>=i&&_<=a&&h.add(_)}for(let p of h)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(h).filter(p=>p>
-0).sort(),w=o.states(e,g,!1),u=o.states(e,b,!0);return P(g,w,b,u)}function P(o,e,t,s){let n=o.length+t.length,r=l.samples.length,i=new Float64Array(n),a=new Float64Array(
-n*r),c=0,m=0;for(let h=0;h<o.length;h++)m<t.length&&t[m]<=o[h]&&(i[c]=t[m],a.set(s.subarray(m*r,(m+1)*r),c*r),c++,m++),i[c]=o[h],a.set(e.subarray(h*r,(h+1)*r),c*
-r),c++;let f={t:i};for(let[h,g]of Object.entries(D)){let b=new Float64Array(n);for(let w of g)for(let u=0;u<n;u++)b[u]+=a[u*r+O[w]];f[h]=b}return f.mode=V(a,n,f.
-omega),f}function V(o,e,t){let s=l.samples.length,n=new Float64Array(e),r=0;for(let i=e-1;i>=0&&!r;i--)r=Math.sign(t[i])||0;for(let i=e-1;i>=0;i--){r=Math.sign(
-t[i])||r;let a=o[i*s+O.mode],c=a===R?-1:a===F?1:0;n[i]=c===0?a:c*r<0?R:F}return n}function T(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let r=G(o.subarray(n*l.keys,(n+1)*l.keys));if(r===""){s[n]=Number.NaN;continue}let i=t.
-get(r);i===void 0&&(i=t.size,t.set(r,i)),s[n]=i}return{values:s,sequences:[...t.keys()]}}function G(o){let e="";for(let t of o){let s=t;for(let n=0;n<l.letters_a_key&&
-s;n++){let r=Number(s&7n);s>>=3n,r&&(e+=r===l.more?"+":l.letters[r-1])}}return e}var H=256,$=2048,K=4096,J=2e5,Q=l.statuses.indexOf("buffer"),X=new Set(["turn","apex","kane_gain","rest"]),j=o=>Number.isFinite(o)?o:null,E=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new x(this.exports),this.mostEvents=H,this.mostSegments=$,this.mostRows=
-K}call(e,...t){let s=this.exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=l.events.length;for(;;){let n=t.
-room("table",8*s*this.mostEvents),r=t.room("heads",8*l.heads.length);e.contact?this.computeCompliant(e,e.contact,n,r):this.computeRigid(e,n,r);let i=t.floats(r,
-l.heads.length).slice(),a=i[y.events];if(i[y.status]===Q)this.makeRoom(e,i[y.segments]);else if(a===this.mostEvents&&a<e.max_events)this.mostEvents*=4;else{let c=t.
-floats(n,a*s).slice();return{given:e,head:i,rows:c,count:a,duration:i[y.duration],segments:i[y.segments]}}}}computeRigid(e,t,s){let{memory:n}=this,r=n.put("cell",
-k(e)),i=n.room("events",l.event_bytes*this.mostEvents),a=n.room("segments",l.segment_bytes*this.mostSegments);this.call("motion",r,i,this.mostEvents,a,this.mostSegments,
-t,s)}computeCompliant(e,t,s,n){let{memory:r}=this,i=r.put("cell",k(e)),a=r.put("contact",A(t)),c=r.room("events",l.event_bytes*this.mostEvents),m=r.room("rows",
-l.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",i,a,c,this.mostEvents,J,m,this.mostRows,s,n)}makeRoom(e,t){e.contact?this.mostRows=t:this.
-mostSegments*=4}motion(e){return z(this.compute(e))}film(e){let t=this.compute(e);return{motion:z(t),columns:N(this,t)}}columns(e,t){return N(this,this.compute(
-e),t)}samples(e,t){let s=this.states(this.compute(e),t,!1),n=l.samples.length;return Object.fromEntries(l.samples.map((r,i)=>[r,Float64Array.from(t,(a,c)=>s[c*n+
-i])]))}states(e,t,s){return this.rows("samples",l.samples.length,e,t,s)}margins(e,t,s=!1){if(e.contact)throw new TypeError("A compliant contact has no such rule\
-s.");let n=l.margins.length,r=this.rows("margins",n,this.compute(e),t,s);return Object.fromEntries(l.margins.map((i,a)=>[i,Float64Array.from(t,(c,m)=>r[m*n+a])]))}rows(e,t,s,n,r){
-let{memory:i}=this,a=n.length*t,c=i.put("times",n),m=i.room("states",8*Math.max(a,1)),f=i.room("cell",8),h=[s.segments,c,n.length,Number(r),m];return s.given.contact?
-this.call("compliant_samples",f,i.room("contact",8),i.room("rows",8),...h):this.call(e,f,i.room("segments",8),...h),i.floats(m,a).slice()}changes(e,t){let{memory:s}=this,
-n=this.compute(e),r=s.put("rates",t),i=this.side(n,r,1),{reason:a,sided:c}=i,m=c||a==="border"||a==="contact"?this.side(n,r,-1):i;return{count:n.count,larger:i,
-smaller:m}}side({count:e,segments:t,head:s},n,r){let{memory:i}=this,a=e*l.changes.length,c=i.room("changes",8*a),m=i.room("why",16),[f,h,g]=["cell","events","se\
-gments"].map(p=>i.room(p,8)),b=s[y.doubt_from];this.call("changes",f,n,1,r,h,e,g,t,b,c,m);let[w,u]=i.floats(m,2);return{rates:i.floats(c,a).slice(),reason:l.reasons[Math.
-max(w,0)],sided:w<0,failed:u}}thresholds(e){let{memory:t}=this,s=t.put("cell",k(e)),n=t.room("answers",8*l.thresholds.length),r=e.rolling&&e.angle===0;this.call(
-"thresholds",s,r?e.vx:Number.NaN,n);let i=t.floats(n,l.thresholds.length),a=m=>{let f=i[l.thresholds.indexOf(m)];return Number.isNaN(f)?null:f},c=["jam_angle","\
+compliant_segment_bytes:536};var A=s=>Object.fromEntries(s.map((t,e)=>[t,e])),Rt=A(c.cell),w=A(c.heads),m=A(c.events),O=A(c.samples),Ct=A(c.changes),G=A(c.numbers),T=A(c.words),it={newton:0,
+poisson:1,stronge:2};function k(s){let t=new Float64Array(c.cell.length),e={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="number")),law:it[s.
+impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return c.cell.forEach((n,o)=>{t[o]=e[n]??0}),t}function B(s){let t=e=>e??Number.NaN;
+return Float64Array.of(c.laws.indexOf(s.law),c.friction_laws.indexOf(s.friction),t(s.stiffness),t(s.damping),t(s.restitution),t(s.slip_speed),t(s.tangential_stiffness),
+t(s.rtol))}var S=class{constructor(t){this.exports=t,this.rooms=new Map}room(t,e){let n=this.rooms.get(t);if(n&&n.bytes>=e)return n.place;n&&this.exports.free(n.place),this.
+rooms.delete(t);let o=this.exports.malloc(e);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(t,{place:o,bytes:e}),
+o}floats(t,e){return new Float64Array(this.exports.memory.buffer,t,e)}put(t,e){let n=this.room(t,8*Math.max(e.length,1));return this.floats(n,e.length).set(e),n}};var at=150,ct=240,lt=6e3,[$t,I,$]=[0,1,2],ft={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["frict\
+ion_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal",
+"damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function j(s,t,e){let{rows:n,count:o,duration:i}=t,[r,a]=(e??[0,i]).map(u=>Math.
+min(Math.max(u,0),i)),l=Math.min(Math.max(Math.ceil((a-r)*at),ct),lt),h=c.events.length,d=new Set;for(let u=0;u<=l&&i>0;u++)d.add(u===l?a:r+u*((a-r)/l));let f=new Set;
+for(let u=0;u<o;u++){let g=Math.min(n[u*h+m.t],i);g>=r&&g<=a&&f.add(g)}for(let u of f)d.add(u);let p=Float64Array.from(d).sort(),x=Float64Array.from(f).filter(u=>u>
+0).sort(),_=s.states(t,p,!1),b=s.states(t,x,!0);return ht(p,_,x,b)}function ht(s,t,e,n){let o=s.length+e.length,i=c.samples.length,r=new Float64Array(o),a=new Float64Array(
+o*i),l=0,h=0;for(let f=0;f<s.length;f++)h<e.length&&e[h]<=s[f]&&(r[l]=e[h],a.set(n.subarray(h*i,(h+1)*i),l*i),l++,h++),r[l]=s[f],a.set(t.subarray(f*i,(f+1)*i),l*
+i),l++;let d={t:r};for(let[f,p]of Object.entries(ft)){let x=new Float64Array(o);for(let _ of p)for(let b=0;b<o;b++)x[b]+=a[b*i+O[_]];d[f]=x}return d.mode=dt(a,o,
+d.omega),d}function dt(s,t,e){let n=c.samples.length,o=new Float64Array(t),i=0;for(let r=t-1;r>=0&&!i;r--)i=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){i=Math.sign(
+e[r])||i;let a=s[r*n+O.mode],l=a===I?-1:a===$?1:0;o[r]=l===0?a:l*i<0?I:$}return o}var ut=s=>s/2**32|0,mt=s=>s>>>0;function W(s,t,e,n){let o=ut(e),i=mt(e);s.setUint32(t,n?i:o,n),s.setUint32(t+4,n?o:i,n)}function z(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var N=s=>s?
+`"${s}" `:"";function pt(s,t=""){if(typeof s!="number")throw new TypeError(N(t)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
+N(t)+"expected integer >= 0, got "+s);return s}function U(s,t,e=""){if(z(s)&&(t===void 0||s.length===t))return s;t!==void 0&&pt(t,"length");let n=z(s),o=t!==void 0?` of length ${t}`:"",i=n?`length=${s.length}`:
+`type=${typeof s}`,r=N(e)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(r):new TypeError(r)}var xt=(s,t)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((t==="object"?"":`"${t}" `)+"expected object, got type="+typeof s)},P=(s,t)=>{
+xt(s,t);let e=Object.getPrototypeOf(s);if(e!==Object.prototype&&e!==null)throw new TypeError(`"${t}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
+`"${t}.__proto__" is not allowed`)};function F(s,t=!0){if(s.destroyed)throw new Error("hash was destroyed");if(t&&s.finished)throw new Error("digest() was alrea\
+dy called")}function q(s,t){U(s,void 0,"output");let e=t.outputLen;if(!(s.length>=e))throw new RangeError('"output" expected length >= '+e)}function M(...s){for(let t=0;t<s.length;t++)s[t].fill(0)}function v(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function y(s,t){return s<<32-t|s>>>
+t}function bt(s,t,e="opts"){return P(s,"defaults"),t!==void 0&&P(t,e),Object.assign(Object.create(null),s,t)}function K(s,t={}){if(typeof s!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof s);t=bt({},t,"info");let e=(o,i)=>s(i).update(o).digest(),n=s(void 0);return e.outputLen=n.outputLen,e.blockLen=
+n.blockLen,e.canXOF=n.canXOF,e.create=o=>s(o),Object.assign(e,t),Object.freeze(e)}var V=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function X(s,t,e){return s&t^~s&e}function J(s,t,e){return s&t^s&e^t&e}var H=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(t,e,n,o){
+this.blockLen=t,this.outputLen=e,this.padOffset=n,this.isLE=o,this.buffer=new Uint8Array(t),this.view=v(this.buffer)}update(t){F(this),U(t);let{view:e,buffer:n,
+blockLen:o}=this,i=t.length,r=!1;for(let a=0;a<i;){let l=Math.min(o-this.pos,i-a);if(l===o){let h=v(t);for(;o<=i-a;a+=o)this.process(h,a);r=!0;continue}n.set(a===
+0&&l===i?t:t.subarray(a,a+l),this.pos),this.pos+=l,a+=l,this.pos===o&&(this.process(e,0),this.pos=0,r=!0)}return this.length+=t.length,r&&this.roundClean(),this}digestInto(t){
+F(this),q(t,this),this.finished=!0;let{buffer:e,view:n,blockLen:o,isLE:i}=this,{pos:r}=this;e[r++]=128,e.fill(0,r),this.padOffset>o-r&&(this.process(n,0),e.fill(
+0)),W(n,o-8,this.length*8,i),this.process(n,0),this.roundClean();let a=t===e?n:v(t),l=this.outputLen,h=l/4,d=this.get();if(l%4||h>d.length)throw new Error("inva\
+lid outputLen");for(let f=0;f<h;f++)a.setUint32(4*f,d[f],i)}digest(){let{buffer:t,outputLen:e}=this;this.digestInto(t);let n=t.slice(0,e);return this.destroy(),
+n}_cloneIntoMeta(t){let{buffer:e,length:n,finished:o,destroyed:i,pos:r}=this;return t.destroyed=i,t.finished=o,t.length=n,t.pos=r,r&&t.buffer.set(e),t}clone(){return this.
+_cloneInto()}},Y=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var gt=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
+3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
+3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
+2361852424,2428436474,2756734187,3204031479,3329325298]),E=new Uint32Array(64),R=class extends H{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(t,e){super(64,t,8,!1),
+this.A=e[0]|0,this.B=e[1]|0,this.C=e[2]|0,this.D=e[3]|0,this.E=e[4]|0,this.F=e[5]|0,this.G=e[6]|0,this.H=e[7]|0}get(){let{A:t,B:e,C:n,D:o,E:i,F:r,G:a,H:l}=this;
+return[t,e,n,o,i,r,a,l]}set(t,e,n,o,i,r,a,l){this.A=t|0,this.B=e|0,this.C=n|0,this.D=o|0,this.E=i|0,this.F=r|0,this.G=a|0,this.H=l|0}_cloneInto(t){return(t||=new this.
+constructor).set(...this.get()),this._cloneIntoMeta(t)}process(t,e){for(let f=0;f<16;f++,e+=4)E[f]=t.getUint32(e,!1);for(let f=16;f<64;f++){let p=E[f-15],x=E[f-
+2],_=y(p,7)^y(p,18)^p>>>3,b=y(x,17)^y(x,19)^x>>>10;E[f]=b+E[f-7]+_+E[f-16]|0}let{A:n,B:o,C:i,D:r,E:a,F:l,G:h,H:d}=this;for(let f=0;f<64;f++){let p=y(a,6)^y(a,11)^
+y(a,25),x=d+p+X(a,l,h)+gt[f]+E[f]|0,b=(y(n,2)^y(n,13)^y(n,22))+J(n,o,i)|0;d=h,h=l,l=a,a=r+x|0,r=i,i=o,o=n,n=x+b|0}n=n+this.A|0,o=o+this.B|0,i=i+this.C|0,r=r+this.
+D|0,a=a+this.E|0,l=l+this.F|0,h=h+this.G|0,d=d+this.H|0,this.set(n,o,i,r,a,l,h,d)}roundClean(){M(E)}destroy(){this.destroyed=!0,this.set(0,0,0,0,0,0,0,0),M(this.
+buffer)}},C=class extends R{constructor(){super(32,Y)}};var Q=K(()=>new C,V(1));var Z=["t","x","height","angle","vx","vy","omega","slip"],_t=16,yt=0x7ff8000000000000n;function tt(s,t){let e=new TextEncoder,n=Q.create(),o=new DataView(new ArrayBuffer(
+8*Z.length)),i=new Uint8Array(o.buffer);for(let a=0;a<t;a++){let l=a*c.events.length;n.update(e.encode(c.kinds[s[l+m.kind]])),Z.forEach((h,d)=>{let f=s[l+m[h]];
+Number.isNaN(f)?o.setBigUint64(8*d,yt,!0):o.setFloat64(8*d,f+0,!0)}),n.update(i)}return Array.from(n.digest(),a=>a.toString(16).padStart(2,"0")).join("").slice(
+0,_t)}function et(s,t){let e=new Map,n=new Float64Array(t);for(let o=0;o<t;o++){let i=wt(s.subarray(o*c.keys,(o+1)*c.keys));if(i===""){n[o]=Number.NaN;continue}let r=e.
+get(i);r===void 0&&(r=e.size,e.set(i,r)),n[o]=r}return{values:n,sequences:[...e.keys()]}}function wt(s){let t="";for(let e of s){let n=e;for(let o=0;o<c.letters_a_key&&
+n;o++){let i=Number(n&7n);n>>=3n,i&&(t+=i===c.more?"+":c.letters[i-1])}}return t}var Et=256,At=2048,kt=4096,St=2e5,vt=c.statuses.indexOf("buffer"),Ht=new Set(["turn","apex","kane_gain","rest"]),D=s=>Number.isFinite(s)?s:null,L=class{constructor(t){
+this.exports=new WebAssembly.Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new S(this.exports),this.mostEvents=Et,this.mostSegments=At,this.mostRows=
+kt}call(t,...e){let n=this.exports[t](...e);if(n)throw new Error(`The kernel ended ${t} with ${n}.`)}compute(t){let{memory:e}=this,n=c.events.length;for(;;){let o=e.
+room("table",8*n*this.mostEvents),i=e.room("heads",8*c.heads.length);t.contact?this.computeCompliant(t,t.contact,o,i):this.computeRigid(t,o,i);let r=e.floats(i,
+c.heads.length).slice(),a=r[w.events];if(r[w.status]===vt)this.makeRoom(t,r[w.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=4;else{let l=e.
+floats(o,a*n).slice();return{given:t,head:r,rows:l,count:a,duration:r[w.duration],segments:r[w.segments]}}}}computeRigid(t,e,n){let{memory:o}=this,i=o.put("cell",
+k(t)),r=o.room("events",c.event_bytes*this.mostEvents),a=o.room("segments",c.segment_bytes*this.mostSegments);this.call("motion",i,r,this.mostEvents,a,this.mostSegments,
+e,n)}computeCompliant(t,e,n,o){let{memory:i}=this,r=i.put("cell",k(t)),a=i.put("contact",B(e)),l=i.room("events",c.event_bytes*this.mostEvents),h=i.room("rows",
+c.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,St,h,this.mostRows,n,o)}makeRoom(t,e){t.contact?this.mostRows=e:this.
+mostSegments*=4}motion(t){return st(this.compute(t))}film(t){let e=this.compute(t);return{motion:st(e),columns:j(this,e)}}columns(t,e){return j(this,this.compute(
+t),e)}samples(t,e){let n=this.states(this.compute(t),e,!1),o=c.samples.length;return Object.fromEntries(c.samples.map((i,r)=>[i,Float64Array.from(e,(a,l)=>n[l*o+
+r])]))}states(t,e,n){return this.rows("samples",c.samples.length,t,e,n)}margins(t,e,n=!1){if(t.contact)throw new TypeError("A compliant contact has no such rule\
+s.");let o=c.margins.length,i=this.rows("margins",o,this.compute(t),e,n);return Object.fromEntries(c.margins.map((r,a)=>[r,Float64Array.from(e,(l,h)=>i[h*o+a])]))}rows(t,e,n,o,i){
+let{memory:r}=this,a=o.length*e,l=r.put("times",o),h=r.room("states",8*Math.max(a,1)),d=r.room("cell",8),f=[n.segments,l,o.length,Number(i),h];return n.given.contact?
+this.call("compliant_samples",d,r.room("contact",8),r.room("rows",8),...f):this.call(t,d,r.room("segments",8),...f),r.floats(h,a).slice()}changes(t,e){let{memory:n}=this,
+o=this.compute(t),i=n.put("rates",e),r=this.side(o,i,1),{reason:a,sided:l}=r,h=l||a==="border"||a==="contact"?this.side(o,i,-1):r;return{count:o.count,larger:r,
+smaller:h}}side({count:t,segments:e,head:n},o,i){let{memory:r}=this,a=t*c.changes.length,l=r.room("changes",8*a),h=r.room("why",16),[d,f,p]=["cell","events","se\
+gments"].map(u=>r.room(u,8)),x=n[w.doubt_from];this.call("changes",d,o,1,i,f,t,p,e,x,l,h);let[_,b]=r.floats(h,2);return{rates:r.floats(l,a).slice(),reason:c.reasons[Math.
+max(_,0)],sided:_<0,failed:b}}thresholds(t){let{memory:e}=this,n=e.put("cell",k(t)),o=e.room("answers",8*c.thresholds.length),i=t.rolling&&t.angle===0;this.call(
+"thresholds",n,i?t.vx:Number.NaN,o);let r=e.floats(o,c.thresholds.length),a=h=>{let d=r[c.thresholds.indexOf(h)];return Number.isNaN(d)?null:d},l=["jam_angle","\
 jam_angle_2","jam_angle_3","jam_angle_4"].map(a);return{first_slip_speed:a("first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immed\
-iate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:c.filter(m=>m!==null),
-stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angle"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(e,[t,s,n,r],i,a){
-let{memory:c}=this,m=c.put("cell",k(e)),f=c.room("modes",i*a),h=c.room("sides",i);this.call("regions",m,t,s,n,r,i,a,f,h);let{buffer:g}=this.exports.memory;return{
-modes:new Uint8Array(g,f,i*a).slice(),paradox:Float32Array.from(new Int8Array(g,h,i))}}map({count:e,rows:t},s,n){let{memory:r}=this,i=r.put("cells",t),a=r.room(
-"numbers",8*e*l.numbers.length),c=r.room("words",4*e*l.words.length),m=r.room("keys",8*e*l.keys),{angle:f,stop:h,timed:g}=l.spans[n],b=l.wanted[s];this.call("ma\
-p_cells",i,e,f??Number.NaN,h,g,b,a,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*l.keys),e);let u=new Float64Array(
-e);if(s in S){let p=new Int32Array(w,c,e*l.words.length);for(let _=0;_<e;_++)u[_]=p[_*l.words.length+S[s]]}else{let p=r.floats(a,e*l.numbers.length);for(let _=0;_<
-e;_++)u[_]=p[_*l.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.
-memory.floats(t,1)[0]}resistance(e,t){let s=this.memory.room("answers",8*l.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){
-let{memory:s}=this,n=s.put("parts",t.flatMap(Y)),r=s.room("answers",8*l.thresholds.length),i=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,
-r,i);let[a,c,m]=s.floats(r,3);return{mass:a,eccentricity:c,inertia_ratio:m,reaches:[...s.floats(i,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let s=t.put("cell",k(e)),n=t.put("contact",A(e.contact)),r=t.room("answers",8*l.thresholds.length);this.call("compliance",s,n,r);let i=t.
-floats(r,l.chosen.length),a=c=>i[l.chosen.indexOf(c)];return{stiffness:a("stiffness"),tangential_stiffness:a("tangential_stiffness"),slip_speed:a("slip_speed"),
-depth:a("depth"),automatic:{stiffness:a("stiffness_si"),slip_speed:a("slip_speed_si")}}}};function Y(o){let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=l.shapes.
-indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,0,o.
-at]:[t,o.mass,0,0,o.at]}var Z=["friction","impact_normal","impact_tangential","rolling_resistance"],ee=["kinetic","potential",...Z,"residual"],I=["x","height","\
-angle","vx","vy","omega"];function z({given:o,head:e,rows:t,count:s,duration:n}){let r=l.events.length,i=Array.from({length:s},(m,f)=>te(t.subarray(f*r,(f+1)*r))),
-a=i[s-1],c=Object.fromEntries([...ee,...o.contact?["spring","damping"]:[]].map(m=>[m,e[y[m]]]));return{status:l.statuses[e[y.status]],sequence:se(i),duration:n,
-events:i,final:{t:a.t,mode:a.to,...Object.fromEntries(I.map(m=>[m,a[m]]))},energy:c,doubt:j(e[y.doubt_from])}}function te(o){let e=l.kinds[o[d.kind]],t=o[d.from_mode],
-s={t:o[d.t],kind:e,from:t<0?null:l.letters[t],to:l.letters[o[d.to_mode]]};for(let n of I)s[n]=j(o[d[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].
-map(n=>[n,j(o[d[`before_${n}`]])])),s.impulse={normal:o[d.impulse_normal],tangential:o[d.impulse_tangential]},o[d.collision]===0&&(s.collision=!1),e==="kane_gai\
-n"&&(s.gain=o[d.gain]),o[d.stable]>=0&&(s.stable=o[d.stable]===1),s}function se(o){let e=o.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.
-t?s.to:"").join("")||(o.at(-1)?.to??"")}var L;function ne(o){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(o),
-[...e]}function oe({data:{number:o,compiled:e,call:t,values:s}}){try{if(e){L=new E(e);return}let n=L[t](...s);self.postMessage({number:o,answer:n},{transfer:ne(
-n)})}catch(n){self.postMessage({number:o,error:n.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",oe);export{E as HoopModule};
+iate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:l.filter(h=>h!==null),
+stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angle"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(t,[e,n,o,i],r,a){
+let{memory:l}=this,h=l.put("cell",k(t)),d=l.room("modes",r*a),f=l.room("sides",r);this.call("regions",h,e,n,o,i,r,a,d,f);let{buffer:p}=this.exports.memory;return{
+modes:new Uint8Array(p,d,r*a).slice(),paradox:Float32Array.from(new Int8Array(p,f,r))}}map({count:t,rows:e},n,o){let{memory:i}=this,r=i.put("cells",e),a=i.room(
+"numbers",8*t*c.numbers.length),l=i.room("words",4*t*c.words.length),h=i.room("keys",8*t*c.keys),{angle:d,stop:f,timed:p}=c.spans[o],x=c.wanted[n];this.call("ma\
+p_cells",r,t,d??Number.NaN,f,p,x,a,l,h);let{buffer:_}=this.exports.memory;if(n==="sequence")return et(new BigUint64Array(_,h,t*c.keys),t);let b=new Float64Array(
+t);if(n in T){let u=new Int32Array(_,l,t*c.words.length);for(let g=0;g<t;g++)b[g]=u[g*c.words.length+T[n]]}else{let u=i.floats(a,t*c.numbers.length);for(let g=0;g<
+t;g++)b[g]=u[g*c.numbers.length+G[n]]}return{values:b}}ideal(t){let e=this.memory.room("answers",8*c.thresholds.length);return this.call("ideal_hoop",t,e),this.
+memory.floats(e,1)[0]}resistance(t,e){let n=this.memory.room("answers",8*c.thresholds.length);return this.call("resistance_limit",t,e,n),this.memory.floats(n,1)[0]}combine(t,e){
+let{memory:n}=this,o=n.put("parts",e.flatMap(Lt)),i=n.room("answers",8*c.thresholds.length),r=n.room("reaches",8*e.length);this.call("hoop_of_parts",t,o,e.length,
+i,r);let[a,l,h]=n.floats(i,3);return{mass:a,eccentricity:l,inertia_ratio:h,reaches:[...n.floats(r,e.length)]}}compliance(t){let{memory:e}=this;if(!t.contact)throw new TypeError(
+"The contact is rigid.");let n=e.put("cell",k(t)),o=e.put("contact",B(t.contact)),i=e.room("answers",8*c.thresholds.length);this.call("compliance",n,o,i);let r=e.
+floats(i,c.chosen.length),a=l=>r[c.chosen.indexOf(l)];return{stiffness:a("stiffness"),tangential_stiffness:a("tangential_stiffness"),slip_speed:a("slip_speed"),
+depth:a("depth"),automatic:{stiffness:a("stiffness_si"),slip_speed:a("slip_speed_si")}}}};function Lt(s){let t=s.shape==="rod"?`${s.direction}_rod`:s.shape,e=c.
+shapes.indexOf(t);return s.shape==="ring"?[e,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[e,s.mass,s.radius,0,s.at]:s.shape==="rod"?[e,s.mass,s.length,
+0,s.at]:[e,s.mass,0,0,s.at]}var Ot=["friction","impact_normal","impact_tangential","rolling_resistance"],Tt=["kinetic","potential",...Ot,"residual"],nt=["x","he\
+ight","angle","vx","vy","omega"];function st({given:s,head:t,rows:e,count:n,duration:o}){let i=c.events.length,r=Array.from({length:n},(d,f)=>Bt(e.subarray(f*i,
+(f+1)*i))),a=r[n-1],l=Object.fromEntries([...Tt,...s.contact?["spring","damping"]:[]].map(d=>[d,t[w[d]]])),h=D(t[w.doubt_from]);return{status:c.statuses[t[w.status]],
+sequence:jt(r),fingerprint:h===null?tt(e,n):null,duration:o,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(nt.map(d=>[d,a[d]]))},energy:l,doubt:h}}function Bt(s){
+let t=c.kinds[s[m.kind]],e=s[m.from_mode],n={t:s[m.t],kind:t,from:e<0?null:c.letters[e],to:c.letters[s[m.to_mode]]};for(let o of nt)n[o]=D(s[m[o]]);return n.before=
+Object.fromEntries(["vx","vy","omega"].map(o=>[o,D(s[m[`before_${o}`]])])),n.impulse={normal:s[m.impulse_normal],tangential:s[m.impulse_tangential]},s[m.collision]===
+0&&(n.collision=!1),t==="kane_gain"&&(n.gain=s[m.gain]),s[m.stable]>=0&&(n.stable=s[m.stable]===1),n}function jt(s){let t=s.filter(n=>!Ht.has(n.kind));return t.
+slice(0,-1).map((n,o)=>t[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var ot;function Nt(s){let t=new Set,e=n=>{ArrayBuffer.isView(n)?t.add(n.buffer):n&&typeof n=="object"&&!Array.isArray(n)&&Object.values(n).forEach(e)};return e(
+s),[...t]}function Ut({data:{number:s,compiled:t,call:e,values:n}}){try{if(t){ot=new L(t);return}let o=ot[e](...n);self.postMessage({number:s,answer:o},{transfer:Nt(
+o)})}catch(o){self.postMessage({number:s,error:o.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",Ut);export{L as HoopModule};

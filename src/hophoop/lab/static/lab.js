@@ -1,6 +1,6 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 59c86f40b1562ec42e5c454291ad3c75 */
-var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
-return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 5632d25e47a625fd2c529b77cdfa8108 */
+var jl=Object.create;var ao=Object.defineProperty;var Bl=Object.getOwnPropertyDescriptor;var Wl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,$l=Object.prototype.hasOwnProperty;var Hl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Gl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Wl(e))!$l.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Bl(e,i))||n.enumerable});
+return s};var Ul=(s,e,t)=>(t=s!=null?jl(Fl(s)):{},Gl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Hl(Cs=>{"use strict";Object.defineProperty(Cs,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
 "2d").drawImage(i,0,0),o}toDataURL(e,t,n,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
@@ -8,7 +8,7 @@ r);if(i==="image/svg+xml"||!i)return a.async?Promise.resolve(u):u;if(i==="image/
 st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(u,t,n),d=h.toDataURL(i,o);return h.remove(),d})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,i,o,a,r,l){if(l||(l={}),!l.async)throw new Error(
 "svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let u=await this.svg2canvas(c,t,n),
-d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Pa=new $n;var La=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
+d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Wa=new Kn;var Fa=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
 p.length;g++)h=h.replace(new RegExp("\\{"+p[g]+"\\}","gi"),d[p[g]]);return h}function a(h){var d,p,g;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",g=0;g<12;g++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
 return p}function r(h,d){var p,g,f={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)g="&"+h[p+1]+";",b=parseInt(h[p],d),f[g]="&#"+b+";";return f["\\xa0"]="&#\
@@ -33,8 +33,8 @@ stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"s
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
 abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
-var p=this.__ctx.__createElement("stop"),g,f;p.setAttribute("offset",h),za(d).indexOf("rgba")!==-1?(g=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-f=g.exec(d),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:f[1],g:f[2],b:f[3]})),p.setAttribute("stop-opacity",f[4])):p.setAttribute("stop-color",za(d)),this.
+var p=this.__ctx.__createElement("stop"),g,f;p.setAttribute("offset",h),Ba(d).indexOf("rgba")!==-1?(g=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+f=g.exec(d),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:f[1],g:f[2],b:f[3]})),p.setAttribute("stop-opacity",f[4])):p.setAttribute("stop-color",Ba(d)),this.
 __root.appendChild(p)},n=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
 width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
 p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
@@ -55,8 +55,8 @@ w=this[g[f]],b.apply){if(w instanceof n){if(w.__ctx)for(R=0;R<w.__ctx.__defs.chi
 E,this.__defs.appendChild(M);d.setAttribute(b.apply,o("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,o("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
 k=y.exec(w),d.setAttribute(b.svgAttr,o("rgb({r},{g},{b})",{r:k[1],g:k[2],b:k[3]}));var A=k[4],D=this.globalAlpha;D!=null&&(A*=D),d.setAttribute(b.svgAttr+"-opac\
-ity",A)}else{var O=b.svgAttr;if(g[f]==="globalAlpha"){if(O=h+"-"+b.svgAttr,d.getAttribute(O))continue}else if(g[f]==="lineWidth"){var C=this.__getTransformScale();
-w=w*Math.max(C.x,C.y)}d.setAttribute(O,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
+ity",A)}else{var C=b.svgAttr;if(g[f]==="globalAlpha"){if(C=h+"-"+b.svgAttr,d.getAttribute(C))continue}else if(g[f]==="lineWidth"){var q=this.__getTransformScale();
+w=w*Math.max(q.x,q.y)}d.setAttribute(C,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
 h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var d=new XMLSerializer().serializeToString(this.__root),p,g,f,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
 y.test(d)&&(d=d.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(i),g=0;g<p.length;g++)f=p[g],b=i[f],
 w=new RegExp(f,"gi"),w.test(d)&&(d=d.replace(w,b));return d},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
@@ -78,8 +78,8 @@ x,y:this.__matrixTransform(f,b).y}))},e.prototype.quadraticCurveTo=function(h,d,
 var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,g,f){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(f<0)throw new Error("IndexSizeError: The radius provided ("+f+") is nega\
 tive.");if(b===h&&w===d||h===p&&d===g||f===0){this.lineTo(h,d);return}var y=u([b-h,w-d]),k=u([p-h,g-d]);if(y[0]*k[1]===y[1]*k[0]){this.lineTo(h,d);return}var E=y[0]*
-k[0]+y[1]*k[1],R=Math.acos(Math.abs(E)),M=u([y[0]+k[0],y[1]+k[1]]),A=f/Math.sin(R/2),D=h+A*M[0],O=d+A*M[1],C=[-y[1],y[0]],ee=[k[1],-k[0]],re=function(Vi){var Zi=Vi[0],
-gl=Vi[1];return gl>=0?Math.acos(Zi):-Math.acos(Zi)},Ht=re(C),fl=re(ee);this.lineTo(D+C[0]*f,O+C[1]*f),this.arc(D,O,f,Ht,fl)}},e.prototype.stroke=function(){this.
+k[0]+y[1]*k[1],R=Math.acos(Math.abs(E)),M=u([y[0]+k[0],y[1]+k[1]]),A=f/Math.sin(R/2),D=h+A*M[0],C=d+A*M[1],q=[-y[1],y[0]],ee=[k[1],-k[0]],re=function(io){var oo=io[0],
+ql=io[1];return ql>=0?Math.acos(oo):-Math.acos(oo)},Kt=re(q),Cl=re(ee);this.lineTo(D+q[0]*f,C+q[1]*f),this.arc(D,C,f,Kt,Cl)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,g){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
@@ -104,25 +104,25 @@ g),this.__fontHref){var k=this.__createElement("a");k.setAttributeNS("http://www
 y)},e.prototype.fillText=function(h,d,p){this.__applyText(h,d,p,"fill")},e.prototype.strokeText=function(h,d,p){this.__applyText(h,d,p,"stroke")},e.prototype.measureText=
 function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,d,p,g,f,b){if(g!==f){g=g%(2*Math.PI),f=f%(2*Math.PI),g===f&&(f=
 (f+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(f),y=d+p*Math.sin(f),k=h+p*Math.cos(g),E=d+p*Math.sin(g),R=b?0:1,M=0,A=f-g;A<0&&(A+=2*Math.PI),b?M=A>
-Math.PI?0:1:M=A>Math.PI?1:0;var D=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),O=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
-this.lineTo(k,E),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*D,ry:p*O,xAxisRotation:0,largeArcFlag:M,sweepFlag:R,
+Math.PI?0:1:M=A>Math.PI?1:0;var D=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),C=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
+this.lineTo(k,E),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*D,ry:p*C,xAxisRotation:0,largeArcFlag:M,sweepFlag:R,
 endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,g,f,b,w,y){if(b!==w){
 var k=this.__matrixTransform(h,d);h=k.x,d=k.y;var E=this.__getTransformScale();p=p*E.x,g=g*E.y,f=f+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
 b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var R=h+Math.cos(-f)*p*Math.cos(w)+Math.sin(-f)*g*Math.sin(w),M=d-Math.sin(-f)*p*Math.cos(w)+Math.cos(-f)*g*Math.
-sin(w),A=h+Math.cos(-f)*p*Math.cos(b)+Math.sin(-f)*g*Math.sin(b),D=d-Math.sin(-f)*p*Math.cos(b)+Math.cos(-f)*g*Math.sin(b),O=y?0:1,C=0,ee=w-b;ee<0&&(ee+=2*Math.
-PI),y?C=ee>Math.PI?0:1:C=ee>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(A,D),this.__transformMatrix=re,this.__addPathCommand(o("\
-A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:g,xAxisRotation:f*(180/Math.PI),largeArcFlag:C,sweepFlag:O,endX:R,endY:M})),this.
+sin(w),A=h+Math.cos(-f)*p*Math.cos(b)+Math.sin(-f)*g*Math.sin(b),D=d-Math.sin(-f)*p*Math.cos(b)+Math.cos(-f)*g*Math.sin(b),C=y?0:1,q=0,ee=w-b;ee<0&&(ee+=2*Math.
+PI),y?q=ee>Math.PI?0:1:q=ee>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(A,D),this.__transformMatrix=re,this.__addPathCommand(o("\
+A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:g,xAxisRotation:f*(180/Math.PI),largeArcFlag:q,sweepFlag:C,endX:R,endY:M})),this.
 __currentPosition={x:R,y:M}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),g=this.__createElement(
 "g");this.__applyCurrentDefaultPath(),h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),
 h.setAttribute("clip-path",o("url(#{id})",{id:p})),h.appendChild(g),this.__currentElement=g},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),
-d=h[0],p,g,f,b,w=0,y=0,k,E,R,M,A,D,O,C,ee,re;if(h.length===3)p=h[1],g=h[2],k=d.width,E=d.height,f=k,b=E;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],k=d.width,
+d=h[0],p,g,f,b,w=0,y=0,k,E,R,M,A,D,C,q,ee,re;if(h.length===3)p=h[1],g=h[2],k=d.width,E=d.height,f=k,b=E;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],k=d.width,
 E=d.height;else if(h.length===9)w=h[1],y=h[2],k=h[3],E=h[4],p=h[5],g=h[6],f=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+
-arguments.length);R=this.__closestGroupOrSvg(),this.__currentElement;let Ht=this.getTransform().translate(p,g);if(d instanceof e){if(M=d.getSvg().cloneNode(!0),
+arguments.length);R=this.__closestGroupOrSvg(),this.__currentElement;let Kt=this.getTransform().translate(p,g);if(d instanceof e){if(M=d.getSvg().cloneNode(!0),
 M.childNodes&&M.childNodes.length>1){for(A=M.childNodes[0];A.childNodes.length;)re=A.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(
-A.childNodes[0]);D=M.childNodes[1],D&&(this.__applyTransformation(D,Ht),R.appendChild(D))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(O=this.__createElement(
-"image"),O.setAttribute("width",f),O.setAttribute("height",b),O.setAttribute("preserveAspectRatio","none"),(w||y||k!==d.width||E!==d.height)&&(C=this.__document.
-createElement("canvas"),C.width=f,C.height=b,ee=C.getContext("2d"),ee.drawImage(d,w,y,k,E,0,0,f,b),d=C),this.__applyTransformation(O,Ht),O.setAttributeNS("http:\
-//www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():d.getAttribute("src")),R.appendChild(O))},e.prototype.createPattern=function(h,d){var p=this.
+A.childNodes[0]);D=M.childNodes[1],D&&(this.__applyTransformation(D,Kt),R.appendChild(D))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(C=this.__createElement(
+"image"),C.setAttribute("width",f),C.setAttribute("height",b),C.setAttribute("preserveAspectRatio","none"),(w||y||k!==d.width||E!==d.height)&&(q=this.__document.
+createElement("canvas"),q.width=f,q.height=b,ee=q.getContext("2d"),ee.drawImage(d,w,y,k,E,0,0,f,b),d=q),this.__applyTransformation(C,Kt),C.setAttributeNS("http:\
+//www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():d.getAttribute("src")),R.appendChild(C))},e.prototype.createPattern=function(h,d){var p=this.
 __document.createElementNS("http://www.w3.org/2000/svg","pattern"),g=a(this.__ids),f;return p.setAttribute("id",g),p.setAttribute("width",h.width),p.setAttribute(
 "height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),h.nodeName==="CANVAS"||h.nodeName==="IMG"?(f=this.__document.createElementNS("http://www.w3.o\
 rg/2000/svg","image"),f.setAttribute("width",h.width),f.setAttribute("height",h.height),f.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",h.nodeName===
@@ -136,23 +136,23 @@ e.prototype.translate=function(h,d){let p=this.getTransform().translate(h,d);thi
 multiply(new DOMMatrix([h,d,p,g,f,b]));this.setTransform(w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},
 e.prototype.__getTransformScale=function(){return{x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.
 d)}},e.prototype.__getTransformRotation=function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){
-return Pa.getImageData(this.getSvg(),this.width,this.height,h,d,p,g,f)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.
-putImageData=function(){},e.prototype.globalCompositeOperation=function(){},e})();function Ne(s){this.ctx=new La(s),this.svg=this.ctx.__root;var e=this.svg,t=this,
+return Wa.getImageData(this.getSvg(),this.width,this.height,h,d,p,g,f)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.
+putImageData=function(){},e.prototype.globalCompositeOperation=function(){},e})();function Ie(s){this.ctx=new Fa(s),this.svg=this.ctx.__root;var e=this.svg,t=this,
 n=document.createElement("div");n.style.display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute(
 "class")||""},set:function(i){return n.setAttribute("class",i)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["widt\
 h","height"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return e.getAttribute(i)|0},set:function(o){if(!(isNaN(o)||typeof o>"u"))return t.ctx[i]=
 o,e.setAttribute(i,o),n[i]=o}})}),["style","id"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return n[i]},set:function(o){if(typeof o<"u")return n[i]=
-o}})}),["getBoundingClientRect"].forEach(function(i){t[i]=function(){return e[i]()}})}Ne.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupport\
-ed type of context for SVGCanvas");return this.ctx};Ne.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"\
-image/svg+xml;charset=utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Pa.toDataURL(this.svg,this.width,this.height,s,e,t)};
-Ne.prototype.addEventListener=function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.
-prototype.getAttribute=function(s){return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Is.Context=La;Is.
-Element=Ne});function ve(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Yi=s=>gt(s)>.2?"#111111":"#ffffff",bt=(s,e)=>`rgba(${ve(s).join(",")}\
-,${e})`,El=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function gt(s){let[e,t,n]=ve(s).map(El);return .2126*e+.7152*t+.0722*n}function wt(s,e){
-if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(gt(s)<.002)return"#eceef2";let t=s;for(let n=0;gt(t)<.2&&n<1;n+=.05)t=`#${ve(s).map(i=>Math.round(i+(255-i)*n).toString(
-16).padStart(2,"0")).join("")}`;return t}var Kt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Tl(){let s=[];
-for(let e=0;e<256;e++){let t=e/255*(Kt.length-1),n=Math.min(Math.floor(t),Kt.length-2),i=ve(Kt[n]),o=ve(Kt[n+1]);s.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-n))))}
-return s}var et=Tl(),Ut=et.map(s=>`rgb(${s.join(",")})`),Ml=["#123a8c","#8a6d00"],de=(s,e)=>wt(Ml[s],e);var Qi={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+o}})}),["getBoundingClientRect"].forEach(function(i){t[i]=function(){return e[i]()}})}Ie.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupport\
+ed type of context for SVGCanvas");return this.ctx};Ie.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"\
+image/svg+xml;charset=utf-8"});return URL.createObjectURL(e)};Ie.prototype.toDataURL=function(s,e,t){return Wa.toDataURL(this.svg,this.width,this.height,s,e,t)};
+Ie.prototype.addEventListener=function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ie.prototype.getElement=function(){return this.wrapper};Ie.
+prototype.getAttribute=function(s){return this.wrapper.getAttribute(s)};Ie.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Cs.Context=Fa;Cs.
+Element=Ie});function ke(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ro=s=>wt(s)>.2?"#111111":"#ffffff",yt=(s,e)=>`rgba(${ke(s).join(",")}\
+,${e})`,Kl=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function wt(s){let[e,t,n]=ke(s).map(Kl);return .2126*e+.7152*t+.0722*n}function vt(s,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(wt(s)<.002)return"#eceef2";let t=s;for(let n=0;wt(t)<.2&&n<1;n+=.05)t=`#${ke(s).map(i=>Math.round(i+(255-i)*n).toString(
+16).padStart(2,"0")).join("")}`;return t}var Vt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Vl(){let s=[];
+for(let e=0;e<256;e++){let t=e/255*(Vt.length-1),n=Math.min(Math.floor(t),Vt.length-2),i=ke(Vt[n]),o=ke(Vt[n+1]);s.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-n))))}
+return s}var st=Vl(),Zt=st.map(s=>`rgb(${s.join(",")})`),Zl=["#123a8c","#8a6d00"],me=(s,e)=>vt(Zl[s],e);var lo={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -455,42 +455,44 @@ on.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im L
  kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höchstens {most} \
 s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hand\
 s}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Was nach {time} s kom\
-mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.","hophoop lab: play with the hopping hoo\
-p":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen hüpfenden Reifen in die eigene Seite setzen","One tag an\
-d one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is sent anywhere.":"Ein Tag und ein \
-Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung wird im Browser der Lesenden berechnet; nichts wird irgen\
-dwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen und ihren Link hierher kopieren.","Scenario: a link of t\
-he lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem Fragezeichen steht","What stands beside the player":"Was\
- neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag \
-kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren",
-"As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A pict\
-ure in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Linien, die bleiben: nimm das PNG oder verlasse 3D.","The picture\
- is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","What a little more would do (a)":"Was ein wenig mehr bewirken wür\
-de (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein wenig mehr","Do it":"Ausführen","Every event, by this step":"Je\
-des Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ändert",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"\
-Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gibt es nicht.","This needs a browser that runs WebAssembly.":"Da\
-s braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this could not be loaded; choose it again when there is a network.":"De\
-r Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein Netz da ist.","Nothing: no event moves.":"Nichts: Kein Ereigni\
-s verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.",
-"The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt\
-, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reason}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason\
-}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"{amount} weiter rechts","{amount} further to the left":"{am\
-ount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amount} higher":"{amount} höher","{amount} lower":"{amount} nie\
-driger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in the air":"{amount} mehr in der Luft","{amount} less in the a\
-ir":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount} earlier":"beginnt {amount} früher","{amount} faster":"{a\
-mount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Hop {number}: {list}.":"Sprung {number}: {list}.","The first \
-event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"Am Ende, nach {time} s: {list}.","arrows: what a little mor\
-e would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only touches zero there":"eine Größe, die das Ereignis auslöst, ber\
-ührt dort die Null nur","the motion lies on the border of two classes: the least change may lead to other events":"die Bewegung liegt auf der Grenze zweier Kla\
-ssen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim has landed: with any restitution it would bounce":"die Stoßzahl \
-ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are\
- others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und es gäbe andere Ereignisse","the slip runs into p_σ = 0, where\
- the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze hat","the massless hoop (γ = 1) is a singular limit once the \
-contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Kontaktkraft verloren ist","without friction the hoop rests on n\
-o more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen","the motion has no answer from there on":"die Bewegung hat\
- von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am Rand des Erlaubten","the derivatives of the two sides diff\
-er":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are computed: choose the rigid contact model.":"Mit nachgiebig\
-em Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var tt={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","No fingerp\
+rint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.","A hash\
+ of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben Bits re\
+chnet, auch in Python","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"E\
+inen hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the re\
+ader’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewe\
+gung wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wä\
+hlen und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter se\
+inem Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As \
+a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","\
+The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoo\
+p":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Lin\
+ien, die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","Wha\
+t a little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein w\
+enig mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ände\
+rt",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gib\
+t es nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this coul\
+d not be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein N\
+etz da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die \
+Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as lon\
+g.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reas\
+on}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"\
+{amount} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amoun\
+t} higher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in t\
+he air":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount\
+} earlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Ho\
+p {number}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"\
+Am Ende, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only tou\
+ches zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead \
+to other events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim ha\
+s landed: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: wi\
+th the rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und e\
+s gäbe andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze h\
+at","the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Konta\
+ktkraft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen",
+"the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
+Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
+computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var nt={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -793,42 +795,44 @@ on.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im L
  kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höchstens {most} \
 s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hand\
 s}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Was nach {time} s kom\
-mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.","hophoop lab: play with the hopping hoo\
-p":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen hüpfenden Reifen in die eigene Seite setzen","One tag an\
-d one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is sent anywhere.":"Ein Tag und ein \
-Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung wird im Browser der Lesenden berechnet; nichts wird irgen\
-dwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen und ihren Link hierher kopieren.","Scenario: a link of t\
-he lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem Fragezeichen steht","What stands beside the player":"Was\
- neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag \
-kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren",
-"As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A pict\
-ure in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Linien, die bleiben: nimm das PNG oder verlasse 3D.","The picture\
- is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","What a little more would do (a)":"Was ein wenig mehr bewirken wür\
-de (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein wenig mehr","Do it":"Ausführen","Every event, by this step":"Je\
-des Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ändert",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"\
-Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gibt es nicht.","This needs a browser that runs WebAssembly.":"Da\
-s braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this could not be loaded; choose it again when there is a network.":"De\
-r Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein Netz da ist.","Nothing: no event moves.":"Nichts: Kein Ereigni\
-s verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.",
-"The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt\
-, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reason}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason\
-}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"{amount} weiter rechts","{amount} further to the left":"{am\
-ount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amount} higher":"{amount} höher","{amount} lower":"{amount} nie\
-driger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in the air":"{amount} mehr in der Luft","{amount} less in the a\
-ir":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount} earlier":"beginnt {amount} früher","{amount} faster":"{a\
-mount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Hop {number}: {list}.":"Sprung {number}: {list}.","The first \
-event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"Am Ende, nach {time} s: {list}.","arrows: what a little mor\
-e would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only touches zero there":"eine Größe, die das Ereignis auslöst, ber\
-ührt dort die Null nur","the motion lies on the border of two classes: the least change may lead to other events":"die Bewegung liegt auf der Grenze zweier Kla\
-ssen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim has landed: with any restitution it would bounce":"die Stoßzahl \
-ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are\
- others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und es gäbe andere Ereignisse","the slip runs into p_σ = 0, where\
- the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze hat","the massless hoop (γ = 1) is a singular limit once the \
-contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Kontaktkraft verloren ist","without friction the hoop rests on n\
-o more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen","the motion has no answer from there on":"die Bewegung hat\
- von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am Rand des Erlaubten","the derivatives of the two sides diff\
-er":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are computed: choose the rigid contact model.":"Mit nachgiebig\
-em Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var zl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
+mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","No fingerp\
+rint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.","A hash\
+ of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben Bits re\
+chnet, auch in Python","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"E\
+inen hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the re\
+ader’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewe\
+gung wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wä\
+hlen und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter se\
+inem Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As \
+a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","\
+The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoo\
+p":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Lin\
+ien, die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","Wha\
+t a little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein w\
+enig mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ände\
+rt",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gib\
+t es nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this coul\
+d not be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein N\
+etz da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die \
+Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as lon\
+g.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reas\
+on}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"\
+{amount} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amoun\
+t} higher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in t\
+he air":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount\
+} earlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Ho\
+p {number}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"\
+Am Ende, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only tou\
+ches zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead \
+to other events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim ha\
+s landed: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: wi\
+th the rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und e\
+s gäbe andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze h\
+at","the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Konta\
+ktkraft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen",
+"the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
+Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
+computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var Xl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
 gle}","patina desde {angle}","derrapa desde {angle}","vuela desde {angle}","roza el plano desde {angle}","salta a {angle}","aterriza a {angle}","rebota a {angle\
 }","desliza en sentido contrario desde {angle}","deja de deslizar de golpe a {angle}","da la vuelta a {angle}","termina de rebotar a {angle}","encuentra la para\
 doja de Painlevé a {angle}","encuentra la indeterminación de Painlevé a {angle}","se bloquea a {angle}","gana energía (Kane) a {angle}","roza desde {angle}",
@@ -985,25 +989,26 @@ omo mucho {most} en el laboratorio.","contact.stiffness, contact.slip_speed y du
 ho {most}.","Una celda de este mapa son unas {turns} vueltas, y en el laboratorio como mucho {most}.","x e y dan {count} celdas con unas {turns} vueltas en tota\
 l, y en el laboratorio como mucho {most}; toma menos celdas, velocidades menores o una duración más corta.","duration = {value} debe ser como mucho {most} s p\
 ara una película del laboratorio.","A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}","Lo que viene después de {time} s depende de más \
-cifras de las que tienen los números de esta página; hophoop lab y Python toman las que hagan falta.","hophoop lab: juega con el aro saltarín","Pon un aro sa\
-ltarín en una página tuya","Una etiqueta y un script muestran un aro vivo en un blog, una página de curso o unas diapositivas. El movimiento se calcula en el \
-navegador de quien lee; no se envía nada a ninguna parte.","Elige un movimiento en el laboratorio y copia aquí su enlace.","Escenario: un enlace del laborator\
-io, o lo que va tras su signo de interrogación","Lo que acompaña al reproductor","controles","diagramas","teoría","mapa","Como etiqueta","La etiqueta","Copia\
-r la etiqueta","Como marco, donde no se permiten scripts","El marco","Copiar el marco","Como código QR","Cómo se ve","Copiado.","Un aro saltarín","Imagen (SV\
-G)","Una imagen en el espacio no tiene líneas que guardar: toma el PNG o sal del 3D.","La imagen es demasiado grande para este navegador.","Flechas","Qué haría\
- un poco más (a)","Qué haría un poco más","Un poco más","Hacerlo","Cada suceso, con este paso","Qué cambia en cada suceso","suceso","lugar","altura","ángu\
-lo de la carga","Es infinito: no hay más.","Esto necesita un navegador que ejecute WebAssembly.","No se pudo cargar la parte de la página que calcula esto; elí\
-gelo de nuevo cuando haya red.","Nada: ningún suceso se mueve.","Las flechas se dibujan en la imagen plana: sal de 3D para verlas.","Las flechas de la imagen v\
-an de donde toca la llanta a donde tocaría, {factor} veces más largas.","Desde {what} en {time} s no hay derivada: {reason}.","Solo hacia un lado: {reason}.",
-"{amount} más a la derecha","{amount} más a la izquierda","{amount} más tarde","{amount} antes","{amount} más alto","{amount} más bajo","{amount} más largo",
-"{amount} más corto","{amount} más en el aire","{amount} menos en el aire","empieza {amount} más tarde","empieza {amount} antes","{amount} más rápido","{am\
-ount} más lento","El salto: {list}.","Salto {number}: {list}.","El primer suceso, {what}: {list}.","Al final, a los {time} s: {list}.","flechas: qué haría un p\
-oco más","una magnitud que provoca el suceso solo toca el cero allí","el movimiento está en la frontera de dos clases: el menor cambio puede llevar a otros su\
-cesos","la restitución es 0 y la llanta ha aterrizado: con cualquier otra rebotaría","el movimiento empieza en contacto: con la llanta levantada o lanzada reb\
-otaría, y sus sucesos son otros","el deslizamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","el aro sin masa (γ = 1) es un límite singul\
-ar en cuanto se pierde la fuerza de contacto","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimiento no tiene respuesta desde allí","e\
-l parámetro está en el borde de lo permitido","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de co\
-ntacto rígido."],Xi=Object.fromEntries(Object.keys(tt).map((s,e)=>[s,zl[e]]));var Pl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
+cifras de las que tienen los números de esta página; hophoop lab y Python toman las que hagan falta.","Huella","Sin huella: este movimiento depende de más cif\
+ras de las que calcula esta página.","Un hash de todos los sucesos: el mismo donde hophoop calcula los mismos bits, también en Python","hophoop lab: juega con\
+ el aro saltarín","Pon un aro saltarín en una página tuya","Una etiqueta y un script muestran un aro vivo en un blog, una página de curso o unas diapositivas\
+. El movimiento se calcula en el navegador de quien lee; no se envía nada a ninguna parte.","Elige un movimiento en el laboratorio y copia aquí su enlace.","E\
+scenario: un enlace del laboratorio, o lo que va tras su signo de interrogación","Lo que acompaña al reproductor","controles","diagramas","teoría","mapa","Co\
+mo etiqueta","La etiqueta","Copiar la etiqueta","Como marco, donde no se permiten scripts","El marco","Copiar el marco","Como código QR","Cómo se ve","Copiado\
+.","Un aro saltarín","Imagen (SVG)","Una imagen en el espacio no tiene líneas que guardar: toma el PNG o sal del 3D.","La imagen es demasiado grande para este\
+ navegador.","Flechas","Qué haría un poco más (a)","Qué haría un poco más","Un poco más","Hacerlo","Cada suceso, con este paso","Qué cambia en cada suces\
+o","suceso","lugar","altura","ángulo de la carga","Es infinito: no hay más.","Esto necesita un navegador que ejecute WebAssembly.","No se pudo cargar la parte\
+ de la página que calcula esto; elígelo de nuevo cuando haya red.","Nada: ningún suceso se mueve.","Las flechas se dibujan en la imagen plana: sal de 3D para\
+ verlas.","Las flechas de la imagen van de donde toca la llanta a donde tocaría, {factor} veces más largas.","Desde {what} en {time} s no hay derivada: {reaso\
+n}.","Solo hacia un lado: {reason}.","{amount} más a la derecha","{amount} más a la izquierda","{amount} más tarde","{amount} antes","{amount} más alto","{a\
+mount} más bajo","{amount} más largo","{amount} más corto","{amount} más en el aire","{amount} menos en el aire","empieza {amount} más tarde","empieza {amo\
+unt} antes","{amount} más rápido","{amount} más lento","El salto: {list}.","Salto {number}: {list}.","El primer suceso, {what}: {list}.","Al final, a los {ti\
+me} s: {list}.","flechas: qué haría un poco más","una magnitud que provoca el suceso solo toca el cero allí","el movimiento está en la frontera de dos clase\
+s: el menor cambio puede llevar a otros sucesos","la restitución es 0 y la llanta ha aterrizado: con cualquier otra rebotaría","el movimiento empieza en conta\
+cto: con la llanta levantada o lanzada rebotaría, y sus sucesos son otros","el deslizamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","e\
+l aro sin masa (γ = 1) es un límite singular en cuanto se pierde la fuerza de contacto","sin rozamiento el aro reposa solo en la frontera de dos clases","el m\
+ovimiento no tiene respuesta desde allí","el parámetro está en el borde de lo permitido","las derivadas de los dos lados difieren","Con contacto flexible no \
+se calculan derivadas: elige el modelo de contacto rígido."],ho=Object.fromEntries(Object.keys(nt).map((s,e)=>[s,Xl[e]]));var Ql=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
 rtir de {angle}","patine à partir de {angle}","dérape à partir de {angle}","vole à partir de {angle}","effleure le plan à partir de {angle}","saute à {angl\
 e}","retombe à {angle}","rebondit à {angle}","glisse dans l’autre sens à partir de {angle}","cesse brusquement de glisser à {angle}","fait demi-tour à {an\
 gle}","finit de rebondir à {angle}","rencontre le paradoxe de Painlevé à {angle}","rencontre l’indétermination de Painlevé à {angle}","se coince à {angl\
@@ -1167,26 +1172,27 @@ us court ou moins de cellules.","Le labo est occupé ; réessayez dans {time} se
 intégration, au plus {most} dans le labo.","Une cellule de cette carte fait environ {turns} tours, au plus {most} dans le labo.","x et y font {count} cellules \
 d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plus faibles ou une durée plus courte.","duration = {va\
 lue} doit être au plus {most} s pour un film du labo.","A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}","Ce qui vient après {time\
-} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python en prennent autant qu’il faut.","hophoop lab : jouer avec le \
-cerceau sauteur","Mettre un cerceau sauteur dans une page à vous","Une balise et un script montrent un cerceau vivant dans un blog, une page de cours ou des di\
-apositives. Le mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choisissez un mouvement dans le labo et copiez son lien\
- ici.","Scénario : un lien du labo, ou ce qui suit son point d’interrogation","Ce qui accompagne le lecteur","réglages","diagrammes","théorie","carte","En \
-balise","La balise","Copier la balise","En cadre, là où les scripts ne sont pas permis","Le cadre","Copier le cadre","En code QR","Aperçu","Copié.","Un cerc\
-eau sauteur","Image (SVG)","Une image dans l’espace n’a pas de lignes à garder : prenez le PNG, ou quittez la 3D.","L’image est trop grande pour ce navigat\
-eur.","Flèches","Ce que ferait un peu plus (a)","Ce que ferait un peu plus","Un peu plus","L’appliquer","Chaque événement, pour ce pas","Ce qui change à ch\
-aque événement","événement","lieu","hauteur","angle de la charge","Elle est infinie : il n’y en a pas plus.","Il faut un navigateur qui exécute WebAssembl\
-y.","La partie de la page qui calcule cela n’a pas pu être chargée ; choisis de nouveau quand il y aura un réseau.","Rien : aucun événement ne bouge.","L\
-es flèches sont dessinées dans l’image plane : quitte la 3D pour les voir.","Les flèches de l’image vont de là où la jante touche à là où elle toucherait, {\
-factor} fois plus longues.","À partir de {what} à {time} s, pas de dérivée : {reason}.","D’un seul côté : {reason}.","{amount} plus à droite","{amount}\
- plus à gauche","{amount} plus tard","{amount} plus tôt","{amount} plus haut","{amount} plus bas","{amount} plus long","{amount} plus court","{amount} de plus\
- en l’air","{amount} de moins en l’air","commence {amount} plus tard","commence {amount} plus tôt","{amount} plus vite","{amount} moins vite","Le saut : {l\
-ist}.","Saut {number} : {list}.","Le premier événement, {what} : {list}.","À la fin, après {time} s : {list}.","flèches : ce que ferait un peu plus","une g\
-randeur qui déclenche l’événement ne fait qu’y toucher zéro","le mouvement est à la frontière de deux classes : le moindre changement peut mener à d’aut\
-res événements","la restitution est nulle et la jante est retombée : avec toute autre elle rebondirait","le mouvement commence en contact : avec la jante lev\
-ée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n’a pas de borne","le cerceau sans ma\
-sse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que sur la frontière de deux classes","l\
-e mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deux côtés diffèrent","Avec un conta\
-ct souple, pas de dérivées : choisis le modèle de contact rigide."],eo=Object.fromEntries(Object.keys(tt).map((s,e)=>[s,Pl[e]]));var Ll=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python en prennent autant qu’il faut.","Empreinte","Pas d’empreinte \
+: ce mouvement dépend de plus de chiffres que cette page n’en calcule.","Un hachage de tous les événements : le même partout où hophoop calcule les mêmes bit\
+s, aussi en Python","hophoop lab : jouer avec le cerceau sauteur","Mettre un cerceau sauteur dans une page à vous","Une balise et un script montrent un cerceau\
+ vivant dans un blog, une page de cours ou des diapositives. Le mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choisi\
+ssez un mouvement dans le labo et copiez son lien ici.","Scénario : un lien du labo, ou ce qui suit son point d’interrogation","Ce qui accompagne le lecteur",
+"réglages","diagrammes","théorie","carte","En balise","La balise","Copier la balise","En cadre, là où les scripts ne sont pas permis","Le cadre","Copier le \
+cadre","En code QR","Aperçu","Copié.","Un cerceau sauteur","Image (SVG)","Une image dans l’espace n’a pas de lignes à garder : prenez le PNG, ou quittez la 3D\
+.","L’image est trop grande pour ce navigateur.","Flèches","Ce que ferait un peu plus (a)","Ce que ferait un peu plus","Un peu plus","L’appliquer","Chaque \
+événement, pour ce pas","Ce qui change à chaque événement","événement","lieu","hauteur","angle de la charge","Elle est infinie : il n’y en a pas plus.",
+"Il faut un navigateur qui exécute WebAssembly.","La partie de la page qui calcule cela n’a pas pu être chargée ; choisis de nouveau quand il y aura un réseau.",
+"Rien : aucun événement ne bouge.","Les flèches sont dessinées dans l’image plane : quitte la 3D pour les voir.","Les flèches de l’image vont de là où la \
+jante touche à là où elle toucherait, {factor} fois plus longues.","À partir de {what} à {time} s, pas de dérivée : {reason}.","D’un seul côté : {reason}\
+.","{amount} plus à droite","{amount} plus à gauche","{amount} plus tard","{amount} plus tôt","{amount} plus haut","{amount} plus bas","{amount} plus long","\
+{amount} plus court","{amount} de plus en l’air","{amount} de moins en l’air","commence {amount} plus tard","commence {amount} plus tôt","{amount} plus vit\
+e","{amount} moins vite","Le saut : {list}.","Saut {number} : {list}.","Le premier événement, {what} : {list}.","À la fin, après {time} s : {list}.","flèche\
+s : ce que ferait un peu plus","une grandeur qui déclenche l’événement ne fait qu’y toucher zéro","le mouvement est à la frontière de deux classes : le \
+moindre changement peut mener à d’autres événements","la restitution est nulle et la jante est retombée : avec toute autre elle rebondirait","le mouvement\
+ commence en contact : avec la jante levée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n\
+’a pas de borne","le cerceau sans masse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que\
+ sur la frontière de deux classes","le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deu\
+x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide."],co=Object.fromEntries(Object.keys(nt).map((s,e)=>[s,Ql[e]]));var eh=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -1309,8 +1315,9 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 "hoop.parts 有 {count} 个部件，本实验室中不得超过 {most}。","contact.stiffness、contact.slip_speed 与 duration 约需 {steps} 步积分，本实验室中不得超过 {most}。",
 "此分布图的一格约为 {turns} 圈，本实验室中不得超过 {most}。","x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。",
 "从本实验室制作影片时 duration = {value} 不得超过 {most} s。","A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}",
-"{time} s 之后会发生什么，取决于比本页数值更多的位数；hophoop lab 与 Python 会取所需的位数。","hophoop 实验室：玩转会跳的圆环",
-"把会跳的圆环放进您的网页","一个标签和一个脚本，就能在博客、课程页面或幻灯片中显示可操作的圆环。运动在读者的浏览器中计算；不向任何地方发送数据。",
+"{time} s 之后会发生什么，取决于比本页数值更多的位数；hophoop lab 与 Python 会取所需的位数。","指纹","没有指纹：这一运动取决于比本页所算更多的位数。",
+"所有事件的哈希值：凡 hophoop 算出相同比特之处（包括 Python）都相同","hophoop 实验室：玩转会跳的圆环","把会跳的圆环放进您的网页",
+"一个标签和一个脚本，就能在博客、课程页面或幻灯片中显示可操作的圆环。运动在读者的浏览器中计算；不向任何地方发送数据。",
 "在实验室中选择一个运动，并把它的链接复制到这里。","场景：实验室的链接，或其问号之后的部分","播放器旁显示的内容",
 "滑块","图表","理论","分布图","作为标签","标签","复制标签","作为框架，用于不允许脚本的地方","框架","复制框架","作为二维码",
 "显示效果","已复制。","会跳的圆环","图片（SVG）","空间画面没有可保存的线条：请用 PNG，或退出 3D。","图片对此浏览器来说太大了。",
@@ -1323,103 +1330,103 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 会怎样","触发该事件的量在那里只是触及零","该运动位于两类的边界上：极小的变化就可能导致不同的事件","恢复系数为 0 且环缘已落地：只\
 要不为零它就会弹起","运动从接触开始：若环缘被抬起或抛起，它会弹跳，事件就不同了","滑动到达 p_σ = 0，那里接触力无界",
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
-处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],to=Object.fromEntries(Object.keys(tt).map((s,e)=>[
-s,Ll[e]]));var dn=new Map;function me(s){try{return localStorage.getItem(s)??dn.get(s)??null}catch{return dn.get(s)??null}}function pe(s,e){dn.set(s,e);try{localStorage.setItem(
-s,e)}catch{}}var kt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},pn={de:Qi,es:Xi,fr:eo,zh:to},Dl=new Set(["de","es","fr"]),io="hophoop-language",oo=4e3,
-Nl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Vt=/\{(\w+)\}/g,ke="en",ao=[],yt=new Map,vt=new Set,st=new Set,Re=()=>ke;
-function fn(s){ke=s in kt?s:"en",yt=new Map,vt=new Set,st.clear(),ao=Object.keys(pn[ke]??{}).filter(e=>e.includes("{")).map(ql).sort((e,t)=>so(t.key)-so(e.key))}
-function Il(){let s=me(io);return s&&s in kt?s:(globalThis.navigator?.languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in kt)??"en"}function ro(s){pe(
-io,s)}var so=s=>s.replace(Vt,"").length;function ql(s){let e=[...s.matchAll(Vt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
-return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var fe=s=>Dl.has(ke)?s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function v(s,e){let t=pn[ke];if(e)
-return B(ho(t?.[s]??no(s),e));if(!t||!/\p{L}/u.test(s))return fe(s);if(vt.has(s))return s;let n=yt.get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??Ol(i,t)??
-no(i),a=s.replace(i,()=>o);return yt.size>oo&&yt.clear(),yt.set(s,a),B(a)}function B(s){return vt.size>oo&&vt.clear(),vt.add(s),s}var lo=(s,e)=>s.replace(Vt,(t,n)=>String(
-e[n])),ho=(s,e)=>s.replace(Vt,(t,n)=>n.startsWith("word")?String(e[n]):v(String(e[n])));function Ol(s,e){for(let{key:t,pattern:n,names:i}of ao){let o=s.match(n);
-if(o)return ho(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return Cl(s)}function Cl(s){if(s.includes(" → "))return s.split(" → ").map(e=>v(e)).join("\
- → ")}function co(s){if(!pn[ke])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],{comma:n,stop:i}=ke==="zh"?{comma:"，",stop:"。"}:{comma:", ",
-stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>v(r)).join(n);return B(`${a[0]?.toLocaleUpperCase(ke)??""}${a.slice(1)}${i}${t?` ${v(
-t)}`:""}`)}function no(s){let e=/\p{L}{3,}/u.test(s)&&!Nl.test(s);return ke!=="en"&&e&&st.size<200&&st.add(s),fe(s)}var gn=new WeakMap,mn=new WeakMap;function bn(s){
-let e=document.createTextNode(v(s));return gn.set(e,s),e}function nt(s,e,t){let n=mn.get(s)??{};n[e]=t,mn.set(s,n),s.setAttribute(e,v(t))}function jl(s){let e=document.
-createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.nodeValue??"").replace(/\s+/g," ");n.trim()&&gn.set(t,n)}for(let t of s.
-querySelectorAll("[aria-label]"))nt(t,"aria-label",t.getAttribute("aria-label")??"");Zt(s)}function Zt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|
-NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=gn.get(t);n!==void 0&&(t.nodeValue=v(n));let i=mn.get(t);for(let[o,a]of Object.entries(i??{}))
-t.setAttribute(o,v(a))}}fn(Il());var Wl=new Set(["aria-label","title","placeholder","label"]);function m(s,e={},...t){let n=document.createElement(s),i=n;for(let[o,a]of Object.entries(e))a==null||
-a===!1||(o.startsWith("on")?n.addEventListener(o.slice(2),a):o==="class"?n.className=a:o in n&&o!=="list"&&typeof a!="string"?i[o]=a:Wl.has(o)?nt(n,o,String(a)):
-n.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||n.append(o.nodeType?o:bn(String(o)));return n}function P(s,e){e?s.replaceChildren(bn(e)):s.
-replaceChildren()}var Jt=s=>s!==null&&s.getRootNode().activeElement===s,ge=s=>s.getContext("2d");function V(s){let e=s.getBoundingClientRect(),t=Math.min(globalThis.
-devicePixelRatio||1,2.5),n=Math.max(Math.round(e.width*t),1),i=Math.max(Math.round(e.height*t),1);(s.width!==n||s.height!==i)&&(s.width=n,s.height=i);let o=ge(s);
-return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function Fl(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=ge(m("canvas",{width:1,height:1}));
-e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function wn(s){let e=getComputedStyle(
-s),t=i=>e.getPropertyValue(i).trim(),n=i=>Fl(t(i));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--paper"),panel:n("--panel"),ground:n("--gro\
-und"),font:t("--font"),dark:gt(n("--paper"))<.2}}function it(s,e){let t=m("a",{href:URL.createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),
-setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
-s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[i,o]=s.toExponential(e-1).split("e");n=`${uo(i)}·10${Bl(Number(o))}`}else
-n=uo(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return fe(n.replace("-","−"))}function uo(s){return s.includes(".")&&!s.includes("e")?s.replace(
-/\.?0+$/,""):s}function Bl(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
-"")}var j=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>fe(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function ze(s){let e=Math.abs(s),[t,n]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return j(S(s*t,3),n)}function Z(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),i=t/n;return(i>5?10:i>2?5:i>1?
-2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=Z(e-s,t),i=[];for(let o=Math.ceil(s/n-1e-9);o*n<=e+1e-9*n&&i.length<
-200;o++)i.push(o*n);return i}function oe(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):fe((Math.abs(s)<e*1e-6?
-0:s).toFixed(t).replace("-","−"))}var po=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],$l="tfc",Gl=400;function fo({time:s=0,options:e={},zoom:t=1,pan:n=[0,0],from:i,
-more:o,map:a}){let r=[];s>0&&r.push(`t=${Number(s.toFixed(4))}`);let l=po.filter(([c])=>e[c]).map(([,c])=>c);return l.join("")!==$l&&r.push(`show=${l.join("")}`),
+处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],uo=Object.fromEntries(Object.keys(nt).map((s,e)=>[
+s,eh[e]]));var gn=new Map;function pe(s){try{return localStorage.getItem(s)??gn.get(s)??null}catch{return gn.get(s)??null}}function fe(s,e){gn.set(s,e);try{localStorage.setItem(
+s,e)}catch{}}var _t={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},wn={de:lo,es:ho,fr:co,zh:uo},th=new Set(["de","es","fr"]),fo="hophoop-language",go=4e3,
+sh=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Jt=/\{(\w+)\}/g,xe="en",bo=[],kt=new Map,xt=new Set,it=new Set,ze=()=>xe;
+function yn(s){xe=s in _t?s:"en",kt=new Map,xt=new Set,it.clear(),bo=Object.keys(wn[xe]??{}).filter(e=>e.includes("{")).map(ih).sort((e,t)=>mo(t.key)-mo(e.key))}
+function nh(){let s=pe(fo);return s&&s in _t?s:(globalThis.navigator?.languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in _t)??"en"}function wo(s){fe(
+fo,s)}var mo=s=>s.replace(Jt,"").length;function ih(s){let e=[...s.matchAll(Jt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
+return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=s=>th.has(xe)?s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function v(s,e){let t=wn[xe];if(e)
+return F(vo(t?.[s]??po(s),e));if(!t||!/\p{L}/u.test(s))return ge(s);if(xt.has(s))return s;let n=kt.get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??oh(i,t)??
+po(i),a=s.replace(i,()=>o);return kt.size>go&&kt.clear(),kt.set(s,a),F(a)}function F(s){return xt.size>go&&xt.clear(),xt.add(s),s}var yo=(s,e)=>s.replace(Jt,(t,n)=>String(
+e[n])),vo=(s,e)=>s.replace(Jt,(t,n)=>n.startsWith("word")?String(e[n]):v(String(e[n])));function oh(s,e){for(let{key:t,pattern:n,names:i}of bo){let o=s.match(n);
+if(o)return vo(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return ah(s)}function ah(s){if(s.includes(" → "))return s.split(" → ").map(e=>v(e)).join("\
+ → ")}function ko(s){if(!wn[xe])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],{comma:n,stop:i}=xe==="zh"?{comma:"，",stop:"。"}:{comma:", ",
+stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>v(r)).join(n);return F(`${a[0]?.toLocaleUpperCase(xe)??""}${a.slice(1)}${i}${t?` ${v(
+t)}`:""}`)}function po(s){let e=/\p{L}{3,}/u.test(s)&&!sh.test(s);return xe!=="en"&&e&&it.size<200&&it.add(s),ge(s)}var vn=new WeakMap,bn=new WeakMap;function kn(s){
+let e=document.createTextNode(v(s));return vn.set(e,s),e}function ot(s,e,t){let n=bn.get(s)??{};n[e]=t,bn.set(s,n),s.setAttribute(e,v(t))}function rh(s){let e=document.
+createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.nodeValue??"").replace(/\s+/g," ");n.trim()&&vn.set(t,n)}for(let t of s.
+querySelectorAll("[aria-label]"))ot(t,"aria-label",t.getAttribute("aria-label")??"");Yt(s)}function Yt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|
+NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=vn.get(t);n!==void 0&&(t.nodeValue=v(n));let i=bn.get(t);for(let[o,a]of Object.entries(i??{}))
+t.setAttribute(o,v(a))}}yn(nh());var lh=new Set(["aria-label","title","placeholder","label"]);function m(s,e={},...t){let n=document.createElement(s),i=n;for(let[o,a]of Object.entries(e))a==null||
+a===!1||(o.startsWith("on")?n.addEventListener(o.slice(2),a):o==="class"?n.className=a:o in n&&o!=="list"&&typeof a!="string"?i[o]=a:lh.has(o)?ot(n,o,String(a)):
+n.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||n.append(o.nodeType?o:kn(String(o)));return n}function z(s,e){e?s.replaceChildren(kn(e)):s.
+replaceChildren()}var Xt=s=>s!==null&&s.getRootNode().activeElement===s,be=s=>s.getContext("2d");function Z(s){let e=s.getBoundingClientRect(),t=Math.min(globalThis.
+devicePixelRatio||1,2.5),n=Math.max(Math.round(e.width*t),1),i=Math.max(Math.round(e.height*t),1);(s.width!==n||s.height!==i)&&(s.width=n,s.height=i);let o=be(s);
+return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function hh(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=be(m("canvas",{width:1,height:1}));
+e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function xn(s){let e=getComputedStyle(
+s),t=i=>e.getPropertyValue(i).trim(),n=i=>hh(t(i));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--paper"),panel:n("--panel"),ground:n("--gro\
+und"),font:t("--font"),dark:wt(n("--paper"))<.2}}function at(s,e){let t=m("a",{href:URL.createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var x=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
+s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[i,o]=s.toExponential(e-1).split("e");n=`${xo(i)}·10${ch(Number(o))}`}else
+n=xo(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return ge(n.replace("-","−"))}function xo(s){return s.includes(".")&&!s.includes("e")?s.replace(
+/\.?0+$/,""):s}function ch(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
+"")}var j=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>ge(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Le(s){let e=Math.abs(s),[t,n]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return j(S(s*t,3),n)}function J(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),i=t/n;return(i>5?10:i>2?5:i>1?
+2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=J(e-s,t),i=[];for(let o=Math.ceil(s/n-1e-9);o*n<=e+1e-9*n&&i.length<
+200;o++)i.push(o*n);return i}function oe(s,e){let t=x(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):ge((Math.abs(s)<e*1e-6?
+0:s).toFixed(t).replace("-","−"))}var So=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],uh="tfc",dh=400;function Eo({time:s=0,options:e={},zoom:t=1,pan:n=[0,0],from:i,
+more:o,map:a}){let r=[];s>0&&r.push(`t=${Number(s.toFixed(4))}`);let l=So.filter(([c])=>e[c]).map(([,c])=>c);return l.join("")!==uh&&r.push(`show=${l.join("")}`),
 t!==1&&r.push(`zoom=${Number(t.toPrecision(3))}`),n.some(c=>Math.abs(c)>5e-4)&&r.push(`pan=${n.map(c=>Number(c.toFixed(3))).join(",")}`),i&&r.push(`from=${i.map(
-c=>Number(c.toPrecision(3))).join(",")}`),o&&r.push(`more=${o}`),a&&r.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.join("&")}function go(s){let e=new URLSearchParams(
-s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=0&&(t.time=n);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(po.map(([w,y])=>[w,i.includes(
-y)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=_(o,.05,60));let a=mo(e.get("pan"),2);a&&(t.pan=a.map(w=>_(w,-20,20)));let r=mo(e.get("from"),3);r&&
+c=>Number(c.toPrecision(3))).join(",")}`),o&&r.push(`more=${o}`),a&&r.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.join("&")}function To(s){let e=new URLSearchParams(
+s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=0&&(t.time=n);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(So.map(([w,y])=>[w,i.includes(
+y)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=x(o,.05,60));let a=_o(e.get("pan"),2);a&&(t.pan=a.map(w=>x(w,-20,20)));let r=_o(e.get("from"),3);r&&
 (t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,f]=e.get("map")?.split(",")??[],b=[h,d,g,f].map(Number);return f!==void 0&&b.every(Number.isFinite)&&
-b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]}),t}function mo(s,e){let t=(s??"").split(",").map(Number);return s&&t.length===e&&t.every(Number.
-isFinite)?t:null}var Hl=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),...s===null?[]:[s]]},Yt=class{constructor(e){
-this.lab=e,this.number=0,this.soon=ie(()=>this.write("same"),Gl),this.listen=()=>this.arrived(),addEventListener("popstate",this.listen)}close(){removeEventListener(
+b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]}),t}function _o(s,e){let t=(s??"").split(",").map(Number);return s&&t.length===e&&t.every(Number.
+isFinite)?t:null}var mh=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),...s===null?[]:[s]]},Qt=class{constructor(e){
+this.lab=e,this.number=0,this.soon=ie(()=>this.write("same"),dh),this.listen=()=>this.arrived(),addEventListener("popstate",this.listen)}close(){removeEventListener(
 "popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length||!t.motions.history.holds(t.motions.queries()))return;let n=t.link();e==="step"?history.
 pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(t=>{let n=()=>t();addEventListener("popstate",
-n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Hl();JSON.stringify(t)===JSON.stringify(this.lab.motions.queries())?
-this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var _t=[.05,.1,.25,.5,1,2,4],Qt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
-for(let e of this.listeners)e(this)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(e){let t=_t.indexOf(this.speed);this.speed=_t[_(t+e,0,_t.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=mh();JSON.stringify(t)===JSON.stringify(this.lab.motions.queries())?
+this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var St=[.05,.1,.25,.5,1,2,4],es=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+for(let e of this.listeners)e(this)}seek(e){this.time=x(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
+duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[x(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
-this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function Kl(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function ph(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
 (i,o,a)=>`e${o&&"-"}${a.normalize("NFKD")}`);let n=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return n?n[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function Ul(s,e,{label:t,unit:n,range:i}){let o=s.trim();if(Number.isNaN(e))return`${t} = ${o} must be a number, s\
+test(t)?Number(t.replace(",",".")):Number.NaN}function fh(s,e,{label:t,unit:n,range:i}){let o=s.trim();if(Number.isNaN(e))return`${t} = ${o} must be a number, s\
 uch as 2.5.`;if(!i||e>=i.least&&e<=i.most||i.also.includes(e))return"";let a=i.also.includes(0)?"0 or ":"",r=`from ${S(i.least,4)} to ${j(S(i.most,4),n)}`,l=i.also.
-includes(1/0)?", or inf":"";return`${t} = ${j(S(e,6),n)} must be ${a}${r}${l}.`}var Vl=0,ot=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
-typing=!1,this.error=m("p",{class:"error",role:"alert",id:`hh-error-${++Vl}`,hidden:!0}),this.input=m("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+includes(1/0)?", or inf":"";return`${t} = ${j(S(e,6),n)} must be ${a}${r}${l}.`}var gh=0,rt=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
+typing=!1,this.error=m("p",{class:"error",role:"alert",id:`hh-error-${++gh}`,hidden:!0}),this.input=m("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:n=>{
 n.key!=="Escape"||!(this.typing||this.refused())||(n.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=Kl(e,this.info.unit),n=Ul(e,t,this.info);n?this.refuse(
-n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=ph(e,this.info.unit),n=fh(e,t,this.info);n?this.refuse(
+n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),z(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=fe(e),this.typing||this.restore()}};var bo={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Zl={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Jl=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function wo(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
-max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Xt(t*(1-n)),inner_radius:Xt(.98*e),outer_radius:e},{shape:"point_mass",mass:Xt(t*n),at:e}]}var Xt=s=>Number(
-s.toPrecision(6)),es=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=m("div",{class:"parts"}),this.element=m("div",{},this.list,m("select",
-{"aria-label":"Add a part",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,Jl(n,this.radius,Xt(.2*this.mass))])}},m("option",{value:""},
-"+ add a part …"),Object.entries(bo).map(([t,{label:n}])=>m("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let i=JSON.stringify(
+input.value=this.shown,this.accept()}show(e){this.shown=ge(e),this.typing||this.restore()}};var Mo={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},bh={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},wh=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function Ao(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
+max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:ts(t*(1-n)),inner_radius:ts(.98*e),outer_radius:e},{shape:"point_mass",mass:ts(t*n),at:e}]}var ts=s=>Number(
+s.toPrecision(6)),ss=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=m("div",{class:"parts"}),this.element=m("div",{},this.list,m("select",
+{"aria-label":"Add a part",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,wh(n,this.radius,ts(.2*this.mass))])}},m("option",{value:""},
+"+ add a part …"),Object.entries(Mo).map(([t,{label:n}])=>m("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let i=JSON.stringify(
 e);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:i,parts:e,radius:t,mass:n}),this.list.
-replaceChildren(...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:n,keys:i}=bo[e.shape];return m("fieldset",{class:"part"},m("legend",{},n,this.parts.length>1&&
+replaceChildren(...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:n,keys:i}=Mo[e.shape];return m("fieldset",{class:"part"},m("legend",{},n,this.parts.length>1&&
 m("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${n}`,onclick:()=>this.send(this.parts.filter((o,a)=>a!==t))},"×")),i.map(o=>this.field(
-e,t,o)))}field(e,t,n){let[i,o]=Zl[n],a=new ot({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),m("div",
-{},m("label",{},`${i} [${o}]`,a.input),a.error)}};var yn=Math.PI/180;function Yl({allowed:s,degrees:e}){if(!s)return;let t=e?1/yn:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
-var vn=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
+e,t,o)))}field(e,t,n){let[i,o]=bh[n],a=new rt({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),m("div",
+{},m("label",{},`${i} [${o}]`,a.input),a.error)}};var _n=Math.PI/180;function yh({allowed:s,degrees:e}){if(!s)return;let t=e?1/_n:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
+var Sn=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
 range=m("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:i(!0),onpointerup:i(!1),onpointercancel:i(!1),onblur:i(!1)});let{label:o,unit:a}=e,r=`${o}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new ot({label:o,unit:a,name:r,range:Yl(e)},l=>this.send(l,!0)),this.element=m("div",{class:"control",title:e.help},m("label",{for:n},m("\
+n ${a}`:""}`;this.entry=new rt({label:o,unit:a,name:r,range:yh(e)},l=>this.send(l,!0)),this.element=m("div",{class:"control",title:e.help},m("label",{for:n},m("\
 span",{},o),m("span",{class:"symbol"},e.symbol)),this.range,m("span",{class:"entry"},this.entry.input,m("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(n)),this.say(n),this.send(n,e)}send(e,t){
-let n=this.info.degrees?e*yn:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",j(S(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?yn:1);this.
+let n=this.info.degrees?e*_n:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",j(S(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?_n:1);this.
 entry.show(n?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":v("auto {value}",{value:S(o,2)}),this.entry.input.title=
-n?j(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(o)}};function Ql(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
-o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ts=class{way;kind;gravity;apart;derived;film;constructor(e,t){
-this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new vn(i,this.onchange));this.choices=
-new Map(e.choices.map(n=>[n.path,Ql(n,this.onchange)])),this.parts=new es(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.
+n?j(String(o),this.info.unit):"";let a=x(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(o)}};function vh(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
+o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ns=class{way;kind;gravity;apart;derived;film;constructor(e,t){
+this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new Sn(i,this.onchange));this.choices=
+new Map(e.choices.map(n=>[n.path,vh(n,this.onchange)])),this.parts=new ss(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.
 hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
 element}select(e,t,n){let i=m("select",{onchange:()=>n(i.value)},t.map(([o,a])=>m("option",{value:o},a)));return{select:i,element:m("label",{class:"choice"},m("\
 span",{},e),i)}}group(e,...t){let n=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return m("details",{class:"group",open:n},m("summary",{},
 e),t)}hoop(){return this.way=this.select("Given by",[["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.
-film;e==="parts"?this.onchange([["hoop.parts",wo(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=m("p",{class:"derived"}),this.group(
+film;e==="parts"?this.onchange([["hoop.parts",Ao(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=m("p",{class:"derived"}),this.group(
 "Hoop",this.way.element,this.at("hoop.load_fraction"),this.at("hoop.eccentricity"),this.at("hoop.inertia_ratio"),this.parts.element,this.derived,this.at("hoop.r\
 adius"),this.at("hoop.mass"))}plane(){return this.apart=m("input",{type:"checkbox",onchange:()=>{let{values:e}=this.film;this.apart.checked?this.onchange([["pla\
 ne.mu_static",e["plane.mu_static"]],["plane.mu_kinetic",e["plane.mu_kinetic"]]]):this.onchange([["plane.mu",e["plane.mu_static"]]])}}),this.gravity=this.select(
@@ -1441,99 +1448,99 @@ p.load_fraction":o==="load_fraction","hoop.eccentricity":o==="eccentricity","hoo
 "start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,g]of Object.entries(h))this.
 at(p).hidden=!g;this.parts.element.hidden=o!=="parts",n.hoop.parts&&this.parts.show(n.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=o==="\
 eccentricity"?"":`ε = ${S(i["hoop.eccentricity"],5)}, κ = ${S(i["hoop.inertia_ratio"],5)}`+(o==="parts"?`, m = ${S(i["hoop.mass"],5)} kg`:"");let d=n;for(let[
-p,{select:g}]of this.choices){if(t.has(p))continue;let[f,b]=p.split(".");d[f]?.[b]!==void 0&&(g.value=d[f][b])}}};var kn=Math.PI/180;function yo(s,e){let{start:t,plane:n,contact:i,hoop:o}=s.scenario;return i.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
+p,{select:g}]of this.choices){if(t.has(p))continue;let[f,b]=p.split(".");d[f]?.[b]!==void 0&&(g.value=d[f][b])}}};var En=Math.PI/180;function Ro(s,e){let{start:t,plane:n,contact:i,hoop:o}=s.scenario;return i.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
 be level.":Math.abs(s.gravity-9.81)>1e-9?"It must be on Earth.":(n.restitution??0)!==0?"Restitution must be 0.":s.radius!==1||o.parts?"The radius must stay 1 m,\
  without parts.":s.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in o?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var vo=s=>s.events.filter(
-({kind:e})=>e==="takeoff");function Xl(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var ko=(s,e)=>Math.min(Math.round(100*s/e),100),eh=1.596,
-th=.37,sh=.05,_n=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=yo(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...Xl(s));return t?{points:ko(t,eh),text:"It rises by {height}.",values:{height:ze(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var zo=s=>s.events.filter(
+({kind:e})=>e==="takeoff");function kh(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Lo=(s,e)=>Math.min(Math.round(100*s/e),100),xh=1.596,
+_h=.37,Sh=.05,Tn=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=Ro(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...kh(s));return t?{points:Lo(t,xh),text:"It rises by {height}.",values:{height:Le(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=vo(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<sh)return{points:0,text:"The first hop is too low."};let i=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/kn,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
-from the top.",values:{off:G(i*kn)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=zo(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<Sh)return{points:0,text:"The first hop is too low."};let i=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/En,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
+from the top.",values:{off:G(i*En)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=yo(s,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*kn)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=vo(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=Ro(s,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*En)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=zo(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
 ({from:o})=>o<t.t);if(n.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:ko(i.height,th),text:"It rises by {height}.",values:{height:ze(i.height)}}:{points:0,
-text:"It does not hop."}}}],xn=s=>s>=95?3:s>=75?2:s>=40?1:0;var _o="hophoop-best-",nh=s=>"★".repeat(xn(s))+"☆".repeat(3-xn(s)),ss=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(_n.map(t=>[t.key,m("button",
+ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:Lo(i.height,_h),text:"It rises by {height}.",values:{height:Le(i.height)}}:{points:0,
+text:"It does not hop."}}}],Mn=s=>s>=95?3:s>=75?2:s>=40?1:0;var Po="hophoop-best-",Eh=s=>"★".repeat(Mn(s))+"☆".repeat(3-Mn(s)),is=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Tn.map(t=>[t.key,m("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=m("p",{}),this.meter=m("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=m("p",{class:"challenge-result",role:"status"}),this.kept=m("p",{class:"hint"}),this.element=m("section",{class:"challen\
 ges card","aria-label":"Challenges",hidden:!0},m("header",{},m("h2",{},"Challenges"),m("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
 onclick:()=>this.close()},"×")),m("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
 kept,m("div",{class:"buttons"},m("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),m("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??_n[0]),this.element.scrollIntoView({block:"nearest"}),
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Tn[0]),this.element.scrollIntoView({block:"nearest"}),
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,n]of this.tabs)n.setAttribute(
-"aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let n=await t.backend.call("film",{query:e});t.clock.play(
+"aria-pressed",String(t===e.key));z(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let n=await t.backend.call("film",{query:e});t.clock.play(
 !1),t.clock.time=0,t.motions.replace(n)}catch(n){t.notice.fail(n)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:n,text:i,values:o={}}=e.score(t.film());
-this.meter.value=n;let a=v("{stars} {points} points. {what}",{stars:nh(n),points:n,what:v(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-me(_o+e.key)??0);n>r&&!t.stage.options.ahead&&pe(_o+e.key,String(n)),P(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var xo=.09,ih=.03,Sn=Math.PI/180,ns=Math.PI/4,So=2*Math.PI,xt=s=>s-So*Math.round(s/So);function is(s,e){let t=s.at(e),n=e===0;return{angle:xt(t.angle),height:Math.
-max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Eo=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Pe=s=>Number(s.toFixed(4))+0;function To(s,e,t){
+this.meter.value=n;let a=v("{stars} {points} points. {what}",{stars:Eh(n),points:n,what:v(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+pe(Po+e.key)??0);n>r&&!t.stage.options.ahead&&fe(Po+e.key,String(n)),z(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var Do=.09,Th=.03,An=Math.PI/180,os=Math.PI/4,No=2*Math.PI,Et=s=>s-No*Math.round(s/No);function as(s,e){let t=s.at(e),n=e===0;return{angle:Et(t.angle),height:Math.
+max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Io=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Pe=s=>Number(s.toFixed(4))+0;function Oo(s,e,t){
 if(s==="plane")return[["plane.slope",Pe(e.slope)]];if(e.height>0)return[["start.angle",Pe(e.angle)],["start.height",Pe(e.height)],["start.vx",Pe(e.vx)],["start.\
-vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Pe(e.angle)],["start.speed",Pe(n)]]}var St=class{constructor(e,t,n,i,o){
-this.grip=e,this.film=t,this.view=i,this.before=is(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
+vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Pe(e.angle)],["start.speed",Pe(n)]]}var Tt=class{constructor(e,t,n,i,o){
+this.grip=e,this.film=t,this.view=i,this.before=as(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
 i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
-let n=this.read(e),{radius:i}=this.film;if(this.turned+=xt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-ns,ns);
-this.held.slope=Math.abs(o)<Sn?0:o}else if(this.grip==="load")this.held.angle=xt(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
-this.held.height=o<ih*i?0:o;let a=n.along-this.from.along;this.held.angle=xt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-xo;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>xo,c=Eo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
-a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Mo(s,e,t,n,i){let o={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=xt(n.angle+(o||a)*5*Sn*r);return{...n,angle:h}}if(s===
-"plane"){let h=_(n.slope+(o||-a)*Sn*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Eo(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
-l);return{...n,height:c<1e-9?0:c,vx:u}}function J(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
-n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ao(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
+let n=this.read(e),{radius:i}=this.film;if(this.turned+=Et(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=x(this.before.slope+this.turned,-os,os);
+this.held.slope=Math.abs(o)<An?0:o}else if(this.grip==="load")this.held.angle=Et(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
+this.held.height=o<Th*i?0:o;let a=n.along-this.from.along;this.held.angle=Et(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Do;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>Do,c=Io(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=x((o.turned-
+a.turned)/r,-c/i.radius,c/i.radius):(t.vx=x((o.along-a.along)/r,-c,c),t.vy=t.height>0?x((o.away-a.away)/r,-c,c):0)),t}};function Co(s,e,t,n,i){let o={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=Et(n.angle+(o||a)*5*An*r);return{...n,angle:h}}if(s===
+"plane"){let h=x(n.slope+(o||-a)*An*r,-os,os);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Io(i),c=x(n.height+a*.05*r*i.radius,0,4*i.radius),u=x(n.vx+o*.1*r,-l,
+l);return{...n,height:c<1e-9?0:c,vx:u}}function Y(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
+n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function qo(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),n=t.size===2?i():null)}),s.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!n))return;let r=i();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
-n=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var oh=700,En=44,ah=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],os=class{static Pull=St;pull=null;held=null;before=null;constructor(e){this.
-lab=e,this.places=new Map(ah.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=m("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=m("div",
+n=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var Mh=700,Rn=44,Ah=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],rs=class{static Pull=Tt;pull=null;held=null;before=null;constructor(e){this.
+lab=e,this.places=new Map(Ah.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=m("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=m("div",
 {class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:n}=e.
 stage;t.grab=o=>this.take(o),n.addEventListener("pointermove",o=>this.hover(o)),n.addEventListener("pointerleave",()=>this.hover(null));let i=o=>this.pull&&o.cancelable&&
-o.preventDefault();n.addEventListener("touchmove",i,{passive:!1}),this.settle=ie(()=>this.chosen(!1),oh)}place(e,t,n){return m("div",{class:`grip grip-${e}`,role:"\
+o.preventDefault();n.addEventListener("touchmove",i,{passive:!1}),this.settle=ie(()=>this.chosen(!1),Mh)}place(e,t,n){return m("div",{class:`grip grip-${e}`,role:"\
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.
 toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),
-u=this.onPlane(t),h=_(1.1*r*a,En,190),d=[["plane",u,En],["hoop",l,h],["load",c,En]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
+u=this.onPlane(t),h=x(1.1*r*a,Rn,190),d=[["plane",u,Rn],["hoop",l,h],["load",c,Rn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
 e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
 point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
-let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:ze(t.height),speed:S(t.vx,3)}),plane:G(
+let t=this.pull?.held??this.held??as(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:Le(t.height),speed:S(t.vx,3)}),plane:G(
 t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
 r.getAttribute("aria-valuetext")!==n[a]&&(r.setAttribute("aria-valuetext",n[a]),r.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),r.setAttribute(
 "aria-valuemin",String(o[a][0])),r.setAttribute("aria-valuemax",String(Number(o[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
 for(let[n,i]of this.places){let{left:o,top:a,width:r}=i.getBoundingClientRect(),l=Math.hypot(e.clientX-o-r/2,e.clientY-a-r/2);!i.hidden&&l<=r/2&&(t=n)}return t}hover(e){
 if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[n,i]of this.places)i.classList.toggle("near",n===t);this.lab.stage.plane.style.cursor=
 t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:n}=this,{flat:i,plane:o}=n.stage,a=this.places.get(t),r=this.view(),l=o.getBoundingClientRect(),
-c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),u=new St(t,n.film(),n.clock.time,r,c(e)),h=[...i.shift],[d,p]=[!1,!1];this.pull=u,a.classList.add(
+c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),u=new Tt(t,n.film(),n.clock.time,r,c(e)),h=[...i.shift],[d,p]=[!1,!1];this.pull=u,a.classList.add(
 "held");let g=()=>{p=!0,f.abort(),a.classList.remove("held"),i.fixed=null,this.pull=null,d&&this.comeBack(h)},f=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),
-g(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:f.signal}),J(o,e,w=>{if(!p){if(i.pinched()){g(),d&&this.back();return}!d&&Math.hypot(
+g(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:f.signal}),Y(o,e,w=>{if(!p){if(i.pinched()){g(),d&&this.back();return}!d&&Math.hypot(
 w.clientX-e.clientX,w.clientY-e.clientY)<3||(d||(i.fixed=r.scale,this.hold(),this.begin()),d=!0,u.move(c(w),w.timeStamp),i.shift=[h[0]+u.moved,h[1]],this.change(
 t,u.held,!1),this.show(t,u.held))}},(w,y)=>{p||(g(),d&&(y?(this.change(t,u.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:n}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=is(n.film(),n.clock.time);let i=Mo(
+t.altKey)return;let{lab:n}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=as(n.film(),n.clock.time);let i=Co(
 e,t.key,t.shiftKey,this.held,n.film());if(!i)return;this.before===null&&(this.hold(),this.begin()),this.held=i,this.change(e==="load"?"hoop":e,i,!1),this.show(e,
 i),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
-ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,n){this.lab.motions.change(To(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${G(t.angle)}`,
-hoop:t.height>0?`y = ${ze(t.height)}`:`θ = ${G(t.angle)}`,plane:`β = ${G(t.slope)}`};P(this.tip,t.vx&&this.held?`${n[e]}, v = ${S(t.vx,3)} m/s`:n[e]),this.tip.
+ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,n){this.lab.motions.change(Oo(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${G(t.angle)}`,
+hoop:t.height>0?`y = ${Le(t.height)}`:`θ = ${G(t.angle)}`,plane:`β = ${G(t.slope)}`};z(this.tip,t.vx&&this.held?`${n[e]}, v = ${S(t.vx,3)} m/s`:n[e]),this.tip.
 hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
 !0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
 request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let n=e.motions.lanes[e.motions.active];for(n.pending=null;n.busy;)await new Promise(
 i=>requestAnimationFrame(i));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(i){e.notice.fail(i)}}comeBack(e){let{flat:t}=this.lab.stage,n=matchMedia(
 "(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)return;let o=t.shift[0]-e[0];t.shift=Math.abs(o)<1||n?[...e]:[e[0]+.82*o,e[1]],this.lab.request(),
-t.shift[0]!==e[0]&&requestAnimationFrame(i)};i()}};var rh={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+t.shift[0]!==e[0]&&requestAnimationFrame(i)};i()}};var Rh={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(s){let e="\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function X(s){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let n=document.createElementNS(e,"path");return n.setAttribute("d",rh[s]),t.append(n),t}function Tn(s){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{ro(e.value),fn(e.value),s()}},Object.entries(kt).map(([t,n])=>m("option",
-{value:t,lang:t},document.createTextNode(n))));return e.value=Re(),e}var Ro={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+"icon");let n=document.createElementNS(e,"path");return n.setAttribute("d",Rh[s]),t.append(n),t}function zn(s){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{wo(e.value),yn(e.value),s()}},Object.entries(_t).map(([t,n])=>m("option",
+{value:t,lang:t},document.createTextNode(n))));return e.value=ze(),e}var jo={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
 {path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
@@ -1740,7 +1747,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,Mt=s=>s==="inf"?1/0:s;var _={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -1763,49 +1770,49 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
 "jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
-compliant_segment_bytes:536};var je=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Wm=je(x.cell),be=je(x.heads),Q=je(x.events),Mn=je(x.samples),zo=je(x.changes),Po=je(x.numbers),An=je(x.words),
-ch={newton:0,poisson:1,stronge:2};function Le(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
-er")),law:ch[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Rn(s){let e=t=>t??
-Number.NaN;return Float64Array.of(x.laws.indexOf(s.law),x.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
+compliant_segment_bytes:536};var We=s=>Object.fromEntries(s.map((e,t)=>[e,t])),bp=We(_.cell),we=We(_.heads),H=We(_.events),Ln=We(_.samples),Bo=We(_.changes),Wo=We(_.numbers),Pn=We(_.words),
+Ph={newton:0,poisson:1,stronge:2};function De(s){let e=new Float64Array(_.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
+er")),law:Ph[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return _.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Dn(s){let e=t=>t??
+Number.NaN;return Float64Array.of(_.laws.indexOf(s.law),_.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
 e(s.rtol))}var _e={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
-energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Lo=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var uh=new Set(["turn","apex","kane_gain","rest"]),dh=3,mh=1e-10;function ph(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=
-0&&o==="apex"&&(n<0||c>s[n].height)&&(n=i),!uh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=
-[i,-1]));return e}var as=class{constructor(e,t,n){let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),
-this.radius=e.radius,this.side=i??o,this.step=i?n:-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||fh(i,o))}rate(e,t){return this.side?this.side.rates[e*x.
-changes.length+zo[t]]:Number.NaN}of(e,t){return this.step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return ph(
+energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Fo=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Dh=new Set(["turn","apex","kane_gain","rest"]),Nh=3,Ih=1e-10;function Oh(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=
+0&&o==="apex"&&(n<0||c>s[n].height)&&(n=i),!Dh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=
+[i,-1]));return e}var ls=class{constructor(e,t,n){let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),
+this.radius=e.radius,this.side=i??o,this.step=i?n:-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Ch(i,o))}rate(e,t){return this.side?this.side.rates[e*_.
+changes.length+Bo[t]]:Number.NaN}of(e,t){return this.step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Oh(
 this.events.slice(0,this.count)).map(({begin:e,top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.of(n,o)-this.of(e,o);return{begin:e,end:n,height:this.of(t<0?e:t,"he\
-ight"),distance:i("x"),duration:i("t")}})}};function fh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function No(s,e){
+ight"),distance:i("x"),duration:i("t")}})}};function Ch(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Ho(s,e){
 let t=Math.abs(s);if(e==="°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?j(S(t,3),e):j(S(
-o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>mh*Math.max(e,.001);function Io(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${No(s,e)}`:"0":"–"}function zn(s){
-let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:No(t,n)})).join(Re()==="zh"?"，":", ");return B(e)}var Do=["m","{amount} \
-further to the right","{amount} further to the left"],gh=["s","{amount} later","{amount} earlier"];function qo(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[
-r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,dh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=zn([[u,"m","{amount} higher","{amount} lower"],[p,
+o*t,3),`${a}${e}`)}var hs=(s,e)=>Math.abs(s)>Ih*Math.max(e,.001);function Go(s,e){return Number.isFinite(s)?hs(s,1)?`${s>0?"+":"−"}${Ho(s,e)}`:"0":"–"}function Nn(s){
+let e=s.filter(([t])=>Number.isFinite(t)&&hs(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:Ho(t,n)})).join(ze()==="zh"?"，":", ");return F(e)}var $o=["m","{amount} \
+further to the right","{amount} further to the left"],qh=["s","{amount} later","{amount} earlier"];function Uo(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[
+r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,Nh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Nn([[u,"m","{amount} higher","{amount} lower"],[p,
 "m","{amount} longer","{amount} shorter"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount\
 } earlier"]]);g&&n.push(i.length>1?v("Hop {number}: {list}.",{number:r+1,list:g}):v("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<
-t&&r!=="start"&&r!=="end");if(o>=0){let r=zn([[s.of(o,"t"),...gh],[s.of(o,"x"),...Do]]);r&&n.push(v("The first event, {what}: {list}.",{what:v(_e[e[o].kind]),list:r}))}
-let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=zn([[s.of(a,"x"),...Do],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(v(
-"At the end, after {time} s: {list}.",{time:S(e[a].t,4),list:l}))}return n}var We={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},ls=Object.keys(We);function Oo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),i=[];
-for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
-x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:We[o],x:a,rare:r,hidden:0})}return i.sort((o,a)=>o.
-x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Co(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-c)<1e-6?h.
+t&&r!=="start"&&r!=="end");if(o>=0){let r=Nn([[s.of(o,"t"),...qh],[s.of(o,"x"),...$o]]);r&&n.push(v("The first event, {what}: {list}.",{what:v(_e[e[o].kind]),list:r}))}
+let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Nn([[s.of(a,"x"),...$o],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(v(
+"At the end, after {time} s: {list}.",{time:S(e[a].t,4),list:l}))}return n}var Fe={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
+↺",apex:"•"},cs=Object.keys(Fe);function Ko(s,e=11){let n=[...s.filter(({kind:o})=>o in Fe)].sort((o,a)=>cs.indexOf(o.kind)-cs.indexOf(a.kind)||o.x-a.x),i=[];
+for(let{kind:o,x:a}of n){let r=cs.indexOf(o)<cs.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
+x+e))<e-1e-9)?l[0].mark!==Fe[o]&&i.push({mark:Fe[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Fe[o],x:a,rare:r,hidden:0})}return i.sort((o,a)=>o.
+x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Vo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-c)<1e-6?h.
 wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,d]=[Math.
 max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){let f=Math.
-floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var jo=.7,Wo=34,bh=3,wh=400,yh=8,Pn=13;function Fo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,wh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
-of(a,"x"),dy:s.of(a,"height")}))}function Bo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&rs(r,e)).sort((r,l)=>r-l);if(!n.length)
-return 0;let i=Math.max(jo*e,Wo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function $o(s,e,t){
-let n=[],i=bh*Math.max(jo*s.film.radius,Wo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
+floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Zo=.7,Jo=34,jh=3,Bh=400,Wh=8,In=13;function Yo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,Bh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
+of(a,"x"),dy:s.of(a,"height")}))}function Xo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&hs(r,e)).sort((r,l)=>r-l);if(!n.length)
+return 0;let i=Math.max(Zo*e,Jo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function Qo(s,e,t){
+let n=[],i=jh*Math.max(Zo*s.film.radius,Jo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
 d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
-g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<Pn-1&&E.low<w&&E.high>b);)y-=Pn;if(g[1]-y>yh*Pn)continue;n.push({low:b,high:w,base:y});
-let k=y-g[1];vh(s,g,[f[0],f[1]+k],k,{known:u,broken:d<1,mark:We[o]??""})}}function vh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
+g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<In-1&&E.low<w&&E.high>b);)y-=In;if(g[1]-y>Wh*In)continue;n.push({low:b,high:w,base:y});
+let k=y-g[1];Fh(s,g,[f[0],f[1]+k],k,{known:u,broken:d<1,mark:Fe[o]??""})}}function Fh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
 hypot(n[0]-l[0],n[1]-l[1]),[u,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=g,s.fillStyle=g,
 s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=f,s.setLineDash(a?[5,6]:[]),s.beginPath(),
 s.moveTo(l[0],l[1]),s.lineTo(n[0]-u*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
 f>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-u*d-h*d*.55,n[1]-h*d+u*d*.55),s.lineTo(n[0]-u*d+h*d*.55,n[1]-h*d-u*d*.55),s.closePath(),s.stroke(),s.fill());
 s.lineCap="butt";let p=o?r:"?";p&&(s.font=`600 11px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,l[0],l[1]-
-7),s.fillText(p,l[0],l[1]-7))}var Go=Math.PI/180,kh=100,Ho="plane.mu",_h=/^(contact\.|duration$)/,xh=200,hs=T.reasons;function Ko(s,e){return s.textContent=e,s}var cs=class{on=!1;path=Ho;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
-this.lab=e,this.later=ie(()=>this.fetch(),kh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
+7),s.fillText(p,l[0],l[1]-7))}var ea=Math.PI/180,$h=100,ta="plane.mu",Hh=/^(contact\.|duration$)/,Gh=200,us=T.reasons;function sa(s,e){return s.textContent=e,s}var ds=class{on=!1;path=ta;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
+this.lab=e,this.later=ie(()=>this.fetch(),$h),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
 onclick:()=>this.turn()},"Arrows"),this.picked=m("select",{onchange:()=>this.pick(this.picked.value)}),this.step=m("span",{class:"more-step"}),this.take=m("butt\
 on",{type:"button",onclick:()=>this.apply()},"Do it"),this.said=m("ul",{class:"more-said"}),this.reason=m("p",{class:"more-reason",hidden:!0}),this.scale=m("p",
 {class:"hint"}),this.body=m("tbody",{}),this.rows=m("details",{class:"more-events"},m("summary",{},"Every event, by this step"),m("div",{class:"table-scroll",tabindex:"\
@@ -1813,206 +1820,206 @@ on",{type:"button",onclick:()=>this.apply()},"Do it"),this.said=m("ul",{class:"m
 col"},t)))),this.body))),this.element=m("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},m("header",{},m("h2",{},"What a litt\
 le more would do"),m("button",{type:"button",onclick:()=>this.turn(!1)},"Close")),m("div",{class:"more-asked"},m("label",{},m("span",{},"A little more"),this.picked),
 this.step,this.take),this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let i=e.root.classList.contains("guessing");if(!this.on||i||n!==e.motions.
-active)return;let o=Bo(this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&$o(t,this.arrows,o||1),o!==this.factor&&(this.factor=
+active)return;let o=Xo(this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&Qo(t,this.arrows,o||1),o!==this.factor&&(this.factor=
 o,this.tellScale())}}turn(e=!this.on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",
 e?this.changed(!0):this.forget(),this.lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.
-lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!_h.test(t.path)).map(({info:t})=>t)}parameter(){
+lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!Hh.test(t.path)).map(({info:t})=>t)}parameter(){
 let{values:e,scenario:t}=this.lab.film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[i,o]=n.path.split("."),a=e[n.path]??t[i][o];return{
-info:n,value:Number(a==="inf"?1/0:a),step:n.step*(n.degrees?Go:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();
+info:n,value:Number(a==="inf"?1/0:a),step:n.step*(n.degrees?ea:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();
 let{query:t}=this.lab.film();this.known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.
-path)||(this.path=e.find(({path:n})=>n.startsWith(Ho))?.path??e[0].path);let t=e.map(({label:n,symbol:i})=>`${v(n)} ${i}`);t.join()!==this.texts&&(this.texts=t.
-join(),this.picked.replaceChildren(...e.map(({path:n},i)=>Ko(m("option",{value:n}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=
+path)||(this.path=e.find(({path:n})=>n.startsWith(ta))?.path??e[0].path);let t=e.map(({label:n,symbol:i})=>`${v(n)} ${i}`);t.join()!==this.texts&&(this.texts=t.
+join(),this.picked.replaceChildren(...e.map(({path:n},i)=>sa(m("option",{value:n}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=
 null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;
 let{signal:o}=this.asked;if(this.known=`${t} ${n.query}`,!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.
 changes)return this.refuse("This needs a browser that runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,i.value,o);if(o.aborted||e.film()!==n)return;
-if(!a)return this.refuse(hs.edge);this.changes=new as(n,a,i.step),this.arrows=Fo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="A\
+if(!a)return this.refuse(us.edge);this.changes=new ls(n,a,i.step),this.arrows=Yo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="A\
 bortError"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();
-this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(v(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
-t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>j(S(n.degrees?c/Go:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
-disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=qo(e);!r.length&&e.failed<0&&r.push(v("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>Ko(
-m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(B([`${v(n.label)}\
+this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,z(this.reason,e),this.speak&&this.lab.story.say(v(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
+t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>j(S(n.degrees?c/ea:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
+disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=Uo(e);!r.length&&e.failed<0&&r.push(v("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>sa(
+m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(F([`${v(n.label)}\
  ${a}.`,...r,l&&v(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),
 this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":v("The arrows in the \
 picture lead from where the rim touches to where it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?v(t):""}why(e){
-let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=v(_e[r]??r),u=v(hs[n.reason]);return B(v("From {what} at \
-{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?B(v("To one side only: {reason}.",{reason:v(hs.edge)})):a?B(v("To one side only: \
-{reason}.",{reason:v(hs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Io(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
-"span",{"aria-hidden":"true"},l),B(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,xh)).
+let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=v(_e[r]??r),u=v(us[n.reason]);return F(v("From {what} at \
+{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?F(v("To one side only: {reason}.",{reason:v(us.edge)})):a?F(v("To one side only: \
+{reason}.",{reason:v(us.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Go(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
+"span",{"aria-hidden":"true"},l),F(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Gh)).
 map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},_e[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
 a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
-t]],!0)}};var us=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+t]],!0)}};var ms=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Uo=.22,Vo=.03;function Zo(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function Jo(s,e,t){let n=Math.
-sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/n,.02,1))}function Sh(s){
-let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ds=class{static heard=Zo;static knocks=Jo;context=null;on=!1;last=0;start(){
-let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Sh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var na=.22,ia=.03;function oa(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*x(.15+r,0,1):0}}function aa(s,e,t){let n=Math.
+sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>x(Math.abs(i.vy)/n,.02,1))}function Uh(s){
+let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ps=class{static heard=oa;static knocks=aa;context=null;on=!1;last=0;start(){
+let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Uh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
 ass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),n.connect(i).connect(
 a).connect(e.destination),t.start(),n.start(),this.context=e,Object.assign(this,{tone:t,low:o,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
-resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:n}=this[e];n.setTargetAtTime(Uo*t,this.context.currentTime,Vo)}follow(e,t){if(!this.
-on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:n,pitch:i,hiss:o}=Zo(e,t.time);if(this.set("low",n),
-this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,Vo),t.time>this.last)for(let a of Jo(e,this.last,t.time))this.knock(a);this.
-last=t.time}knock(e){let t=this.context,n=t.currentTime,i=t.createGain();i.gain.setValueAtTime(2.2*Uo*Math.sqrt(e),n),i.gain.exponentialRampToValueAtTime(1e-4,n+
+resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:n}=this[e];n.setTargetAtTime(na*t,this.context.currentTime,ia)}follow(e,t){if(!this.
+on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:n,pitch:i,hiss:o}=oa(e,t.time);if(this.set("low",n),
+this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,ia),t.time>this.last)for(let a of aa(e,this.last,t.time))this.knock(a);this.
+last=t.time}knock(e){let t=this.context,n=t.currentTime,i=t.createGain();i.gain.setValueAtTime(2.2*na*Math.sqrt(e),n),i.gain.exponentialRampToValueAtTime(1e-4,n+
 .18);let o=t.createOscillator();o.frequency.setValueAtTime(190,n),o.frequency.exponentialRampToValueAtTime(60,n+.15),o.connect(i).connect(t.destination),o.start(
-n),o.stop(n+.2)}close(){this.context?.close()}};var Ln=Math.PI/180,te=s=>e=>e.columns[s],Tt=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(i,o)=>e(n,o,t))),H={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:Tt("degrees",({angle:s},e)=>s[e]/Ln)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Tt(
-"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/Ln/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/Ln-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+n),o.stop(n+.2)}close(){this.context?.close()}};var On=Math.PI/180,te=s=>e=>e.columns[s],At=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(i,o)=>e(n,o,t))),U={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:At("degrees",({angle:s},e)=>s[e]/On)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:At(
+"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/On/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/On-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
 m",values:te("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:te("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",
-values:Tt("rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:te("vx")},
-spin:{name:"speed of rotation",symbol:"R θ̇",unit:"m/s",values:Tt("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"\
+values:At("rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:te("vx")},
+spin:{name:"speed of rotation",symbol:"R θ̇",unit:"m/s",values:At("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"\
 m/s",values:te("vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:te("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:te(
 "omega")},normal_force:{name:"normal force",symbol:"N",unit:"N",values:te("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:te("\
 friction_force")},utilization:{name:"use of friction",symbol:"|F|/μN",unit:"",values:te("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:te(
-"kinetic")},potential:{name:"potential energy",symbol:"E_p",unit:"J",values:te("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Tt("total",({
+"kinetic")},potential:{name:"potential energy",symbol:"E_p",unit:"J",values:te("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:At("total",({
 kinetic:s,potential:e},t)=>s[t]+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:te("friction_loss")},normal_loss:{name:"lost in impac\
 ts, normal part",symbol:"W_i",unit:"J",values:te("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:te("rolling_\
-resistance")}},Yo=({name:s,symbol:e})=>[s," ",e];var Eh=["time","angle","x","vx","spin","normal_force","friction_force"],Th=[1,.5,.2,.1,.05,.02,.01],Dn=601;function Qo(s,e,t){let n=Math.min(Math.floor(s.duration/
-t+1e-9)+1,Dn),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Mh(s,r,a))})}return i}function Mh(s,e,t){
+resistance")}},ra=({name:s,symbol:e})=>[s," ",e];var Kh=["time","angle","x","vx","spin","normal_force","friction_force"],Vh=[1,.5,.2,.1,.05,.02,.01],Cn=601;function la(s,e,t){let n=Math.min(Math.floor(s.duration/
+t+1e-9)+1,Cn),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Zh(s,r,a))})}return i}function Zh(s,e,t){
 if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let i=n.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
-i/360);let o=H[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var ms=class{film;rows=[];now;constructor(e){
-this.lab=e,this.columns=[...Eh],this.step=m("select",{onchange:()=>this.fill()},Th.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
-m("div",{class:"table-picks"},Object.entries(H).filter(([t])=>t!=="time").map(([t,{name:n}])=>this.pick(t,n))),this.caption=m("caption",{}),this.head=m("thead",
+i/360);let o=U[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var fs=class{film;rows=[];now;constructor(e){
+this.lab=e,this.columns=[...Kh],this.step=m("select",{onchange:()=>this.fill()},Vh.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
+m("div",{class:"table-picks"},Object.entries(U).filter(([t])=>t!=="time").map(([t,{name:n}])=>this.pick(t,n))),this.caption=m("caption",{}),this.head=m("thead",
 {}),this.body=m("tbody",{}),this.element=m("section",{class:"table","aria-label":"Table of the motion",hidden:!0},m("header",{},m("h2",{},"Table"),m("label",{class:"\
 table-step"},m("span",{},"Every"),this.step),m("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),m("button",{type:"button",onclick:()=>this.open(!1)},
 "Close")),m("details",{class:"table-columns"},m("summary",{},"Columns"),this.picks),m("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
  of the motion, rows"},m("table",{},this.caption,this.head,this.body)))}pick(e,t){let n=m("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
-let i=new Set(this.columns);n.checked?i.add(e):i.delete(e),this.columns=Object.keys(H).filter(o=>i.has(o)),this.fill()}});return m("label",{},n,m("span",{},t))}open(e){
+let i=new Set(this.columns);n.checked?i.add(e):i.delete(e),this.columns=Object.keys(U).filter(o=>i.has(o)),this.fill()}});return m("label",{},n,m("span",{},t))}open(e){
 this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
-element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>H[c]);this.head.
-replaceChildren(m("tr",{},o.map(({name:c,symbol:u,unit:h})=>m("th",{scope:"col",title:c},u,h&&m("small",{},` ${h}`))),m("th",{scope:"col"},"mode")));let a=Qo(e,
+element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>U[c]);this.head.
+replaceChildren(m("tr",{},o.map(({name:c,symbol:u,unit:h})=>m("th",{scope:"col",title:c},u,h&&m("small",{},` ${h}`))),m("th",{scope:"col"},"mode")));let a=la(e,
 t,n);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((d,p)=>p===0?m("th",{scope:"row"},S(d,4)):m("td",
-{},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Dn+1e-6,l=v("The first {count}\
- rows.",{count:Dn});P(this.caption,r?e.summary:B(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+{},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Cn+1e-6,l=v("The first {count}\
+ rows.",{count:Cn});z(this.caption,r?e.summary:F(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("\
-now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${H[o].name} [${H[o].unit||"1"}]`),"mode"],i=Qo(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
-...a,o].join(","));it(new Blob([[n.join(","),...i,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var Xo="hoop.radius=0.4&duration=1.5&start.speed=",Ah=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${U[o].name} [${U[o].unit||"1"}]`),"mode"],i=la(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
+...a,o].join(","));at(new Blob([[n.join(","),...i,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var ha="hoop.radius=0.4&duration=1.5&start.speed=",Jh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${Xo}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],Rh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${ha}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],Yh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],zh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],Xh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Ph=["1.0","1.3","1.6","1.9","2.2","2.3"],Lh=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ea(s,e){
-let t=u=>{c.close(),s(u)},n=(u,h="Show")=>m("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=Lh(),o=i&&[["teach/index.html","Teaching with the hoop"],
+rim slips. Why does slipping help it to hop?"],Qh=["1.0","1.3","1.6","1.9","2.2","2.3"],ec=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ca(s,e){
+let t=u=>{c.close(),s(u)},n=(u,h="Show")=>m("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=ec(),o=i&&[["teach/index.html","Teaching with the hoop"],
 ["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=m("table",{},m("caption",{},"A lesson of 45 mi\
-nutes"),m("thead",{},m("tr",{},["Minute","What happens","Motion"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Ah.map(([u,h,d])=>m("tr",{},m("th",{scope:"row"},
+nutes"),m("thead",{},m("tr",{},["Minute","What happens","Motion"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Jh.map(([u,h,d])=>m("tr",{},m("th",{scope:"row"},
 u),m("td",{},h),m("td",{},d===null?"":n(d)))))),r=m("table",{},m("caption",{},"What students often think"),m("thead",{},m("tr",{},["Idea","What is right"].map(u=>m(
-"th",{scope:"col"},u)))),m("tbody",{},Rh.map(([u,h])=>m("tr",{},m("td",{},u),m("td",{},h))))),l=m("section",{class:"sheet"},m("h3",{},"Worksheet: the hoop that \
+"th",{scope:"col"},u)))),m("tbody",{},Yh.map(([u,h])=>m("tr",{},m("td",{},u),m("td",{},h))))),l=m("section",{class:"sheet"},m("h3",{},"Worksheet: the hoop that \
 hops"),m("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),m("ol",{},zh.map(u=>m("li",{},u,m("div",{class:"answer-line"})))),m("table",{class:"sheet-\
-table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Ph.map(u=>m("tr",{},m("th",
-{scope:"row"},n(`${Xo}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),m("ol",{},Xh.map(u=>m("li",{},u,m("div",{class:"answer-line"})))),m("table",{class:"sheet-\
+table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Qh.map(u=>m("tr",{},m("th",
+{scope:"row"},n(`${ha}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
 For teachers"),m("button",{type:"button",onclick:()=>print()},"Print"),m("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),m("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",m("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Nn="RSKHM",Dh=new Set(["x","angle","height"]),Nh=1/60,ta=8,Ih={x:"vx",angle:"omega",height:"vy"},De=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
-this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
-said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=
-this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=
-this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.part=null}wanted(e,t=0){if(this.duration<Nh*
-this.length)return null;let n=_(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=this.part.t[this.part.length-1])return null;
-let o=Math.max(n-.25*ta,0);return[o,Math.min(o+ta+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,
-part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return co(this.said)}findPhases(){let{mode:e}=this.columns,
-t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===Nn[e[n]]?i.to=this.t[n]:t.push({mode:Nn[e[n]],from:this.t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)
-t[n].to=t[n+1].from;return t.filter(n=>n.to>n.from||t.length===1)}findExtent(){let{x:e,height:t,vx:n,vy:i,omega:o}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},
-r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(
-n[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,n=this.
-length;for(;n-t>1;){let i=t+n>>1;this.t[i]<=e?t=i:n=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.
-length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,from:0,to:e.length},{film:this,from:this.
-index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(t),o=Math.min(i+1,this.length-1),a=this.
-t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:Nn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){if(c==="t"||c==="mode")continue;let h=u[i],
-d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(Dh.has(c)){let p=this.columns[Ih[c]];l[c]=qh(h,d,p[i]*a,p[o]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){
-let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function qh(s,e,t,n,i){if(!Number.isFinite(t)||!Number.isFinite(n))return s+(e-s)*i;let o=1-
-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var On=s=>s-360*Math.floor(s/360);function Oh(s,e){let t=Math.abs(On(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function Ch(s,e){let t=Math.max(...e)-
-Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var jh=0;function Rt(s,e,t=!1){let n=`hh-guess-${++jh}`,
+e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var qn="RSKHM",tc=new Set(["x","angle","height"]),sc=1/60,ua=8,nc={x:"vx",angle:"omega",height:"vy"},Ne=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??null,this.events=t.events,this.values=
+t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.
+t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=
+this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.
+part=null}wanted(e,t=0){if(this.duration<sc*this.length)return null;let n=x(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=
+this.part.t[this.part.length-1])return null;let o=Math.max(n-.25*ua,0);return[o,Math.min(o+ua+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(
+this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return ko(
+this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===qn[e[n]]?i.to=this.t[n]:t.push({mode:qn[e[n]],from:this.
+t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)t[n].to=t[n+1].from;return t.filter(n=>n.to>n.from||t.length===1)}findExtent(){let{x:e,height:t,vx:n,vy:i,omega:o}=this.
+columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,
+e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(n[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(
+.95*(r.length-1))]||1,a}index(e){let t=0,n=this.length;for(;n-t>1;){let i=t+n>>1;this.t[i]<=e?t=i:n=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,
+from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,
+from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=x(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(
+t),o=Math.min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:qn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){
+if(c==="t"||c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(tc.has(c)){let p=this.columns[nc[c]];l[c]=ic(h,d,p[i]*a,p[o]*a,r)}else
+l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function ic(s,e,t,n,i){if(!Number.isFinite(t)||!Number.
+isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Wn=s=>s-360*Math.floor(s/360);function oc(s,e){let t=Math.abs(Wn(s-e+180)-180);return Math.round(100*x(1-(t-1)/89,0,1))}function ac(s,e){let t=Math.max(...e)-
+Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*x(1-2*n/(t||1),0,1))}var rc=0;function Lt(s,e,t=!1){let n=`hh-guess-${++rc}`,
 i="",o=s.map(([a,r])=>{let l=m("input",{type:"radio",name:n,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
 {},r))}});return{element:m("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
-row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var xe=168,At=58,
-In=(s,e=At)=>{let t=s*Math.PI/180;return[xe/2+e*Math.sin(t),xe/2-e*Math.cos(t)]};function Cn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=V(o),h=getComputedStyle(
-a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,xe,xe),u.strokeStyle=p,u.fillStyle=
-p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,xe/2+At),u.lineTo(xe-8,xe/2+At),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(xe/2,xe/2,At,0,2*Math.PI),u.stroke(),u.font=
-"11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=In(b,At-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
-u.arc(...In(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...In(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
-l=u=>{i===null&&(t=On(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
+row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var Se=168,zt=58,
+jn=(s,e=zt)=>{let t=s*Math.PI/180;return[Se/2+e*Math.sin(t),Se/2-e*Math.cos(t)]};function Fn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=Z(o),h=getComputedStyle(
+a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,Se,Se),u.strokeStyle=p,u.fillStyle=
+p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,Se/2+zt),u.lineTo(Se-8,Se/2+zt),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(Se/2,Se/2,zt,0,2*Math.PI),u.stroke(),u.font=
+"11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=jn(b,zt-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
+u.arc(...jn(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...jn(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
+l=u=>{i===null&&(t=Wn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
-u.preventDefault(),a.focus({preventScroll:!0}),c(u),J(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
+u.preventDefault(),a.focus({preventScroll:!0}),c(u),Y(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-On(u),r(),Oh(t,i))}}var Mt=9,[we,ps,Fe,qn]=[34,12,12,26];function sa({label:s,unit:e,most:t},n){let i=Array(Mt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+Wn(u),r(),oc(t,i))}}var Rt=9,[ye,gs,$e,Bn]=[34,12,12,26];function da({label:s,unit:e,most:t},n){let i=Array(Rt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
 h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:k=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];E&&(k.preventDefault(),k.stopPropagation(),
 g(y,i[y]+E*t/(k.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
-h=w=>we+w/(Mt-1)*(u().width-we-ps),d=w=>Fe+(1-w/t)*(u().height-Fe-qn),p=()=>{let{context:w,width:y,height:k}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
-A).trim();w.clearRect(0,0,y,k),w.strokeStyle=R("--line"),w.fillStyle=R("--soft"),w.font="11px system-ui, sans-serif";for(let A=0;A<Mt;A+=2)w.textAlign="center",
-w.fillText(`${45*A}°`,h(A),k-8),w.strokeRect(h(A),Fe,0,k-Fe-qn);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),we-6,d(A)+4),w.strokeRect(we,d(A),
-y-we-ps,0);w.textAlign="left",w.fillText(e,we+4,Fe+10);let M=(A,D,O)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(O),w.beginPath(),A.forEach((C,ee)=>{let re=we+
-ee/(A.length-1)*(y-we-ps);ee?w.lineTo(re,d(_(C,0,t))):w.moveTo(re,d(_(C,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.
-forEach((A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),
-l[w].setAttribute("aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),k=_((w.clientX-y.left-we)/(y.width-we-ps),0,1),E=Math.round(k*
-(Mt-1)),R=t*(1-(w.clientY-y.top-Fe)/(y.height-Fe-qn)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener(
-"pointerdown",w=>{w.preventDefault(),f=null,b(w),J(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
-p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Mt-1);return Ch(i,i.map((k,E)=>w[Math.round(E*y)]))}}}var gs=2*Math.PI,ne=(s,e)=>s.events.find(t=>t.kind===e),fs=s=>G(s-gs*Math.floor(s/gs));function Wh(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
-t;r++){let l=s.columns.angle[0]+gs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
-u*(i[c]-i[a]))}return o}var Fh=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,Bh={R:"roll",S:"spin",K:"skid",H:"bounce"},Be=[{key:"littlewood",title:"\
+h=w=>ye+w/(Rt-1)*(u().width-ye-gs),d=w=>$e+(1-w/t)*(u().height-$e-Bn),p=()=>{let{context:w,width:y,height:k}=Z(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
+A).trim();w.clearRect(0,0,y,k),w.strokeStyle=R("--line"),w.fillStyle=R("--soft"),w.font="11px system-ui, sans-serif";for(let A=0;A<Rt;A+=2)w.textAlign="center",
+w.fillText(`${45*A}°`,h(A),k-8),w.strokeRect(h(A),$e,0,k-$e-Bn);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),ye-6,d(A)+4),w.strokeRect(ye,d(A),
+y-ye-gs,0);w.textAlign="left",w.fillText(e,ye+4,$e+10);let M=(A,D,C)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(C),w.beginPath(),A.forEach((q,ee)=>{let re=ye+
+ee/(A.length-1)*(y-ye-gs);ee?w.lineTo(re,d(x(q,0,t))):w.moveTo(re,d(x(q,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.
+forEach((A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=x(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),
+l[w].setAttribute("aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),k=x((w.clientX-y.left-ye)/(y.width-ye-gs),0,1),E=Math.round(k*
+(Rt-1)),R=t*(1-(w.clientY-y.top-$e)/(y.height-$e-Bn)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener(
+"pointerdown",w=>{w.preventDefault(),f=null,b(w),Y(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
+p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Rt-1);return ac(i,i.map((k,E)=>w[Math.round(E*y)]))}}}var ws=2*Math.PI,ne=(s,e)=>s.events.find(t=>t.kind===e),bs=s=>G(s-ws*Math.floor(s/ws));function lc(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
+t;r++){let l=s.columns.angle[0]+ws*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
+u*(i[c]-i[a]))}return o}var hc=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,cc={R:"roll",S:"spin",K:"skid",H:"bounce"},He=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Rt(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Lt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],s),until:([s])=>{
 let[e,t]=[ne(s,"skim"),ne(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):s.duration},answer:([s])=>{let e=ne(s,"skim")??ne(s,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:fs(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:bs(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>sa({label:"Speed of the centre",unit:"m/s",most:10},
-s),until:([s])=>Fh(s,gs),answer:([s])=>{let e=Wh(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>da({label:"Speed of the centre",unit:"m/s",most:10},
+s),until:([s])=>hc(s,ws),answer:([s])=>{let e=lc(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:s=>Cn("Angle of the load where it begins to slip",s),until:([s])=>(ne(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=ne(s,"slip_start"),t=s.at(e.t).normal_force/
-(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:fs(e.
+guess:s=>Fn("Angle of the load where it begins to slip",s),until:([s])=>(ne(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=ne(s,"slip_start"),t=s.at(e.t).normal_force/
+(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:bs(e.
 angle),share:`${S(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Cn("Angle of the load\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Fn("Angle of the load\
  where it takes off",s),until:([s])=>(ne(s,"takeoff")?.t??0)+.12,answer:([s])=>{let e=ne(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
- takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:fs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
+ takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:bs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
 ane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at th\
 e top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it\
- do just after it has landed?",queries:[""],guess:s=>Rt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turn\
+ do just after it has landed?",queries:[""],guess:s=>Lt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turn\
 s too fast."],["bounce","It bounces."]],s),until:([s])=>(ne(s,"impact")?.t??s.duration)+.15,answer:([s])=>{let[e,t]=[ne(s,"takeoff"),ne(s,"impact")],n=s.events.
-find(i=>i.kind==="apex");return{truth:Bh[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
-le}.",values:{time:S((t?.t??0)-(e?.t??0),3),height:S(100*(n?.height??0),3),angle:fs(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
+find(i=>i.kind==="apex");return{truth:cc[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
+le}.",values:{time:S((t?.t??0)-(e?.t??0),3),height:S(100*(n?.height??0),3),angle:bs(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
 as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",
 title:"More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highes\
-t?",queries:["plane.mu=0.05","plane.mu=0.2",""],guess:s=>Rt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>ne(e,"im\
+t?",queries:["plane.mu=0.05","plane.mu=0.2",""],guess:s=>Lt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>ne(e,"im\
 pact")?.t??0)),answer:s=>{let e=s.map(o=>Math.max(0,...o.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,n,i]=e.map(o=>S(100*o,3));return{truth:String(e.indexOf(
 Math.max(...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:n,high:i}}},why:"On ice nothing driv\
 es the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is brak\
 ed on the way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid\
  bodies with dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration\
-=3","plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:s=>Rt([["flight","It flies off."],["impact","An impact stop\
+=3","plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:s=>Lt([["flight","It flies off."],["impact","An impact stop\
 s the slide at once."],["both","Both agree with the laws."]],s),until:s=>Math.min(.8,...s.map(e=>e.duration)),answer:s=>({truth:s.every(e=>ne(e,"painleve_indete\
 rminate"))?"both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws \
 have two answers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"\
 Your turn",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are compu\
-ted from the motion itself.",question:"",queries:[""]}];var na="hophoop-visit",bs=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
+ted from the motion itself.",question:"",queries:[""]}];var ma="hophoop-visit",ys=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
 t,this.body=m("div",{class:"visit-body"}),this.said=m("div",{class:"visit-answer",role:"status"}),this.element=m("section",{class:"visit card","aria-label":"Gui\
-ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){me(na)||(this.element.hidden=!1,P(this.said,""),this.
+ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){pe(ma)||(this.element.hidden=!1,z(this.said,""),this.
 body.replaceChildren(m("div",{class:"buttons offer"},m("p",{},m("b",{},"New here?")," ","Eight short questions: guess, then play."),m("button",{type:"button",class:"\
 main",onclick:()=>this.start()},"Start the visit"),m("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
-pe(na,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
-lab.show()}async go(e){let t=Be[e],n=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),P(this.said,
-""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<Be.length-1);try{let o=await Promise.all(t.queries.map(a=>i.backend.call("film",{query:a})));if(n!==
-this.asked)return;this.films=o.map(a=>new De(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
+fe(ma,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
+lab.show()}async go(e){let t=He[e],n=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),z(this.said,
+""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<He.length-1);try{let o=await Promise.all(t.queries.map(a=>i.backend.call("film",{query:a})));if(n!==
+this.asked)return;this.films=o.map(a=>new Ne(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
 i.motions.note(),this.fill(e)}catch(o){i.notice.fail(o)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
-"aria-label",v("The hoop, before it is let go."))}fill(e){let t=Be[e];this.play=m("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
-"Play");let n=e===Be.length-1,i=m("h2",{tabindex:"-1"},t.title);this.next=m("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-m("header",{},m("span",{class:"visit-count"},`Step ${e+1} of ${Be.length}`),m("progress",{max:String(Be.length),value:String(e+1),"aria-hidden":"true"}),m("butt\
+"aria-label",v("The hoop, before it is let go."))}fill(e){let t=He[e];this.play=m("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
+"Play");let n=e===He.length-1,i=m("h2",{tabindex:"-1"},t.title);this.next=m("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+m("header",{},m("span",{class:"visit-count"},`Step ${e+1} of ${He.length}`),m("progress",{max:String(He.length),value:String(e+1),"aria-hidden":"true"}),m("butt\
 on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),i,m("p",{},t.text),t.question?m("p",{class:"visit-question"},t.
 question):"",this.guess?.element??"",m("div",{class:"buttons"},e>0&&m("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,n?m("butto\
 n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,n&&m("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
@@ -2022,15 +2029,15 @@ stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loo
 seek(this.stop):e.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===
 null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;e.playing=!1;let n=this.stop;this.stop=null,this.unwind(),e.seek(n),this.judge()}judge(){
 let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:n,text:i,values:o={}}=e.answer(this.films),a=t.judge(n);this.points.set(e.key,a),this.said.replaceChildren(
-m("p",{},m("b",{},`${a} of 100 points.`)," ",lo(i,o)),m("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
+m("p",{},m("b",{},`${a} of 100 points.`)," ",yo(i,o)),m("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
 {block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,n)=>t+n,0);this.said.replaceChildren(m("p",{},`You have ${e} of ${100*this.points.size} poi\
-nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ws=class{words={t:v,untranslated:st};constructor(e){this.lab=e,this.grips=new os(e),this.sound=new ds,this.present=new us(e),this.challenges=new ss(e),this.
-visit=new bs(e,()=>this.challenges.open()),this.table=new ms(e),this.more=new cs(e),this.teach=ea(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),
+nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var vs=class{words={t:v,untranslated:it};constructor(e){this.lab=e,this.grips=new rs(e),this.sound=new ps,this.present=new ms(e),this.challenges=new is(e),this.
+visit=new ys(e,()=>this.challenges.open()),this.table=new fs(e),this.more=new ds(e),this.teach=ca(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),
 this.spoken()}layOut(){let{lab:e}=this,t=e.stage.element.parentElement,n=e.root.querySelector(".side");n?n.prepend(this.visit.element,this.challenges.element):t.
 before(this.visit.element,this.challenges.element),t.after(this.more.element,this.table.element),e.transport.element.querySelector(".switches")?.append(this.more.
 switch),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.querySelector(".right")?.prepend(this.menu(),
 this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(n,i,o)=>m("button",{type:"button",title:i,"ari\
-a-label":i,"aria-pressed":"false",onclick:o},Y(n));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a tenth\
+a-label":i,"aria-pressed":"false",onclick:o},X(n));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a tenth\
  of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.on),this.mark()}),
 this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),m("div",{class:"buttons tools"},
 this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(e.loop)),this.slow?.setAttribute("aria-pres\
@@ -2039,111 +2046,111 @@ let e=(n,i)=>m("button",{type:"button",onclick:()=>{t.open=!1,i()}},n),t=m("deta
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
 he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener(
 "pointerdown",n=>{t.contains(n.target)||(t.open=!1)}),t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector(
-"summary")?.focus())}),t}languages(){return Tn(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Re(),this.lab.hosted&&(document.
-documentElement.lang=Re(),document.title=v("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
+"summary")?.focus())}),t}languages(){return zn(()=>{this.spoken(),Yt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=ze(),this.lab.hosted&&(document.
+documentElement.lang=ze(),document.title=v("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
 this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
-this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),ys=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
+this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Pt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),ks=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
 a.group)??[],a]);this.fresh=!1,this.presets=m("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
 value);this.fresh=a!==void 0,a&&n.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},m("option",{value:""},"Motions to start from …"),[...i].
-map(([a,r])=>m("optgroup",{label:a},r.map(({key:l,title:c})=>m("option",{value:l},c))))),this.undo=zt(Y("undo"),"Undo (z)",n.undo),this.redo=zt(Y("redo"),"Redo \
-(y)",n.redo);let o=m("span",{},m("span",{class:"long"},"Compare"),m("span",{class:"short"},Y("two")));this.compare=zt(o,"Compare two hoops",n.compare),this.element=
+map(([a,r])=>m("optgroup",{label:a},r.map(({key:l,title:c})=>m("option",{value:l},c))))),this.undo=Pt(X("undo"),"Undo (z)",n.undo),this.redo=Pt(X("redo"),"Redo \
+(y)",n.redo);let o=m("span",{},m("span",{class:"long"},"Compare"),m("span",{class:"short"},X("two")));this.compare=Pt(o,"Compare two hoops",n.compare),this.element=
 m("header",{class:"top"},m("h1",{},m("span",{class:"logo","aria-hidden":"true"}),m("span",{},"hophoop",m("span",{class:"long"}," lab"))),this.presets,m("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),m("div",{class:"buttons right"},t,zt(Y("theme"),"Dark or light (d)",n.theme),zt("?","Keys and help (?)",n.help)))}show(e,t){
-this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var $h=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+buttons"},this.undo,this.redo,this.compare),m("div",{class:"buttons right"},t,Pt(X("theme"),"Dark or light (d)",n.theme),Pt("?","Keys and help (?)",n.help)))}show(e,t){
+this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var uc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
-["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Gh=[["R","roll","the rim does n\
+["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],dc=[["R","roll","the rim does n\
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
- +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Hh=[["▲ ▼","\
+ +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],mc=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],jn=(s,e,t=()=>!1)=>m("table",{},m("caption",{},s),e.map(([n,...i])=>m("\
-tr",{},m("th",{scope:"row"},t(n),n),i.map(o=>m("td",{},o)))));function ia(s,e,t){let n=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],$n=(s,e,t=()=>!1)=>m("table",{},m("caption",{},s),e.map(([n,...i])=>m("\
+tr",{},m("th",{scope:"row"},t(n),n),i.map(o=>m("td",{},o)))));function pa(s,e,t){let n=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
 p"),m("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),jn("Modes",Gh,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),jn("Marks on t\
-he bar of time",Hh),jn("Keys",$h),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var vs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
+mething that rigid-body mechanics cannot decide. Move a slider and see."),$n("Modes",dc,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),$n("Marks on t\
+he bar of time",mc),$n("Keys",uc),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var xs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=m("p",{class:"preset-text"}),this.element=m("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var oa="hophoop-single-keys",Kh=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var fa="hophoop-single-keys",pc=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
 s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
 clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
 whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
-travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function Uh(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function Vh(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ks=class{constructor(e){
-this.on=!e||me(oa)!=="off";let t=m("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&pe(oa,this.on?"on":"off")}});this.element=m("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Zh(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){Vh(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Uh(s,e);return}if(e.altKey||
+travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function fc(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function gc(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var _s=class{constructor(e){
+this.on=!e||pe(fa)!=="off";let t=m("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&fe(fa,this.on?"on":"off")}});this.element=m("labe\
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function bc(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){gc(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){fc(s,e);return}if(e.altKey||
 t.matches?.("select")&&!(e.key===" "&&s.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=Kh(s,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function aa(s,e){
-let t=e?document:s.root,n=i=>{Zh(s,i),e||i.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function ra(s,e){let t=m("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
+ summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=pc(s,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function ga(s,e){
+let t=e?document:s.root,n=i=>{bc(s,i),e||i.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function ba(s,e){let t=m("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
 s.classList.contains("stuck"))return;let a=s.offsetHeight;s.style.marginBottom="",s.classList.toggle("stuck",o),o&&(s.style.marginBottom=`${a-s.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=o?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function la(s,e){s.classList.add("hophoop"),!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}function ha(s,e){
+document.documentElement.style.scrollPaddingTop=o?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function wa(s,e){s.classList.add("hophoop"),!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}function ya(s,e){
 let{root:t,notice:n,hosted:i}=s,o=h=>!e||e.includes(h),a=m("aside",{class:"side","aria-label":"Parameters"},s.hoops.element,n.message,s.controls.element),r=m("d\
-iv",{class:"player"},s.stage.element,s.timeline.element,s.transport.element),l=i?ra(r,()=>s.request()):null,c=m("div",{class:"middle"},l?.edge,r,m("div",{class:"\
+iv",{class:"player"},s.stage.element,s.timeline.element,s.transport.element),l=i?ba(r,()=>s.request()):null,c=m("div",{class:"middle"},l?.edge,r,m("div",{class:"\
 words"},s.story.element,o("theory")&&s.theory.element),o("map")&&s.map.element),u=m("div",{class:"why"},o("plots")&&s.plots.element,o("plots")&&s.phase.element);
-return t.replaceChildren(m("div",{class:"page"},i&&Jh(s.timeline.element),s.header.element,m("div",{class:"columns"},o("controls")&&a,c,u)),n.toast,s.share.dialog,
-s.help),t.classList.toggle("no-controls",!o("controls")),l}function Jh(s){s.id="hh-player";let e=m("a",{class:"skip button",href:"#hh-player"},"Skip to the play\
-er");return e.onclick=t=>{t.preventDefault(),s.focus()},e}var Yh={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function at(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
+return t.replaceChildren(m("div",{class:"page"},i&&wc(s.timeline.element),s.header.element,m("div",{class:"columns"},o("controls")&&a,c,u)),n.toast,s.share.dialog,
+s.help),t.classList.toggle("no-controls",!o("controls")),l}function wc(s){s.id="hh-player";let e=m("a",{class:"skip button",href:"#hh-player"},"Skip to the play\
+er");return e.onclick=t=>{t.preventDefault(),s.focus()},e}var yc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function lt(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+n))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new Yh[r](t.buffer,t.byteOffset+4+n+c,u)}return{header:i,arrays:o}}var Pt=class extends Error{},Qh=500,Xh=4,ec="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function ca(s,e,t){
-for(;;)try{return await s()}catch(n){if(!(n instanceof Pt))throw n;e(n.message),await new Promise(i=>setTimeout(i,Qh)),t.throwIfAborted()}}var _s=class{constructor(e){
+4,4+n))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new yc[r](t.buffer,t.byteOffset+4+n+c,u)}return{header:i,arrays:o}}var Dt=class extends Error{},vc=500,kc=4,xc="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function va(s,e,t){
+for(;;)try{return await s()}catch(n){if(!(n instanceof Dt))throw n;e(n.message),await new Promise(i=>setTimeout(i,vc)),t.throwIfAborted()}}var Ss=class{constructor(e){
 this.base=e,this.shares=!0}async call(e,t,n){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:n},o=await this.answered(
-new URL(`lab/${e}`,this.base),i);if(o.status===202)throw new Pt((await o.json()).detail);return at(await o.arrayBuffer())}async answered(e,t){for(let n=Xh;;n--){
-let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(ec)});if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>
+new URL(`lab/${e}`,this.base),i);if(o.status===202)throw new Dt((await o.json()).detail);return lt(await o.arrayBuffer())}async answered(e,t){for(let n=kc;;n--){
+let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(xc)});if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>
 0)||n<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${i.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(o,10))),
 t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
-"",this.base)}${t}`}},tc=2e4,sc=3e5,xs=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
+"",this.base)}${t}`}},_c=2e4,Sc=3e5,Es=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
 slice(2),this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(
-n.timer),this.waiting.delete(e.number),e.compiling?n.reject(new Pt(e.compiling)):e.error?n.reject(new Error(e.error)):n.resolve(at(t[0])))}call(e,t,n){let i=++this.
+n.timer),this.waiting.delete(e.number),e.compiling?n.reject(new Dt(e.compiling)):e.error?n.reject(new Error(e.error)):n.resolve(lt(t[0])))}call(e,t,n){let i=++this.
 number;return new Promise((o,a)=>{let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
-"file"?sc:tc);this.waiting.set(i,{resolve:o,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(i),a(new DOMException("super\
+"file"?Sc:_c);this.waiting.set(i,{resolve:o,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(i),a(new DOMException("super\
 seded","AbortError"))}),this.model.send({view:this.view,number:i,call:e,body:t})})}async file(e,t){let{arrays:n}=await this.call("file",{query:t,name:e});return new Blob(
-[n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[ua,nc]=[62,92],ic=12,$e=10,oc=36,da=Math.PI/180,ye=["x","y"],Ss=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
-y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ua}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of ye)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+[n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[ka,Ec]=[62,92],Tc=12,Ge=10,Mc=36,xa=Math.PI/180,ve=["x","y"],Ts=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ka}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of ve)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[n,i]=this.windows[e];return{path:this.paths[e],from:n,to:i,cells:t}}bounds(e){let{range:t,allowed:n}=this.info(e),i=2*(t[1]-t[0]);return[Math.max(n[0],t[0]-
-i),Math.min(n[1],t[1]+i)]}zoom(e,t){let n={x:[],y:[]};for(let i of ye){let[o,a]=this.windows[i],r=t?.[i]??.5*(o+a);n[i]=Ge([r-(r-o)*e,r+(a-r)*e],this.bounds(i));
-let l=Math.max(Math.abs(n[i][0]),Math.abs(n[i][1]),1e-9);if(n[i][1]-n[i][0]<400*Number.EPSILON*l)return!1}return ye.every(i=>n[i].every((o,a)=>o===this.windows[i][a]))?
-!1:(this.windows=n,!0)}drag(e,t,n){let i=(o,a)=>Ge(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",n/this.box.
-height)}}restore(e){if(!ye.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of ye)this.paths[t]=e[t][0];for(let t of ye)this.windows[t]=Ge(
-e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return ye.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?nc:ua,this.box={width:e-this.left-ic,height:t-$e-oc}}clip(e){e.beginPath(),e.rect(this.
-left,$e,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return $e+
-(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+_(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-$e)/
+i),Math.min(n[1],t[1]+i)]}zoom(e,t){let n={x:[],y:[]};for(let i of ve){let[o,a]=this.windows[i],r=t?.[i]??.5*(o+a);n[i]=Ue([r-(r-o)*e,r+(a-r)*e],this.bounds(i));
+let l=Math.max(Math.abs(n[i][0]),Math.abs(n[i][1]),1e-9);if(n[i][1]-n[i][0]<400*Number.EPSILON*l)return!1}return ve.every(i=>n[i].every((o,a)=>o===this.windows[i][a]))?
+!1:(this.windows=n,!0)}drag(e,t,n){let i=(o,a)=>Ue(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",n/this.box.
+height)}}restore(e){if(!ve.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of ve)this.paths[t]=e[t][0];for(let t of ve)this.windows[t]=Ue(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return ve.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Ec:ka,this.box={width:e-this.left-Tc,height:t-Ge-Mc}}clip(e){e.beginPath(),e.rect(this.
+left,Ge,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return Ge+
+(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+x(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-Ge)/
 this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let i=this.info(n),[o,a]=this.windows[n],
-r=Math.max(Math.abs(o),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${v(i.label)} = ${j(S(i.degrees?e[n]/da:e[n],l),i.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t,n){e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(this.left+.5,$e+.5,this.box.width-1,this.box.height-1),e.font=`11px ${n.
-font}`;for(let i of ye){let o=this.info(i),a=o.degrees?1/da:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,u=Z(l-r,c),h=this.
+r=Math.max(Math.abs(o),Math.abs(a)),l=x(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${v(i.label)} = ${j(S(i.degrees?e[n]/xa:e[n],l),i.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t,n){e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ge+.5,this.box.width-1,this.box.height-1),e.font=`11px ${n.
+font}`;for(let i of ve){let o=this.info(i),a=o.degrees?1/xa:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,u=J(l-r,c),h=this.
 deep(i),d=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-d,l-d,c).map(b=>b+d):le(r,l,c);for(let b of p){let w=h?S(b-d,3):oe(b,u);i==="x"?(e.textAlign="center",
-e.fillText(w,this.x(b/a),$e+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
+e.fillText(w,this.x(b/a),Ge+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
 let g=h?` − ${String(d).replace("-","−")}`:"",f=`${v(o.label)}${g}${o.unit?` [${o.unit}]`:""}`;e.save(),e.textAlign="center",i==="x"?e.translate(this.left+.5*
-this.box.width,t-5):(e.translate(12,$e+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ge([s,e],[t,n]){let i=Math.min(e-s,n-
-t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function Wn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
-s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var rt=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,ac=.0018,ma=200,
-[rc,lc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Jt(n()))&&(o.preventDefault(),
-e(Math.exp(-Math.min(Math.max(o.deltaY,-ma),ma)*ac),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
-"=")e(rc);else if(o.key==="-")e(lc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),Ao(s,e)}var pa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},fa=48;function ga(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Fn(
-s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>cc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
-pointerType!=="touch"&&hc(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>uc(s,i))}function Fn(s,e){let t=s.body.getBoundingClientRect();
-return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function hc(s,e){s.tip.textContent=s.said(Fn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
-tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function cc(s,e,t,n){e.preventDefault(),
-s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Fn(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(o,u,h),s.redraw(),s.soon())};J(s.body,e,l,(c,u)=>{
-u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function uc(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,pa[e.key]){let[n,i]=pa[e.key],{x:o,y:a}=s.
-axes.windows;s.pointed={x:_(t.x+n*(o[1]-o[0])/fa,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/fa,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
-key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var dc=["start.height","start.vx","start.vy","start.omega"];function ba(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(n=>dc.includes(n))?"of starts in any state, though this motion starts rolling":""}var mc=Math.PI/180,pc=12,fc=["hop_height","flight_time","energy_lost","greatest_utilization"];function wa(s){return s.unit==="rad"?[1/mc,"°"]:[1,s.unit==="1"?"":
-s.unit]}function gc({classes:s,what:e},t){let[n,i]=[1/0,-1/0];if(s)return[n,i];for(let o of t)o<n&&(n=o),o>i&&(i=o);return[fc.includes(e)?Math.min(n,0):n,i]}function ya(s){
-let{values:e}=s.arrays,t=s.header,{x:n,y:i,classes:o}=t,a=new ImageData(n.cells,i.cells),[r,l]=gc(t,e),c=o?.map(({color:h})=>ve(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
+this.box.width,t-5):(e.translate(12,Ge+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ue([s,e],[t,n]){let i=Math.min(e-s,n-
+t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function Hn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
+s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var ht=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,Ac=.0018,_a=200,
+[Rc,zc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Xt(n()))&&(o.preventDefault(),
+e(Math.exp(-Math.min(Math.max(o.deltaY,-_a),_a)*Ac),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
+"=")e(Rc);else if(o.key==="-")e(zc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),qo(s,e)}var Sa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ea=48;function Ta(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Gn(
+s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>Pc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
+pointerType!=="touch"&&Lc(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>Dc(s,i))}function Gn(s,e){let t=s.body.getBoundingClientRect();
+return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function Lc(s,e){s.tip.textContent=s.said(Gn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
+tip.style.left=`${x(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Pc(s,e,t,n){e.preventDefault(),
+s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Gn(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(o,u,h),s.redraw(),s.soon())};Y(s.body,e,l,(c,u)=>{
+u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function Dc(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,Sa[e.key]){let[n,i]=Sa[e.key],{x:o,y:a}=s.
+axes.windows;s.pointed={x:x(t.x+n*(o[1]-o[0])/Ea,o[0],o[1]),y:x(t.y+i*(a[1]-a[0])/Ea,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
+key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var Nc=["start.height","start.vx","start.vy","start.omega"];function Ma(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(n=>Nc.includes(n))?"of starts in any state, though this motion starts rolling":""}var Ic=Math.PI/180,Oc=12,Cc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Aa(s){return s.unit==="rad"?[1/Ic,"°"]:[1,s.unit==="1"?"":
+s.unit]}function qc({classes:s,what:e},t){let[n,i]=[1/0,-1/0];if(s)return[n,i];for(let o of t)o<n&&(n=o),o>i&&(i=o);return[Cc.includes(e)?Math.min(n,0):n,i]}function Ra(s){
+let{values:e}=s.arrays,t=s.header,{x:n,y:i,classes:o}=t,a=new ImageData(n.cells,i.cells),[r,l]=qc(t,e),c=o?.map(({color:h})=>ke(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
 n.cells;d++){let p=e[h*n.cells+d],g=4*((i.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let f=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<i.cells&&e[(h+1)*
-n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):et[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
-return ge(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[n.from,n.to],y:[i.from,i.to],low:r,high:l}}function va(s,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
-o[1]+1e-300;return[...s.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-pc)}function ka({header:s,low:e,high:t,values:n}){let{classes:i}=s;if(!i){let r=m("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=ge(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${et[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,u]=wa(s);return[m("span",{},s.label,": ",t>=e?S(e*c,3):"none"," "),r,m("span",{},t>=e?j(S(t*c,3),u):""),n.some(h=>!Number.isFinite(h))?m("span",{},m("\
+n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):st[x(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
+return be(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[n.from,n.to],y:[i.from,i.to],low:r,high:l}}function za(s,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
+o[1]+1e-300;return[...s.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Oc)}function La({header:s,low:e,high:t,values:n}){let{classes:i}=s;if(!i){let r=m("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=be(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${st[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
+10);let[c,u]=Aa(s);return[m("span",{},s.label,": ",t>=e?S(e*c,3):"none"," "),r,m("span",{},t>=e?j(S(t*c,3),u):""),n.some(h=>!Number.isFinite(h))?m("span",{},m("\
 i",{class:"blank"}),"none"):""]}let o=new Map;for(let r of n)o.set(r,(o.get(r)??0)+1);let a=[...o].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
 0,10).map(([r])=>{let{color:l,text:c}=i[r];return m("span",{},m("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?m("span",{},`and ${a.length-
-10} more`):""]}function _a(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
-(e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=n[l*i.cells+r];if(a)return v(a[c]?.text??"not allowed");let[u,h]=wa(t);return Number.
-isFinite(c)?j(S(c*u,4),h):v("none")}return"…"}var xa=[[24,16],[72,48],[216,144]],Es=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:n,say:i,changed:o}){this.backend=
-e,this.onmotion=n,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new Ss(a),this.what="sequence",this.layers=[],this.canvas=m("canvas",{class:"plo\
+10} more`):""]}function Pa(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
+(e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=n[l*i.cells+r];if(a)return v(a[c]?.text??"not allowed");let[u,h]=Aa(t);return Number.
+isFinite(c)?j(S(c*u,4),h):v("none")}return"…"}var Da=[[24,16],[72,48],[216,144]],Ms=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:n,say:i,changed:o}){this.backend=
+e,this.onmotion=n,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new Ts(a),this.what="sequence",this.layers=[],this.canvas=m("canvas",{class:"plo\
 t-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),this.body=m("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
 ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=m("div",{class:"map-keys"}),this.state=m("span",{class:"hint"});
 let r=l=>{let c=m("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:u,label:h})=>m("option",{value:u},h)));return c};this.selects={x:r(
@@ -2151,9 +2158,9 @@ let r=l=>{let c=m("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},
 c])=>m("option",{value:l},c))),this.element=m("section",{class:"map","aria-label":"Map of motions"},m("div",{class:"map-head"},m("h2",{},"Map"),m("label",{},"of",
 this.quantity),m("label",{},"Across",this.selects.x),m("label",{},"Up",this.selects.y),m("span",{class:"buttons"},m("button",{type:"button","aria-label":"Zoom i\
 nto the map",onclick:()=>this.zoom(.5)},"+"),m("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),m("button",{type:"but\
-ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,m("p",{class:"hint"},`Click to take that motion into the player; ${rt("drag to move")}\
-.`)),ga(this),this.soon=ie(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
-refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of ye)this.selects[e].value=
+ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,m("p",{class:"hint"},`Click to take that motion into the player; ${ht("drag to move")}\
+.`)),Ta(this),this.soon=ie(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
+refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of ve)this.selects[e].value=
 this.axes.paths[e]}setAxis(e,t){this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);
 for(let n of Object.values(this.axes.paths)){let[i,o]=n.split(".");t[i]&&delete t[i][o]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let n=this.key_of(
 e.scenario);n!==this.key_now&&(this.key_now=n,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&
@@ -2161,133 +2168,133 @@ e.x==="start.speed"&&e.y==="plane.mu")return;let n=i=>[e[i],...t[i]];return{what
 e.what)||!this.axes.restore(e)||(this.quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.
 stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,n=t.contact.model==="rigid"?[]:[[
 "contact.model","rigid"]];this.computing=!0;let i=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.
-kind=i,this.redraw();try{for(let[o,a]of xa){P(this.state,`computing ${o*a} motions …`);let r={x:this.axes.asked("x",o),y:this.axes.asked("y",a)},l={scenario:t,
-changes:n,...r,what:this.what},c=await ca(()=>this.backend.call("map",l,e),p=>{P(this.state,p)},e),u=ya(c);this.layers=va(this.layers,u),this.keys.replaceChildren(
-...ka(u));let h=ba(t,Object.values(this.axes.paths)),d=v(n.length?"{count} motions, with rigid contact":"{count} motions",{count:o*a});P(this.state,h?`${d}; ${v(
-h)}`:d),this.redraw()}this.level=xa.length}catch(o){let{name:a,message:r}=o;if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)
-return;let{look:e}=this,{context:t,width:n,height:i}=V(this.canvas);this.axes.fit(n,i),t.clearRect(0,0,n,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
-let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&Wn(t,o.x(
-a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Jt(this.body)&&Wn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{
+kind=i,this.redraw();try{for(let[o,a]of Da){z(this.state,`computing ${o*a} motions …`);let r={x:this.axes.asked("x",o),y:this.axes.asked("y",a)},l={scenario:t,
+changes:n,...r,what:this.what},c=await va(()=>this.backend.call("map",l,e),p=>{z(this.state,p)},e),u=Ra(c);this.layers=za(this.layers,u),this.keys.replaceChildren(
+...La(u));let h=Ma(t,Object.values(this.axes.paths)),d=v(n.length?"{count} motions, with rigid contact":"{count} motions",{count:o*a});z(this.state,h?`${d}; ${v(
+h)}`:d),this.redraw()}this.level=Da.length}catch(o){let{name:a,message:r}=o;if(a==="AbortError")return;z(this.state,r)}this.computing=!1}redraw(){if(!this.film)
+return;let{look:e}=this,{context:t,width:n,height:i}=Z(this.canvas);this.axes.fit(n,i),t.clearRect(0,0,n,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
+let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&Hn(t,o.x(
+a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Xt(this.body)&&Hn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{
 let[i,o]=n.split(".");return this.film.values[n]??this.film.scenario[i]?.[o]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
-y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${_a(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
-this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Ms=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
-null||Ts(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
-i),this.past.length>500&&this.past.shift(),"step")}holds(e){return this.now!==null&&Ts(this.now,e)}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){
-let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}arrive(e){if(!(this.now&&Ts(this.
-now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,i=n.length-n.findLastIndex(o=>Ts(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.
-assign(this,{past:[],future:[],now:e,what:""})}}},Ts=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var As=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ms,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Pa(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Rs=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
+null||As(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
+i),this.past.length>500&&this.past.shift(),"step")}holds(e){return this.now!==null&&As(this.now,e)}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){
+let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}arrive(e){if(!(this.now&&As(this.
+now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,i=n.length-n.findLastIndex(o=>As(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.
+assign(this,{past:[],future:[],now:e,what:""})}}},As=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var zs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Rs,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new De(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Ne(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.since??=performance.now(),n.pending=[...(n.pending??[]).filter(([
 i])=>!e.some(([o])=>o===i)),...e],n.commit||=t,n.what=e.map(([i])=>i).join(),this.pump(n)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
-e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new De(await this.backend.call("film",{scenario:e.film.
+e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new Ne(await this.backend.call("film",{scenario:e.film.
 scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(i){this.lanes.includes(e)&&this.listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){
 for(let n of this.lanes){let{film:i}=n,o=n.refining||n.coarse===i?null:i.wanted(e,t);o&&(n.refining=!0,this.backend.call("samples",{scenario:i.scenario,window:o}).
 then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{n.coarse=i}).finally(()=>{n.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
-settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new De(
+settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new Ne(
 e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
 travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),
 this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){
 this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
 this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
-Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var bc=6e3,Rs=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
-timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
+Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var jc=6e3,Ls=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
+timer=0}fail(e){z(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var I=52,Se=10,z=8,zs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),z(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},jc)}};var I=52,Ee=10,L=8,Ps=30;function Na(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),n<o-4*r&&(n=o-.6*r),n=Math.min(n,0),i=Math.max(i,0),e&&([n,i]=[-Math.max(-n,i),Math.max(
--n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function Ea(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
-i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=Z(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
-a[0],a[1],l)){let b=Math.round(e.y(f))+.5;s.globalAlpha=Math.abs(f)<1e-9*c?1:.55,s.beginPath(),s.moveTo(I,b),s.lineTo(t-Se,b),s.stroke(),s.globalAlpha=1,s.fillText(
-oe(f,c),I-6,b)}let u=o.width/70,h=Z(r[1]-r[0],u);s.textAlign="center",s.textBaseline="alphabetic";let{name:d,unit:p}=H[e.shared.axis],g=p?`${v(d)} [${p}]`:v(d);
-for(let f of le(r[0],r[1],u)){let b=e.x(f);s.beginPath(),s.moveTo(b,z+o.height),s.lineTo(b,z+o.height+4),s.stroke(),s.fillText(oe(f,h),b,z+o.height+15)}s.textAlign=
-"right",s.fillText(g,t-Se,n-3),s.save(),s.translate(11,z+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(v(e.unit),0,0),s.restore()}var wc="RSKHM?";function Ta(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=wc[s[a*
-e+r]],c=ve(t[l]??"#6E6E6E"),u=4*((n-1-a)*e+r);o.data.set([...c,255],u)}return ge(i).putImageData(o,0,0),i}function Ma(s,e,t){let n=t.length;s.strokeStyle=bt(e.look.
+-n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function Ia(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
+i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=J(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
+a[0],a[1],l)){let b=Math.round(e.y(f))+.5;s.globalAlpha=Math.abs(f)<1e-9*c?1:.55,s.beginPath(),s.moveTo(I,b),s.lineTo(t-Ee,b),s.stroke(),s.globalAlpha=1,s.fillText(
+oe(f,c),I-6,b)}let u=o.width/70,h=J(r[1]-r[0],u);s.textAlign="center",s.textBaseline="alphabetic";let{name:d,unit:p}=U[e.shared.axis],g=p?`${v(d)} [${p}]`:v(d);
+for(let f of le(r[0],r[1],u)){let b=e.x(f);s.beginPath(),s.moveTo(b,L+o.height),s.lineTo(b,L+o.height+4),s.stroke(),s.fillText(oe(f,h),b,L+o.height+15)}s.textAlign=
+"right",s.fillText(g,t-Ee,n-3),s.save(),s.translate(11,L+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(v(e.unit),0,0),s.restore()}var Bc="RSKHM?";function Oa(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Bc[s[a*
+e+r]],c=ke(t[l]??"#6E6E6E"),u=4*((n-1-a)*e+r);o.data.set([...c,255],u)}return be(i).putImageData(o,0,0),i}function Ca(s,e,t){let n=t.length;s.strokeStyle=yt(e.look.
 dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let i=0;i<n;i++){if(!t[i])continue;let o=i;for(;o<n&&t[o]===t[i];)o++;let a=e.x(i*2*Math.PI/n),r=e.x(o*2*Math.PI/
-n);s.save(),s.beginPath(),s.rect(a,z,r-a,e.box.height),s.clip(),s.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?z+e.box.
-height:z),s.lineTo(a+c+e.box.height,l>0?z:z+e.box.height);s.stroke(),s.restore(),i=o}}function Aa(s,e,t,n){let{look:i}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.
-soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(I+.5,z+.5,e.box.width-1,e.box.height-1),s.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
-PI,r=a-o>200?45:Z(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);s.beginPath(),s.moveTo(u,z+e.box.height),s.lineTo(u,z+e.box.height+
-4),s.stroke(),s.fillText(oe(c*r,r),u,z+e.box.height+15)}s.textAlign="right",s.fillText(v("angle θ within a turn [°]"),t-Se,n-3),s.textBaseline="middle";let l=e.
-top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,Z(l,5)),I-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,z+.5*e.box.height),
-s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var Ps={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ls(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=Ps[e].map((o,a)=>(n+=
+n);s.save(),s.beginPath(),s.rect(a,L,r-a,e.box.height),s.clip(),s.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?L+e.box.
+height:L),s.lineTo(a+c+e.box.height,l>0?L:L+e.box.height);s.stroke(),s.restore(),i=o}}function qa(s,e,t,n){let{look:i}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.
+soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(I+.5,L+.5,e.box.width-1,e.box.height-1),s.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
+PI,r=a-o>200?45:J(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);s.beginPath(),s.moveTo(u,L+e.box.height),s.lineTo(u,L+e.box.height+
+4),s.stroke(),s.fillText(oe(c*r,r),u,L+e.box.height+15)}s.textAlign="right",s.fillText(v("angle θ within a turn [°]"),t-Ee,n-3),s.textBaseline="middle";let l=e.
+top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,J(l,5)),I-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,L+.5*e.box.height),
+s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var Ds={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ns(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=Ds[e].map((o,a)=>(n+=
 o,`${a%2?"transparent":s??"var(--ink)"} ${n-o}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
-join(", ")})`}return t}var Ds=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
+join(", ")})`}return t}var Is=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
 canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"\
 plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.
 element=m("section",{class:"phase"},m("header",{},m("h3",{},"Plane of θ and θ̇"),this.keys),this.body,m("p",{class:"hint"},"Colours: the mode that follows co\
-ntact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${rt("")}.`)),this.body.addEventListener("pointerdown",i=>this.seek(
+ntact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${ht("")}.`)),this.body.addEventListener("pointerdown",i=>this.seek(
 i)),this.pinched=ae(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(o?this.point(o):this.middle(),1/i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.
 asked="",this.soon=ie(()=>this.sharpen(),140)}async fetch(e,t){let n=this.reach(),i=JSON.stringify([e.hoop,e.plane,n]);if(i!==this.asked){let o=await this.painted(
 e,[0,2*Math.PI,-n,n],t);this.asked=i,this.pictures=[o],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||
 this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.
 sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,n){let{header:i,arrays:o}=await this.
-backend.call("regions",{scenario:e,window:t},n);return n?.throwIfAborted(),{window:i.window,paradox:o.paradox,picture:Ta(o.modes,o.paradox.length,this.colors.modes)}}reach(){
+backend.call("regions",{scenario:e,window:t},n);return n?.throwIfAborted(),{window:i.window,paradox:o.paradox,picture:Oa(o.modes,o.paradox.length,this.colors.modes)}}reach(){
 return this.reached}findReach(){let e=0;for(let n of this.films??[]){let i=Float64Array.from(n.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
-e,i[Math.floor(.99*(i.length-1))]??0)}let t=Z(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.
+e,i[Math.floor(.99*(i.length-1))]??0)}let t=J(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.
 wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){
-this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left-I)/this.box.width,i=1-(e.clientY-t.top-z)/
+this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left-I)/this.box.width,i=1-(e.clientY-t.top-L)/
 this.box.height;return[this.range[0]+n*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),
 .5*(this.bottom()+this.top())]}zoomAbout([e,t],n){let i=Math.max(e-(e-this.range[0])*n,0),o=Math.min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(
 t-(t-this.bottom())*n,-a),l=Math.min(t+(this.top()-t)*n,a);this.range=[i,o],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){
 return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,n){
 this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.
 some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return I+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){
-return z+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:i,height:o}=V(
-this.canvas);if(this.box={width:i-I-Se,height:o-z-zs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(I,z,this.box.width,this.box.height),n.clip(),this.pictures){
+return L+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:i,height:o}=Z(
+this.canvas);if(this.box={width:i-I-Ee,height:o-L-Ps},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(I,L,this.box.width,this.box.height),n.clip(),this.pictures){
 n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,u,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];n.fillStyle=
-t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ma(n,this,this.pictures[0].paradox)}for(let[a,r]of this.
-films.entries())this.way(n,r,a);if(n.restore(),Aa(n,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(
-r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ls(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
-columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?de(n,this.look.dark):this.look.ink,e.beginPath();let l=null;
+t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ca(n,this,this.pictures[0].paradox)}for(let[a,r]of this.
+films.entries())this.way(n,r,a);if(n.restore(),qa(n,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(
+r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ns(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
+columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?me(n,this.look.dark):this.look.ink,e.beginPath();let l=null;
 for(let c=0;c<t.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==
 l.lap){let d=u>l.lap?r:0;e.lineTo(this.x(d),this.y(o[c])),e.moveTo(this.x(r-d),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));
-l={lap:u,mode:a[c]}}e.stroke(),e.setLineDash([])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:i}=V(this.over);t.clearRect(0,0,n,i),this.
-films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=I&&u<=I+this.box.width&&h>=z&&h<=z+this.box.height&&
-(t.beginPath(),t.arc(u,h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?de(a,this.look.dark):
+l={lap:u,mode:a[c]}}e.stroke(),e.setLineDash([])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:i}=Z(this.over);t.clearRect(0,0,n,i),this.
+films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=I&&u<=I+this.box.width&&h>=L&&h<=L+this.box.height&&
+(t.beginPath(),t.arc(u,h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?me(a,this.look.dark):
 this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){
 let t=this.body.getBoundingClientRect(),[n,i]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.columns,
 l=2*Math.PI,c={distance:1/0,t:0};for(let u=0;u<o.length;u++){let h=a[u]-Math.floor(a[u]/l)*l,d=Math.hypot(this.x(h)-n,this.y(r[u])-i);d<c.distance&&(c={distance:d,
-t:o.t[u]})}c.distance<40&&this.clock.seek(_(c.t,0,o.duration))}};var lt=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
+t:o.t[u]})}c.distance<40&&this.clock.seek(x(c.t,0,o.duration))}};var ct=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
 t,this.unit=n,this.curves=i,this.limits=o,this.symmetric=a,this.shared=r,this.canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas \
 plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"plot-body",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=
 m("section",{class:"plot","data-plot":e},m("header",{},m("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=
-ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return H[this.
+ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return U[this.
 shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.
 films)for(let i of this.abscissa(n))i<e&&(e=i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??
-this.fullRange(),this.legend(this.shades(e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:i,width:o,height:a}=V(this.canvas);this.box={width:o-I-Se,height:a-
-z-zs},i.clearRect(0,0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.
-shared.axis==="time"&&this.bands(i,t[n],e),Ea(i,this,o,a),i.save(),i.beginPath(),i.rect(I,z,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,
+this.fullRange(),this.legend(this.shades(e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:i,width:o,height:a}=Z(this.canvas);this.box={width:o-I-Ee,height:a-
+L-Ps},i.clearRect(0,0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.
+shared.axis==="time"&&this.bands(i,t[n],e),Ia(i,this,o,a),i.save(),i.beginPath(),i.rect(I,L,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,
 l);if(t.length>1)for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.
-curves(e).map(o=>({...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(Ps);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return I+
-(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
+curves(e).map(o=>({...o,color:o.color&&vt(o.color,n)}));let i=Object.keys(Ds);return this.curves(e).map((o,a)=>({...o,color:me(t,n),dash:i[a%i.length]}))}x(e){return I+
+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return L+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
 let t=[];for(let{film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(
-i[a])}return Sa(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),I,I+this.box.width),a=_(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
-bt(n.modes[i.mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
-Ps[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
-isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
+i[a])}return Na(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=x(this.x(i.from),I,I+this.box.width),a=x(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
+yt(n.modes[i.mode],.14),e.fillRect(o,L,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
+Ds[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
+isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=x(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
 [])}letter(e,{film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.
-isFinite(i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
+isFinite(i[l]))return;let[c,u]=[this.x(a[l]),x(this.y(i[l])-8,L+10,L+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
 e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+
-t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ls(i.color,
+t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ns(i.color,
 i.dash),i.name," ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.
 films.length>1?`${"AB"[a]}: `:"",u={name:v(i),low:S(r,3),high:S(l,3)};return l>=r?`${c}${v("{name} from {low} to {high}",u)}`:""}),n=v("Diagram: {title} in {uni\
 t}.",{title:v(this.title),unit:v(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{
-context:t,width:n,height:i}=V(this.over);if(t.clearRect(0,0,n,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-
+context:t,width:n,height:i}=Z(this.over);if(t.clearRect(0,0,n,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-
 1),h=r.t[u]>r.t[c]?(l.t-r.t[c])/(r.t[u]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[u]-d[c])),g=p>=I-1&&p<=I+this.box.width+1;g&&(t.strokeStyle=this.look.soft,
-t.lineWidth=1,t.beginPath(),t.moveTo(p,z),t.lineTo(p,z+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+
-h*(w-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let k=this.y(y);!g||!(k>=z-1&&k<=z+this.box.height+1)||(t.fillStyle=
-f.color??this.look.ink,t.beginPath(),t.arc(p,k,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=bt("#0072B2",.2),t.fillRect(Math.min(
-o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_((e.clientX-t.left-I)/(t.width-I-Se),0,1);return this.range[0]+n*(this.
+t.lineWidth=1,t.beginPath(),t.moveTo(p,L),t.lineTo(p,L+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+
+h*(w-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let k=this.y(y);!g||!(k>=L-1&&k<=L+this.box.height+1)||(t.fillStyle=
+f.color??this.look.ink,t.beginPath(),t.arc(p,k,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=yt("#0072B2",.2),t.fillRect(Math.min(
+o,a),L,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=x((e.clientX-t.left-I)/(t.width-I-Ee),0,1);return this.range[0]+n*(this.
 range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=e.clientX-t.left,i=this.valueAt(e),o=this.pinched(),a=r=>{if(o||=
 this.pinched(),o)return;let l=r.clientX-t.left;this.picked=e.pointerType==="mouse"&&Math.abs(l-n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
-this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(
+this.cursor(this.shared.clock.time)};Y(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(
 this.shared.clock.time):l&&!o&&this.seek(e.pointerType==="mouse"?i:c)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],
 n=this.abscissa(t),i=0;for(let o=0;o<n.length;o++)Math.abs(n[o]-e)<Math.abs(n[i]-e)&&(i=o);return this.onseek(t.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){
 let n=this.fullRange(),i=Math.max(e-(e-this.range[0])*t,n[0]),o=Math.min(e+(this.range[1]-e)*t,n[1]);this.zoomTo(i<=n[0]&&o>=n[1]?null:[i,o])}zoomTo(e){this.shared.
-range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Bn=s=>Object.entries(H).map(([e,t])=>m("option",{value:e},s(t)));function Ra(s){let e="height",t=new lt({key:"own",title:"Your choice",unit:"",curves:o=>[{name:v(
-H[e].name),values:H[e].values(o)}]},s),n=()=>{let{symbol:o,unit:a}=H[e];t.unit=a?`${o} [${a}]`:o},i=m("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=i.value,n(),s.changed()}},Bn(Yo));return i.value=e,n(),t.element.querySelector("h3")?.after(i),t}function yc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
+range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Un=s=>Object.entries(U).map(([e,t])=>m("option",{value:e},s(t)));function ja(s){let e="height",t=new ct({key:"own",title:"Your choice",unit:"",curves:o=>[{name:v(
+U[e].name),values:U[e].values(o)}]},s),n=()=>{let{symbol:o,unit:a}=U[e];t.unit=a?`${o} [${a}]`:o},i=m("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=i.value,n(),s.changed()}},Un(ra));return i.value=e,n(),t.element.querySelector("h3")?.after(i),t}function Wc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:s.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,n=>n*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:s.kinetic,values:e.columns.kinetic},{name:"potential",color:s.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:n,potential:i})=>Float64Array.from(t,(o,a)=>n[a]+i[a])),dash:"dash"},{name:"lost to friction",color:s.friction_loss,
@@ -2295,42 +2302,42 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
-friction_force,values:e.columns.utilization}]}]}var Ns=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
-redraw()},this.plots=[...yc(t).map(i=>new lt(i,this.shared)),Ra(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
+friction_force,values:e.columns.utilization}]}]}var Os=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+redraw()},this.plots=[...Wc(t).map(i=>new ct(i,this.shared)),ja(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
 i.element,!0]));let n=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
 plots)n.observe(i.element);this.axis=m("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
-null,this.redraw()}},Bn(({name:i})=>`over ${i}`)),this.back=m("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
+null,this.redraw()}},Un(({name:i})=>`over ${i}`)),this.back=m("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
 m("span",{class:"hint"}),this.element=m("div",{class:"plots"},m("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(e,t,n){
-this.films=e,this.active=t,this.look=n;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${rt("")}`,
-o=e.length>1;P(this.hint,o?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${i}`:i),this.redraw()}redraw(){if(this.films?.length){this.
+this.films=e,this.active=t,this.look=n;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${ht("")}`,
+o=e.length>1;z(this.hint,o?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${i}`:i),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Na=Sl(Da(),1);var vc=3840;async function Ia(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(vc/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
-round(e*n),height:Math.round(t*n)}),o=ge(i);return o.setTransform(n,0,0,n,0,0),Gn(o,s,e,t),s.stage.options.three?(o.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
-Ca(o,s,e,t),Hn(o,s,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function qa(s){if(s.stage.options.three)
-throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Na.Context(
-{width:e,height:t,document});return Gn(n,s,e,t),Ca(n,s,e,t),Hn(n,s,t),new Blob([n.getSerializedSvg()],{type:"image/svg+xml"})}function Oa(s,e){let t=s.stage.canvas(),
-{width:n,height:i}=t.getBoundingClientRect(),o=ge(e);o.setTransform(e.width/n,0,0,e.height/i,0,0),Gn(o,s,n,i),o.drawImage(t,0,0,n,i),Hn(o,s,i)}function Gn(s,{theme:e},t,n){
-s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function Ca(s,e,t,n){let{stage:i,clock:o,theme:a}=e;i.flat.paint(s,t,n,e.films(),o.time,i.options,a.look,a.inks)}function Hn(s,e,t){
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ha=Ul($a(),1);var Fc=3840;async function Ga(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Fc/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
+round(e*n),height:Math.round(t*n)}),o=be(i);return o.setTransform(n,0,0,n,0,0),Vn(o,s,e,t),s.stage.options.three?(o.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
+Va(o,s,e,t),Zn(o,s,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Ua(s){if(s.stage.options.three)
+throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Ha.Context(
+{width:e,height:t,document});return Vn(n,s,e,t),Va(n,s,e,t),Zn(n,s,t),new Blob([n.getSerializedSvg()],{type:"image/svg+xml"})}function Ka(s,e){let t=s.stage.canvas(),
+{width:n,height:i}=t.getBoundingClientRect(),o=be(e);o.setTransform(e.width/n,0,0,e.height/i,0,0),Vn(o,s,n,i),o.drawImage(t,0,0,n,i),Zn(o,s,i)}function Vn(s,{theme:e},t,n){
+s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function Va(s,e,t,n){let{stage:i,clock:o,theme:a}=e;i.flat.paint(s,t,n,e.films(),o.time,i.options,a.look,a.inks)}function Zn(s,e,t){
 let{theme:n,stage:i,clock:o}=e,a=e.films();s.textBaseline="top",s.textAlign="left";for(let[r,l]of a.entries()){let c=l.at(o.time),u=a.length>1?`${"AB"[r]}: `:"",
 h=v(n.colors.mode_names[c.mode]),d=`t = ${c.t.toFixed(3)} s, θ = ${G(c.angle)}, v = ${S(c.vx,3)} m/s`,p=i.options.three?10+20*r:10+r*t/a.length;s.fillStyle=n.colors.
-modes[c.mode],s.fillRect(12,p+2,11,11),s.fillStyle=n.look.ink,s.font=`13px ${n.look.font}`,s.fillText(`${u}${h}, ${d}`,30,p)}s.textBaseline="alphabetic"}async function ja(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
+modes[c.mode],s.fillRect(12,p+2,11,11),s.fillStyle=n.look.ink,s.font=`13px ${n.look.font}`,s.fillText(`${u}${h}, ${d}`,30,p)}s.textBaseline="alphabetic"}async function Za(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
 stead.");let t=m("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),i=[];
 n.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
-s.afterFrame=()=>{Oa(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await o,s.afterFrame=null,s.clock.loop=a,new Blob(i,{type:n.
-mimeType})}var kc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+s.afterFrame=()=>{Ka(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await o,s.afterFrame=null,s.clock.loop=a,new Blob(i,{type:n.
+mimeType})}var $c=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
 )"]],qs=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),kc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
-ture (PNG)",()=>this.picture("png",Ia)),this.item("Picture (SVG)",()=>this.picture("svg",qa)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
+this.item("Copy the link",()=>this.copyLink()),$c.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
+ture (PNG)",()=>this.picture("png",Ga)),this.item("Picture (SVG)",()=>this.picture("svg",Ua)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
 "Show me the Python",()=>this.code()))),this.dialog=m("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
 own",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return m("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(n){
 this.lab.notice.fail(n)}}},e)}async copyLink(){let e=this.lab.link()??"";try{await navigator.clipboard.writeText(e),this.lab.notice.say("The link is copied.")}catch{
 this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith("mp4")?"The film is being made; this takes a whil\
-e …":`Fetching ${e} …`),it(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is there.`)}async picture(e,t){it(await t(this.lab),
-`hophoop.${e}`)}async record(){it(await ja(this.lab),"hophoop.webm"),this.lab.notice.say("The film is there.")}async code(){let{header:e}=await this.lab.backend.
+e …":`Fetching ${e} …`),at(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is there.`)}async picture(e,t){at(await t(this.lab),
+`hophoop.${e}`)}async record(){at(await Za(this.lab),"hophoop.webm"),this.lab.notice.say("The film is there.")}async code(){let{header:e}=await this.lab.backend.
 call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let n=0;n<
-e.length;n+=2){let i=e[n+1],o=m("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.writeText(i).catch(()=>{}),P(o,"Copied")},t.push(
+e.length;n+=2){let i=e[n+1],o=m("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.writeText(i).catch(()=>{}),z(o,"Copied")},t.push(
 m("header",{},m("h2",{},e[n]),o),m("pre",{tabindex:"0"},m("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(...t,m("button",{type:"button",class:"\
-close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Wa=120,Os=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
+close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Ja=120,js=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
 common=h,this.pose=i.at(o);let d=i.radius,{left:p,right:g}=i.extent,{top:f}=h;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let b=2*h.radius+Math.min(
 f,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(g-p)*this.cosine+2.6*d,k=(g-p)*Math.abs(this.sine)+2.6*d+f;this.scale=Math.min(t/y,.86*n/k,w)*
 c,this.focus=[.5*(p+g),0],this.place=[.5*t+u[0],(i.slope?.62:.8)*n+u[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=
@@ -2339,7 +2346,7 @@ this.scale*(i*this.cosine-n*this.sine)]}unpoint(e,t){let n=(e-this.place[0])/thi
 sine,this.focus[1]+n*this.sine+i*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
 forces()}ground(){let{context:e,look:t,width:n,height:i}=this,o=(Math.hypot(n,i)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
 this.focus[0]-o,0),[l,c]=this.point(this.focus[0]+o,0),u=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
-l+u[0],c+u[1]),e.lineTo(a+u[0],r+u[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=Z(n/this.scale,n/
+l+u[0],c+u[1]),e.lineTo(a+u[0],r+u[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=J(n/this.scale,n/
 90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let d=Math.ceil((this.focus[0]-o)/h),p=Math.min(Math.floor((this.focus[0]+o)/h),
 d+400);for(let g=d;g<=p;g++){let[f,b]=this.point(g*h,0);f<-40||f>n+40||(e.beginPath(),e.moveTo(f,b),e.lineTo(f-6*this.sine,b+6*this.cosine),e.stroke(),e.fillText(
 `${oe(g*h,h)} m`,f-18*this.sine,b+8+10*this.cosine))}}traces(){let{film:e,context:t,look:n,colors:i}=this,o=e.radius,a=this.options.ahead?e.duration:this.pose.t,
@@ -2347,70 +2354,70 @@ r=(l,c,u,h)=>{t.strokeStyle=c,t.lineWidth=u,t.lineJoin="round",t.beginPath();let
 w,y):t.moveTo(w,y),d=!0};for(let g of e.pieces()){let{x:f,height:b,angle:w,mode:y}=g.film.columns;for(let k=g.from;k<g.to&&g.film.t[k]<=a;k++)h===void 0||y[k]===
 3===h?p(f[k],b[k],w[k]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),t.stroke()};t.globalAlpha=
 this.options.ahead?.45:1,r(o,n.ink,1.3),r(e.eccentricity*o,i.gravity_center,1.8,!1),r(e.eccentricity*o,i.airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:n,
-film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-_(.07*i.radius*a,2,
+film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-x(.07*i.radius*a,2,
 14)-3,2),0,2*Math.PI),n.stroke(),n.fillStyle=t,n.font=`700 17px ${this.look.font}`,n.textAlign="center",n.fillText(e,r-14,l+20)}hoop(){let{film:e,pose:t,context:n,
-look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
+look:i,colors:o,scale:a}=this,r=e.radius,l=x(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
 "butt",i.dark&&(n.strokeStyle=i.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){let b=this.common.
-speed;n.lineWidth=l;let w=2*Math.PI/Wa;for(let y=0;y<Wa;y++){let k=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(k+.5*w),t.vy-r*t.omega*Math.sin(k+.5*w));n.strokeStyle=
-Ut[_(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(k-.04*w)),n.lineTo(...h(k+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
+speed;n.lineWidth=l;let w=2*Math.PI/Ja;for(let y=0;y<Ja;y++){let k=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(k+.5*w),t.vy-r*t.omega*Math.sin(k+.5*w));n.strokeStyle=
+Zt[x(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(k-.04*w)),n.lineTo(...h(k+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
 n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=i.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(u[0],u[1])),n.lineTo(
 ...h(t.angle)),n.stroke();let d=(b,w,y,k)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=k,n.stroke()};d(this.point(
-u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),_(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
-g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,_(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
+u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),x(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
+g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,x(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
 scale:r}=this,c=e.reduce((u,h)=>u+h.mass*(h.at??0),0)<0?-1:1;o.strokeStyle=a.ink;for(let u of e){let h=c*(u.at??0),d=this.point(t[0]+h*Math.sin(i.angle),t[1]+h*
 Math.cos(i.angle));if(o.fillStyle=a.ink,o.lineWidth=1,o.beginPath(),u.shape==="ring")o.globalAlpha=.22,o.arc(...d,u.outer_radius*r,0,2*Math.PI),o.arc(...d,u.inner_radius*
 r,0,2*Math.PI,!0),o.fill(),o.globalAlpha=1;else if(u.shape==="rod"){let p=.5*u.length,g=f=>this.point(t[0]+f*Math.sin(i.angle),t[1]+f*Math.cos(i.angle));o.lineWidth=
-4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:_(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
+4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:x(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
 p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,i=e.radius,o=e.mass*(e.gravity||9.81),a=l=>.55*i*l/o;if(t.mode==="H"||!(t.normal_force>
 0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],n.normal_force,`N = ${S(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],n.friction_force,
-`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[_(
-n,-h,h),_(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
+`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[x(
+n,-h,h),x(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
 f);for(let[R,M]of[[c.paper,6],[o,3]])l.strokeStyle=R,l.fillStyle=R,l.lineWidth=M,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-b*y,g[1]-w*y),l.stroke();if(l.beginPath(),
 l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[R,M]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
 c.paper,l.lineWidth=2,l.beginPath();for(let A of[-3,3])l.moveTo(R+b*(A-3)-w*7,M+w*(A-3)+b*7),l.lineTo(R+b*(A+3)+w*7,M+w*(A+3)-b*7);l.stroke()}l.font=`600 12px ${c.
 font}`;let k=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let E=r?[p[0]-.5*k-32*this.sine,p[1]+32*this.cosine]:[g[0]+
-12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-k-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+12,x(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=x(E[0],4,u-k-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,n]=[0,0]){let{width:i,
-height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
-let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
-let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
+height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=x(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
+let t=[e.clientX,e.clientY],n=this.shift;Y(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
+let{context:a,width:r,height:l}=Z(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
 u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,d)=>{e.save(),e.beginPath(),
-e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Os(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
-p,d),i.length>1&&(p.mark("AB"[d],de(d,r.dark)),e.fillStyle=de(d,r.dark),e.font=`700 17px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
-d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Un(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=s[4*a+i]*e[4*n+a];t[4*n+i]=o}return t}function Fa(s,e,t,n){
-let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Ba(s,e){let t=He(Vn(s,e)),n=He(js([0,1,0],t)),
-i=js(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Kn(n,s),-Kn(i,s),-Kn(t,s),1])}var Vn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
-Kn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],js=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function He(s){let e=Math.hypot(...s)||1;return[
-s[0]/e,s[1]/e,s[2]/e]}function Ws(s,e,t,n){let i=He(e),o=He(js(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=js(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
-map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function Zn(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ht(s,e,t){let n=s.createProgram(),i=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new js(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
+p,d),i.length>1&&(p.mark("AB"[d],me(d,r.dark)),e.fillStyle=me(d,r.dark),e.font=`700 17px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
+d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Yn(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=s[4*a+i]*e[4*n+a];t[4*n+i]=o}return t}function Ya(s,e,t,n){
+let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Xa(s,e){let t=Ke(Xn(s,e)),n=Ke(Ws([0,1,0],t)),
+i=Ws(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Jn(n,s),-Jn(i,s),-Jn(t,s),1])}var Xn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
+Jn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],Ws=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function Ke(s){let e=Math.hypot(...s)||1;return[
+s[0]/e,s[1]/e,s[2]/e]}function Fs(s,e,t,n){let i=Ke(e),o=Ke(Ws(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=Ws(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
+map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function Qn(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ut(s,e,t){let n=s.createProgram(),i=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
 l),!s.getShaderParameter(l,s.COMPILE_STATUS))throw new Error(String(s.getShaderInfoLog(l)));s.attachShader(n,l)}if(s.linkProgram(n),!s.getProgramParameter(n,s.LINK_STATUS))
 throw new Error(String(s.getProgramInfoLog(n)));let o={program:n,uniforms:{},attributes:{}};for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_UNIFORMS);a++){let{name:r}=s.
 getActiveUniform(n,a);o.uniforms[r]=s.getUniformLocation(n,r)}for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_ATTRIBUTES);a++){let{name:r}=s.getActiveAttrib(n,a);
-o.attributes[r]=s.getAttribLocation(n,r)}return o}function Ke(s,e,t,n){let i=s.createBuffer();s.bindBuffer(s.ARRAY_BUFFER,i),s.bufferData(s.ARRAY_BUFFER,new Float32Array(
+o.attributes[r]=s.getAttribLocation(n,r)}return o}function Ve(s,e,t,n){let i=s.createBuffer();s.bindBuffer(s.ARRAY_BUFFER,i),s.bufferData(s.ARRAY_BUFFER,new Float32Array(
 e),s.STATIC_DRAW);let o=n?s.createBuffer():null;n&&(s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,o),s.bufferData(s.ELEMENT_ARRAY_BUFFER,new Uint16Array(n),s.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:i,elements:o,parts:t,stride:a,count:n?n.length:4*e.length/a}}function ct(s,e,t){s.bindBuffer(s.ARRAY_BUFFER,
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:i,elements:o,parts:t,stride:a,count:n?n.length:4*e.length/a}}function dt(s,e,t){s.bindBuffer(s.ARRAY_BUFFER,
 t.vertices);let n=0;for(let[i,o]of Object.entries(t.parts)){let a=e.attributes[i];a!==void 0&&(s.enableVertexAttribArray(a),s.vertexAttribPointer(a,o,s.FLOAT,!1,
-t.stride,n)),n+=4*o}t.elements&&s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,t.elements)}function Jn(s,e){let t=[];for(let n=0;n<s;n++)for(let i=0;i<e;i++){let o=n*(e+1)+
-i,a=o+e+1;t.push(o,a,o+1,a,a+1,o+1)}return t}function $a(s,e=120,t=14){let n=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++)n.push(2*Math.PI*i/e,2*Math.PI*o/t);return Ke(
-s,n,{bend:2},Jn(e,t))}function Ga(s,e=28,t=18){let n=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++){let[a,r]=[2*Math.PI*i/e,Math.PI*o/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];n.push(...l,...l)}return Ke(s,n,{position:3,normal:3},Jn(e,t))}function Yn(s,e,t=20){let n=[];for(let i=0;i<=t;i++){let o=2*
-Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];n.push(Math.cos(o),0,Math.sin(o),...a,e*Math.cos(o),1,e*Math.sin(o),...a)}return Ke(s,n,{position:3,normal:3},Jn(t,1))}var Va=`
+t.stride,n)),n+=4*o}t.elements&&s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,t.elements)}function ei(s,e){let t=[];for(let n=0;n<s;n++)for(let i=0;i<e;i++){let o=n*(e+1)+
+i,a=o+e+1;t.push(o,a,o+1,a,a+1,o+1)}return t}function Qa(s,e=120,t=14){let n=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++)n.push(2*Math.PI*i/e,2*Math.PI*o/t);return Ve(
+s,n,{bend:2},ei(e,t))}function er(s,e=28,t=18){let n=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++){let[a,r]=[2*Math.PI*i/e,Math.PI*o/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];n.push(...l,...l)}return Ve(s,n,{position:3,normal:3},ei(e,t))}function ti(s,e,t=20){let n=[];for(let i=0;i<=t;i++){let o=2*
+Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];n.push(Math.cos(o),0,Math.sin(o),...a,e*Math.cos(o),1,e*Math.sin(o),...a)}return Ve(s,n,{position:3,normal:3},ei(t,1))}var ir=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,Za=`
+  }`,or=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,Ja="vec4(0.0, 0.0, 0.0, shadow)",Ha=[`attribute vec2 bend;
+  }`,ar="vec4(0.0, 0.0, 0.0, shadow)",tr=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${Za}
+   ${or}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -2422,21 +2429,21 @@ Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];n.push(Math.cos(o),0,Math.sin(o),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${Va}
+   ${ir}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${Ja} : vec4(shaded(color, n), 1.0);
-   }`],Ka=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${ar} : vec4(shaded(color, n), 1.0);
+   }`],sr=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${Za}
+   ${or}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${Va}
-   void main() { gl_FragColor = shadow > 0.0 ? ${Ja} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Ua=[`attribute vec3 position, next, tint; attribute \
+   ${ir}
+   void main() { gl_FragColor = shadow > 0.0 ? ${ar} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],nr=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -2451,28 +2458,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fs=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],$s=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
-e,this.sun=He(n),this.dark=i,this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=ht(a,Ha[0],Ha[1]),this.body=ht(a,Ka[0],Ka[1]),this.line=ht(a,Ua[0],Ua[1]),this.torus=$a(
-a),this.sphere=Ga(a),this.cylinder=Yn(a,1),this.cone=Yn(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+e,this.sun=Ke(n),this.dark=i,this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=ut(a,tr[0],tr[1]),this.body=ut(a,sr[0],sr[1]),this.line=ut(a,nr[0],nr[1]),this.torus=Qa(
+a),this.sphere=er(a),this.cylinder=ti(a,1),this.cone=ti(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
 l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
-a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=Zn(0),
+a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=Qn(0),
 this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:n,slope:i,angle:o,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),l.clearColor(
-e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let u=Fa(o,c.width/c.height,a,r);this.view=Un(Un(u,
-Ba(t,n)),Zn(i)),this.eye=He(Vn(t,n))}use(e,t){let{gl:n}=this;n.useProgram(e.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
+e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let u=Ya(o,c.width/c.height,a,r);this.view=Yn(Yn(u,
+Xa(t,n)),Qn(i)),this.eye=Ke(Xn(t,n))}use(e,t){let{gl:n}=this;n.useProgram(e.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
 o,a]of Object.entries(i)){let r=e.uniforms[o];r!==void 0&&(typeof a=="number"?n.uniform1f(r,a):a.length===16?n.uniformMatrix4fv(r,!1,a):n[`uniform${a.length}fv`](
 r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
 t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,n,{shadow:i=!1,lit:o=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:n,shadow:i?
-this.dark:0,lit:Number(o)}),ct(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,Ws(e,[0,1,0],t,t),n,{shadow:i})}ring({
+this.dark:0,lit:Number(o)}),dt(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,Fs(e,[0,1,0],t,t),n,{shadow:i})}ring({
 center:e,radius:t,tube:n,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:u}=this;this.use(this.rim,{center:e,size:[t,n,i,o],motion:[...a,r],most:this.
-fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ct(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,u.UNSIGNED_SHORT,0)}rod(e,t,n,i,o,a=!1){
-this.solid(this.cylinder,Ws(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
-n-a,.029*i,o),this.solid(this.cone,Ws(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
-r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ke(this.gl,i,{position:3,next:3,
+fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),dt(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,u.UNSIGNED_SHORT,0)}rod(e,t,n,i,o,a=!1){
+this.solid(this.cylinder,Fs(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
+n-a,.029*i,o),this.solid(this.cone,Fs(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
+r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ve(this.gl,i,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:n,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:n,distance:i,
-shift:o,depth:a}),ct(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
-l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var _c=[.35,.85,.4],xc=.18,Lt={azimuth:.5,height:.22,distance:5.2},Ya=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+shift:o,depth:a}),dt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
+l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Hc=[.35,.85,.4],Gc=.18,Nt={azimuth:.5,height:.22,distance:5.2},rr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2480,12 +2487,12 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Fs(e,et,_c,xc,{keep:!0}),this.floor=ht(this.space.gl,Ya[0],Ya[1]),this.corners=Ke(this.
-space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Lt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
-this.turned.distance/e,1.6,60):this.turned={...Lt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Lt.azimuth&&t===Lt.height&&n===
-Lt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
-y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+(n.clientY-t.y)*.006,
+   }`],Hs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new $s(e,st,Hc,Gc,{keep:!0}),this.floor=ut(this.space.gl,rr[0],rr[1]),this.corners=Ve(this.
+space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Nt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
+"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=x(
+this.turned.distance/e,1.6,60):this.turned={...Nt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Nt.azimuth&&t===Nt.height&&n===
+Nt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:x(e,-1.5,1.5),height:x(t,.02,1.45),distance:x(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
+y:e.clientY};Y(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=x(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=x(t.height+(n.clientY-t.y)*.006,
 .02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.
 share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,i,o,a,r){let{canvas:l,space:c}=this,u=r??Math.min(globalThis.devicePixelRatio||
 1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*u),1),l.height=Math.max(Math.round(h.height*u),1);let d=e.map(f=>f.at(
@@ -2495,106 +2502,110 @@ g((f,b,w)=>{this.drawHoop(f,b,w,n,i,o,!1),n.traces&&this.drawTraces(f,b,w,i,o,u)
 turned,{left:l,right:c}=e.extent,u=i.whole?Math.max(r*n,.85*(c-l)+3*n):r*n,[h,d]=[i.whole?.5*(l+c)-this.focus:0,n+.45*(t.height||0)],p=Math.cos(e.slope),g=Math.
 sin(e.slope),f=[h*p+d*g,-h*g+d*p,0],b=[f[0]+u*Math.sin(o)*Math.cos(a),f[1]+u*Math.sin(a),u*Math.cos(o)*Math.cos(a)];return this.reach=12*n+3*u,{eye:b,target:f,slope:e.
 slope,angle:.75,near:.05*n,far:40*n+6*u}}drawFloor(e,t){let{space:n}=this,i=he(t.ground),o=i.map(l=>l*(t.dark?.82:.94)),a=.5*e,r=this.focus%(2*a);n.use(this.floor,
-{reach:this.reach,light:i,dark:o,far:he(t.paper),tile:a,shift:r}),ct(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,n,i,o,a,r){
+{reach:this.reach,light:i,dark:o,far:he(t.paper),tile:a,shift:r}),dt(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,n,i,o,a,r){
 let{space:l}=this,c=e.radius,u=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:u,broad:3.2*u,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,
 plain:i.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=f=>h.map((b,w)=>b+f*d[w]);l.ball(p(c-u),.125*c,o.dark?[.9,.91,.94]:[.12,
 .13,.15],r),l.rod(h,d,c-u,.012*c,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(g?a.airborne:a.gravity_center),r)}drawForces(e,t,n,i){if(t.
-mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>_(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
+mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>x(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
 sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),o,he(i.friction_force))}linesOf(e,t,n){
 let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
 l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
 h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Sc=["hoop","mode","time","angle","v","R θ̇","gap"],$s=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Cs(this.plane,t),this.deep=
-null,this.outputs=Sc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
-legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Ut.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
+this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Uc=["hoop","mode","time","angle","v","R θ̇","gap"],Gs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Bs(this.plane,t),this.deep=
+null,this.outputs=Uc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
+legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Zt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
 ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.element=
 m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
 ({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),n(e.airborne,
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:i,inks:o}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Bs(this.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Hs(this.
 space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",v(this.colors.mode_names[o.mode]),
-fe(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?ze(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
+ge(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?Le(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
 outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[o.
 mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",`${v("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,
 flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({options:e,zoom:t,pan:n,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Gs=class{film;items;current;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m("ol",{class:"\
-story-list"}),this.heading=m("h2",{},"What happens"),this.live=m("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=m("section",{class:"sto\
-ry","aria-label":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.live)}draw(e,t,n){this.film=e[t],P(this.heading,e.length>1?`What hap\
-pens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,o)=>[e.length>1?m("b",{},`${"AB"[o]}: `):"",i.summary,i.status==="event_li\
-mit"||i.shortened?" (not all events are shown)":"",o+1<e.length?m("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=this.film.
-story.map(i=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(i.t)},m("i",{class:"dot",style:`background:${n.modes[i.mode]}`,"aria-hidden":"true"}),
-m("span",{class:"when"},`${S(i.t,4)} s`),m("span",{},i.text)))),this.list.replaceChildren(...this.items),this.current=-1,this.cursor(this.clock.time)}say(e){P(this.
-live,e)}announce(e){this.say(B(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.
-current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.
-items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>
-this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}},Hs=class{constructor(){this.list=m("dl",{}),this.heading=m("h2",
-{},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What theory says of hoop ${t}`:"What the\
-ory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var Qa="hophoop-theme",Ec=["gravity_center","airborne","normal_force","friction_force"],Ks=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
+options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Us=class{film;items;current;signed;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m(
+"ol",{class:"story-list"}),this.heading=m("h2",{},"What happens"),this.fingerprint=m("p",{class:"hint fingerprint"}),this.live=m("div",{class:"spoken",role:"sta\
+tus","aria-live":"polite"}),this.element=m("section",{class:"story","aria-label":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,
+this.live)}draw(e,t,n){this.film=e[t],z(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,o)=>[
+e.length>1?m("b",{},`${"AB"[o]}: `):"",i.summary,i.status==="event_limit"||i.shortened?" (not all events are shown)":"",o+1<e.length?m("br"):""])),this.doubt.hidden=
+!this.film.doubt,z(this.doubt,this.film.doubt),this.items=this.film.story.map(i=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(i.t)},m("i",{class:"\
+dot",style:`background:${n.modes[i.mode]}`,"aria-hidden":"true"}),m("span",{class:"when"},`${S(i.t,4)} s`),m("span",{},i.text)))),this.list.replaceChildren(...this.
+items),this.sign(),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.fingerprint.replaceChildren(
+...Kc(e)))}say(e){z(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+
+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute(
+"aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||
+o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}};function Kc(s){if(!s)return[m("span",{},"No f\
+ingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},document.createTextNode(s)),t=m("button",{type:"button"},"Copy");return t.
+onclick=async()=>{try{await navigator.clipboard.writeText(s),z(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[m("span",{title:"A hash of all events: \
+the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Ks=class{constructor(){this.list=m("dl",{}),this.heading=m("h\
+2",{},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){z(this.heading,t?`What theory says of hoop ${t}`:"What \
+theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Vc=["gravity_center","airborne","normal_force","friction_force"],Vs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=wn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?me(Qa):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=wn(this.root),this.inks={...this.colors};for(let e of Ec)
-this.inks[e]=wt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&pe(Qa,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Us=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
+this.mark(),this.look=xn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(lr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=xn(this.root),this.inks={...this.colors};for(let e of Vc)
+this.inks[e]=vt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&fe(lr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Zs=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
 this.element=m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
 erleave",()=>this.tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
-let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ge(this.window,e)}zoom(e,t){let[n,i]=this.ends(),o=1e-6*this.clock.duration,
-a=Math.max((i-n)*e,o),r=(t-n)/(i-n);this.window=a<this.clock.duration?Ge([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
-return;let[e,t]=this.ends(),{time:n,duration:i}=this.clock;if(n>=e&&n<=t)return;let o=t-e;this.window=Ge(n>t?[n-.1*o,n+.9*o]:[n-.5*o,n+.5*o],[0,i])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[n,i]=this.ends();return n+_((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
-let t=this.clock.playing;this.clock.playing=!1;let n=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));n(e),J(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
+let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ue(this.window,e)}zoom(e,t){let[n,i]=this.ends(),o=1e-6*this.clock.duration,
+a=Math.max((i-n)*e,o),r=(t-n)/(i-n);this.window=a<this.clock.duration?Ue([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
+return;let[e,t]=this.ends(),{time:n,duration:i}=this.clock;if(n>=e&&n<=t)return;let o=t-e;this.window=Ue(n>t?[n-.1*o,n+.9*o]:[n-.5*o,n+.5*o],[0,i])}timeAt(e){let t=this.
+canvas.getBoundingClientRect(),[n,i]=this.ends();return n+x((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+let t=this.clock.playing;this.clock.playing=!1;let n=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));n(e),Y(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
 let t=this.timeAt(e),n=this.nearest(t,8),i=n?`${v(_e[n.kind]??n.kind)} · ${S(n.t,5)} s · ${S(n.angle*180/Math.PI,4)}°`:`${S(t,4)} s`;this.tip.textContent=i,this.
-tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
+tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${x(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=o&&
-(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:i,width:o,height:a}=V(this.canvas);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/(l-r)*
-o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:k,from:E,wide:R}of Co(b.phases,c,o)){let M=n.modes[k];i.fillStyle=
+(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:i,width:o,height:a}=Z(this.canvas);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/(l-r)*
+o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:k,from:E,wide:R}of Vo(b.phases,c,o)){let M=n.modes[k];i.fillStyle=
 M,i.fillRect(E,y,R,h-2),this.named(i,v(n.mode_names[k]),E,R,y,h-2,M,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),this.marks(
-i,b,c,y,o,t),e.length>1&&(i.fillStyle=de(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let d=Z(l-r,o/60);i.fillStyle=
+i,b,c,y,o,t),e.length>1&&(i.fillStyle=me(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let d=J(l-r,o/60);i.fillStyle=
 t.soft,i.font=`10.5px ${t.font}`;let p=le(r,l,o/60);for(let b of p){let w=c(b);i.textAlign=w<14?"left":w>o-14?"right":"center",i.fillText(oe(b,d)+(b===p[0]?" s":
-""),w,a-3)}let g=_(c(this.clock.time),6,o-6),f=_(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
+""),w,a-3)}let g=x(c(this.clock.time),6,o-6),f=x(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
 g+6,u-10),i.lineTo(f,u-1),i.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=v(t.mode_names[l.at(n).mode]);return e.
 length>1?`${"AB"[c]} ${u}`:u}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria\
--valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",v("{time} seconds, {what}",{time:S(n,4),what:B(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
-font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=Yi(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,n+.5*i,o+.5*a+1),e.textBaseline="alphab\
+-valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",v("{time} seconds, {what}",{time:S(n,4),what:F(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
+font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ro(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,n+.5*i,o+.5*a+1),e.textBaseline="alphab\
 etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
-c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Oo(r))e.
-fillText(l,_(c,6,o-6),i-4)}};var Tc=1/60,Mc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ac={three:"In space"},Ie=(s,e,t)=>m(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Xa=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Vs=class{titled="";constructor(e,t,n,i,o){
-this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Ie(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
-select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},_t.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
-"1",this.switches=new Map(Mc.map(([a,r,l])=>{let c=`${a==="three"?Ac.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
-r)]})),this.element=m("div",{class:"transport"},m("div",{class:"buttons"},Ie(Y("start"),"To the start (Home)",()=>e.seek(0)),Ie(Y("previous"),"Previous event (S\
-hift ←)",()=>this.jump(-1)),Ie(Y("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Ie(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ie(Y("n\
-ext"),"Next event (Shift →)",()=>this.jump(1))),m("div",{class:"buttons jumps"},Ie(Xa("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ie(
-Xa("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,m("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
+c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Ko(r))e.
+fillText(l,x(c,6,o-6),i-4)}};var Zc=1/60,Jc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Yc={three:"In space"},Oe=(s,e,t)=>m(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},s),hr=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Js=class{titled="";constructor(e,t,n,i,o){
+this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Oe(X("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
+select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},St.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
+"1",this.switches=new Map(Jc.map(([a,r,l])=>{let c=`${a==="three"?Yc.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
+r)]})),this.element=m("div",{class:"transport"},m("div",{class:"buttons"},Oe(X("start"),"To the start (Home)",()=>e.seek(0)),Oe(X("previous"),"Previous event (S\
+hift ←)",()=>this.jump(-1)),Oe(X("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Oe(X("on"),"One frame on (→)",()=>this.nudge(1)),Oe(X("n\
+ext"),"Next event (Shift →)",()=>this.jump(1))),m("div",{class:"buttons jumps"},Oe(hr("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Oe(
+hr("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,m("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
 clock:t,playButton:n}=this;for(let[o,a]of this.switches)a.setAttribute("aria-pressed",String(e[o]));let i=t.playing?"Pause (space)":"Play (space)";this.titled!==
-i&&(this.titled=i,n.replaceChildren(Y(t.playing?"pause":"play")),nt(n,"title",i),nt(n,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Tc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let n=this.films().
-flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:Lo(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
+i&&(this.titled=i,n.replaceChildren(X(t.playing?"pause":"play")),ot(n,"title",i),ot(n,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Zc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let n=this.films().
+flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:Fo(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
 o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${v(`Hoop ${"AB"[r]}`)}: `:"",c=v(_e[a.kind]??a.kind);this.
-tell(B(`${l}${v("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var ut=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,la(e,i);let{colors:r}=n;
-this.known=n.presets,this.address=i?new Yt(this):null,this.clock=new Qt,this.motions=new As(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
-story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Rs,this.theme=new Ks(
-e,r,i,()=>this.show()),this.stage=new $s(r,()=>{this.request(),this.address?.soon()}),this.transport=new Vs(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Us(this.clock),this.story=new Gs(this.clock),this.theory=new Hs,this.plots=new Ns(this.clock,r),this.phase=
-new Ds(t,this.clock,r),this.map=new Es(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new ts(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new qs(this),this.singleKeys=new ks(i),this.help=ia(n.version,r,this.singleKeys.element),
-this.hoops=new vs(l=>this.motions.choose(l)),this.header=new ys(n.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
-compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=ha(this,o),this.extras=new ws(this),this.requested=
+tell(F(`${l}${v("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var mt=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,wa(e,i);let{colors:r}=n;
+this.known=n.presets,this.address=i?new Qt(this):null,this.clock=new es,this.motions=new zs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Ls,this.theme=new Vs(
+e,r,i,()=>this.show()),this.stage=new Gs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Js(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Zs(this.clock),this.story=new Us(this.clock),this.theory=new Ks,this.plots=new Os(this.clock,r),this.phase=
+new Is(t,this.clock,r),this.map=new Ms(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new ns(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new qs(this),this.singleKeys=new _s(i),this.help=pa(n.version,r,this.singleKeys.element),
+this.hoops=new xs(l=>this.motions.choose(l)),this.header=new ks(n.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=ya(this,o),this.extras=new vs(this),this.requested=
 !1,this.surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=ie(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=
-this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=aa(this,i),this.sizes=new ResizeObserver(
+this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ga(this,i),this.sizes=new ResizeObserver(
 ()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(n=>n.duration)),this.restore(t),this.begin()}begin(){
 this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.
 close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.
 motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.
 fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(
-this.film().query)}link(){let{clock:e,stage:t,map:n,extras:i}=this,{on:o,path:a}=i.more;return this.motions.link(fo({time:e.time,...t.view(),more:o?a:void 0,map:n.
+this.film().query)}link(){let{clock:e,stage:t,map:n,extras:i}=this,{on:o,path:a}=i.more;return this.motions.link(Eo({time:e.time,...t.view(),more:o?a:void 0,map:n.
 shown()}))}restore({time:e,map:t,options:n,more:i,...o}){n?.three&&this.toggle("three"),this.stage.restore({options:n,...o}),t&&this.map.restore(t),i&&this.extras.
-more.turn(!0,i),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(n=>n.query===e);this.header.presets.value=t?.key??"",P(this.hoops.
+more.turn(!0,i),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(n=>n.query===e);this.header.presets.value=t?.key??"",z(this.hoops.
 text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(
 t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){return this.motions.travel(e)}show(e=null){let{motions:t,clock:n}=this,i=this.films();if(!i.
 length)return;let o=i.length>1;this.theme.read(),n.duration=Math.max(...i.map(a=>a.duration)),n.time=Math.min(n.time,n.duration),this.root.classList.toggle("two",
@@ -2609,315 +2620,347 @@ this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.e
 let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let n=await this.backend.call("theory",{scenario:e},
 t);this.theory.draw(n.header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(n){let{name:i,message:o}=n;i!=="AbortError"&&this.theory.draw([{label:"\
 –",text:o}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){this.notice.say(n.message)}
-this.transport.show(t),this.address?.soon(),this.request()}};var Qn=class extends Error{},Xn=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+this.transport.show(t),this.address?.soon(),this.request()}};var si=class extends Error{},ni=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:n,reject:i}=this.waiting;this.waiting=null,t.error?i(new Error(
 t.error)):n(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,n){this.number++;let i=new Promise((o,a)=>{this.waiting=
-{resolve:o,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},n),i}},dt=class{constructor(e,t,n,i){this.start=e,this.compiled=t,this.
+{resolve:o,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},n),i}},pt=class{constructor(e,t,n,i){this.start=e,this.compiled=t,this.
 size=n,this.limit=i,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new Xn(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,i=[]){
-n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new Qn(`This takes longer than ${this.
+resolve(new ni(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,i=[]){
+n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new si(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),n?.removeEventListener(
-"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Zs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
+"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Ys=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
-i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Rc=150,zc=240,Pc=6e3,[db,er,tr]=[0,1,2],Lc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Xc=150,Qc=240,eu=6e3,[$b,cr,ur]=[0,1,2],tu={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ei(s,e,t){let{rows:n,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
-min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Rc),zc),Pc),c=x.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
-for(let b=0;b<i;b++){let w=Math.min(n[b*c+Q.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Dc(d,g,p,f)}function Dc(s,e,t,n){let i=s.length+t.length,o=x.samples.length,a=new Float64Array(i),r=new Float64Array(
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ii(s,e,t){let{rows:n,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
+min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Xc),Qc),eu),c=_.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+for(let b=0;b<i;b++){let w=Math.min(n[b*c+H.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
+0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return su(d,g,p,f)}function su(s,e,t,n){let i=s.length+t.length,o=_.samples.length,a=new Float64Array(i),r=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=s[h],r.set(e.subarray(h*o,(h+1)*o),l*
-o),l++;let u={t:a};for(let[h,d]of Object.entries(Lc)){let p=new Float64Array(i);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Mn[g]];u[h]=p}return u.mode=Nc(r,
-i,u.omega),u}function Nc(s,e,t){let n=x.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=Math.
-sign(t[a])||o;let r=s[a*n+Mn.mode],l=r===er?-1:r===tr?1:0;i[a]=l===0?r:l*o<0?er:tr}return i}function sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=Ic(s.subarray(i*x.keys,(i+1)*x.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
-get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function Ic(s){let e="";for(let t of s){let n=t;for(let i=0;i<x.letters_a_key&&
-n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var qc=256,Oc=2048,Cc=4096,jc=2e5,Wc=x.statuses.indexOf("buffer"),Fc=new Set(["turn","apex","kane_gain","rest"]),ti=s=>Number.isFinite(s)?s:null,Js=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Zs(this.exports),this.mostEvents=qc,this.mostSegments=Oc,this.mostRows=
-Cc}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;for(;;){let i=t.
-room("table",8*n*this.mostEvents),o=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
-x.heads.length).slice(),r=a[be.events];if(a[be.status]===Wc)this.makeRoom(e,a[be.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
-let l=t.floats(i,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[be.duration],segments:a[be.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.
-put("cell",Le(e)),a=i.room("events",x.event_bytes*this.mostEvents),r=i.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
-r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",Le(e)),r=o.put("contact",Rn(t)),l=o.room("events",x.event_bytes*this.mostEvents),
-c=o.room("rows",x.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,jc,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.
-mostRows=t:this.mostSegments*=4}motion(e){return nr(this.compute(e))}film(e){let t=this.compute(e);return{motion:nr(t),columns:ei(this,t)}}columns(e,t){return ei(
-this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),i=x.samples.length;return Object.fromEntries(x.samples.map((o,a)=>[o,Float64Array.from(
-t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows("samples",x.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact h\
-as no such rules.");let i=x.margins.length,o=this.rows("margins",i,this.compute(e),t,n);return Object.fromEntries(x.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*
+o),l++;let u={t:a};for(let[h,d]of Object.entries(tu)){let p=new Float64Array(i);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ln[g]];u[h]=p}return u.mode=nu(r,
+i,u.omega),u}function nu(s,e,t){let n=_.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=Math.
+sign(t[a])||o;let r=s[a*n+Ln.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var iu=s=>s/2**32|0,ou=s=>s>>>0;function dr(s,e,t,n){let i=iu(t),o=ou(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
+`"${s}" `:"";function au(s,e=""){if(typeof s!="number")throw new TypeError(oi(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
+oi(e)+"expected integer >= 0, got "+s);return s}function ai(s,e,t=""){if(mr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&au(e,"length");let n=mr(s),i=e!==void 0?` of length ${e}`:"",o=n?`length=${s.length}`:
+`type=${typeof s}`,a=oi(t)+"expected Uint8Array"+i+", got "+o;throw n?new RangeError(a):new TypeError(a)}var ru=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},pr=(s,e)=>{
+ru(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
+`"${e}.__proto__" is not allowed`)};function ri(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
+ady called")}function fr(s,e){ai(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function li(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function Xs(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ce(s,e){return s<<32-e|
+s>>>e}function lu(s,e,t="opts"){return pr(s,"defaults"),e!==void 0&&pr(e,t),Object.assign(Object.create(null),s,e)}function gr(s,e={}){if(typeof s!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof s);e=lu({},e,"info");let t=(i,o)=>s(o).update(i).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
+n.blockLen,t.canXOF=n.canXOF,t.create=i=>s(i),Object.assign(t,e),Object.freeze(t)}var br=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function wr(s,e,t){return s&e^~s&t}function yr(s,e,t){return s&e^s&t^e&t}var Qs=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,i){
+this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=i,this.buffer=new Uint8Array(e),this.view=Xs(this.buffer)}update(e){ri(this),ai(e);let{view:t,buffer:n,
+blockLen:i}=this,o=e.length,a=!1;for(let r=0;r<o;){let l=Math.min(i-this.pos,o-r);if(l===i){let c=Xs(e);for(;i<=o-r;r+=i)this.process(c,r);a=!0;continue}n.set(r===
+0&&l===o?e:e.subarray(r,r+l),this.pos),this.pos+=l,r+=l,this.pos===i&&(this.process(t,0),this.pos=0,a=!0)}return this.length+=e.length,a&&this.roundClean(),this}digestInto(e){
+ri(this),fr(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:i,isLE:o}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>i-a&&(this.process(n,0),t.fill(
+0)),dr(n,i-8,this.length*8,o),this.process(n,0),this.roundClean();let r=e===t?n:Xs(e),l=this.outputLen,c=l/4,u=this.get();if(l%4||c>u.length)throw new Error("in\
+valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,u[h],o)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let n=e.slice(0,t);return this.destroy(),
+n}_cloneIntoMeta(e){let{buffer:t,length:n,finished:i,destroyed:o,pos:a}=this;return e.destroyed=o,e.finished=i,e.length=n,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
+_cloneInto()}},vr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var hu=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
+3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
+3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
+2361852424,2428436474,2756734187,3204031479,3329325298]),Ce=new Uint32Array(64),hi=class extends Qs{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
+8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:n,D:i,E:o,F:a,G:r,H:l}=this;
+return[e,t,n,i,o,a,r,l]}set(e,t,n,i,o,a,r,l){this.A=e|0,this.B=t|0,this.C=n|0,this.D=i|0,this.E=o|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
+constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)Ce[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=Ce[h-15],p=Ce[h-
+2],g=ce(d,7)^ce(d,18)^d>>>3,f=ce(p,17)^ce(p,19)^p>>>10;Ce[h]=f+Ce[h-7]+g+Ce[h-16]|0}let{A:n,B:i,C:o,D:a,E:r,F:l,G:c,H:u}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
+ce(r,11)^ce(r,25),p=u+d+wr(r,l,c)+hu[h]+Ce[h]|0,f=(ce(n,2)^ce(n,13)^ce(n,22))+yr(n,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=n,n=p+f|0}n=n+this.A|0,i=i+this.B|0,o=o+
+this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,u=u+this.H|0,this.set(n,i,o,a,r,l,c,u)}roundClean(){li(Ce)}destroy(){this.destroyed=!0,this.set(0,0,
+0,0,0,0,0,0),li(this.buffer)}},ci=class extends hi{constructor(){super(32,vr)}};var kr=gr(()=>new ci,br(1));var xr=["t","x","height","angle","vx","vy","omega","slip"],cu=16,uu=0x7ff8000000000000n;function _r(s,e){let t=new TextEncoder,n=kr.create(),i=new DataView(new ArrayBuffer(
+8*xr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*_.events.length;n.update(t.encode(_.kinds[s[l+H.kind]])),xr.forEach((c,u)=>{let h=s[l+H[c]];
+Number.isNaN(h)?i.setBigUint64(8*u,uu,!0):i.setFloat64(8*u,h+0,!0)}),n.update(o)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,cu)}function Sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=du(s.subarray(i*_.keys,(i+1)*_.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
+get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function du(s){let e="";for(let t of s){let n=t;for(let i=0;i<_.letters_a_key&&
+n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===_.more?"+":_.letters[o-1])}}return e}var mu=256,pu=2048,fu=4096,gu=2e5,bu=_.statuses.indexOf("buffer"),wu=new Set(["turn","apex","kane_gain","rest"]),ui=s=>Number.isFinite(s)?s:null,en=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Ys(this.exports),this.mostEvents=mu,this.mostSegments=pu,this.mostRows=
+fu}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=_.events.length;for(;;){let i=t.
+room("table",8*n*this.mostEvents),o=t.room("heads",8*_.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
+_.heads.length).slice(),r=a[we.events];if(a[we.status]===bu)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
+let l=t.floats(i,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.
+put("cell",De(e)),a=i.room("events",_.event_bytes*this.mostEvents),r=i.room("segments",_.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
+r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",De(e)),r=o.put("contact",Dn(t)),l=o.room("events",_.event_bytes*this.mostEvents),
+c=o.room("rows",_.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,gu,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.
+mostRows=t:this.mostSegments*=4}motion(e){return Er(this.compute(e))}film(e){let t=this.compute(e);return{motion:Er(t),columns:ii(this,t)}}columns(e,t){return ii(
+this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),i=_.samples.length;return Object.fromEntries(_.samples.map((o,a)=>[o,Float64Array.from(
+t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows("samples",_.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact h\
+as no such rules.");let i=_.margins.length,o=this.rows("margins",i,this.compute(e),t,n);return Object.fromEntries(_.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*
 i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[n.segments,l,i.length,Number(
 o),c];return n.given.contact?this.call("compliant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){
 let{memory:n}=this,i=this.compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.
-count,larger:a,smaller:c}}side({count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cel\
-l","events","segments"].map(b=>a.room(b,8)),p=n[be.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),
-reason:x.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",Le(e)),i=t.room("answers",8*x.thresholds.length),o=e.rolling&&
-e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,x.thresholds.length),r=c=>{let u=a[x.thresholds.indexOf(c)];return Number.isNaN(u)?null:
+count,larger:a,smaller:c}}side({count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*_.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cel\
+l","events","segments"].map(b=>a.room(b,8)),p=n[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),
+reason:_.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",De(e)),i=t.room("answers",8*_.thresholds.length),o=e.rolling&&
+e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,_.thresholds.length),r=c=>{let u=a[_.thresholds.indexOf(c)];return Number.isNaN(u)?null:
 u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
 "immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
 null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,
-o],a,r){let{memory:l}=this,c=l.put("cell",Le(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
+o],a,r){let{memory:l}=this,c=l.put("cell",De(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
 return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.
-room("numbers",8*e*x.numbers.length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],p=x.wanted[n];this.call(
-"map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return sr(new BigUint64Array(g,c,e*x.keys),e);let f=new Float64Array(
-e);if(n in An){let b=new Int32Array(g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+An[n]]}else{let b=o.floats(r,e*x.numbers.length);for(let w=0;w<
-e;w++)f[w]=b[w*x.numbers.length+Po[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*x.thresholds.length);return this.call("ideal_hoop",e,t),this.
-memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
-let{memory:n}=this,i=n.put("parts",t.flatMap(Bc)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
+room("numbers",8*e*_.numbers.length),l=o.room("words",4*e*_.words.length),c=o.room("keys",8*e*_.keys),{angle:u,stop:h,timed:d}=_.spans[i],p=_.wanted[n];this.call(
+"map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return Sr(new BigUint64Array(g,c,e*_.keys),e);let f=new Float64Array(
+e);if(n in Pn){let b=new Int32Array(g,l,e*_.words.length);for(let w=0;w<e;w++)f[w]=b[w*_.words.length+Pn[n]]}else{let b=o.floats(r,e*_.numbers.length);for(let w=0;w<
+e;w++)f[w]=b[w*_.numbers.length+Wo[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*_.thresholds.length);return this.call("ideal_hoop",e,t),this.
+memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*_.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
+let{memory:n}=this,i=n.put("parts",t.flatMap(yu)),o=n.room("answers",8*_.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
 o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let n=t.put("cell",Le(e)),i=t.put("contact",Rn(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.
-floats(o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
-depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Bc(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.
+"The contact is rigid.");let n=t.put("cell",De(e)),i=t.put("contact",Dn(e.contact)),o=t.room("answers",8*_.thresholds.length);this.call("compliance",n,i,o);let a=t.
+floats(o,_.chosen.length),r=l=>a[_.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
+depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function yu(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=_.
 shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
-0,s.at]:[t,s.mass,0,0,s.at]}var $c=["friction","impact_normal","impact_tangential","rolling_resistance"],Gc=["kinetic","potential",...$c,"residual"],ir=["x","he\
-ight","angle","vx","vy","omega"];function nr({given:s,head:e,rows:t,count:n,duration:i}){let o=x.events.length,a=Array.from({length:n},(c,u)=>Hc(t.subarray(u*o,
-(u+1)*o))),r=a[n-1],l=Object.fromEntries([...Gc,...s.contact?["spring","damping"]:[]].map(c=>[c,e[be[c]]]));return{status:x.statuses[e[be.status]],sequence:Kc(a),
-duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(ir.map(c=>[c,r[c]]))},energy:l,doubt:ti(e[be.doubt_from])}}function Hc(s){let e=x.kinds[s[Q.kind]],
-t=s[Q.from_mode],n={t:s[Q.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[Q.to_mode]]};for(let i of ir)n[i]=ti(s[Q[i]]);return n.before=Object.fromEntries([
-"vx","vy","omega"].map(i=>[i,ti(s[Q[`before_${i}`]])])),n.impulse={normal:s[Q.impulse_normal],tangential:s[Q.impulse_tangential]},s[Q.collision]===0&&(n.collision=
-!1),e==="kane_gain"&&(n.gain=s[Q.gain]),s[Q.stable]>=0&&(n.stable=s[Q.stable]===1),n}function Kc(s){let e=s.filter(n=>!Fc.has(n.kind));return e.slice(0,-1).map(
-(n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var si=1e4,Uc="The part of the page that computes this could not be loaded; choose it again when there is a network.",ni=256;function or(s){let e=URL.createObjectURL(
-new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
+0,s.at]:[t,s.mass,0,0,s.at]}var vu=["friction","impact_normal","impact_tangential","rolling_resistance"],ku=["kinetic","potential",...vu,"residual"],Tr=["x","he\
+ight","angle","vx","vy","omega"];function Er({given:s,head:e,rows:t,count:n,duration:i}){let o=_.events.length,a=Array.from({length:n},(u,h)=>xu(t.subarray(h*o,
+(h+1)*o))),r=a[n-1],l=Object.fromEntries([...ku,...s.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:_.statuses[e[we.
+status]],sequence:_u(a),fingerprint:c===null?_r(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Tr.map(u=>[u,r[u]]))},energy:l,doubt:c}}
+function xu(s){let e=_.kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:_.letters[t],to:_.letters[s[H.to_mode]]};for(let i of Tr)n[i]=ui(s[H[i]]);
+return n.before=Object.fromEntries(["vx","vy","omega"].map(i=>[i,ui(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},
+s[H.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function _u(s){let e=s.filter(n=>!wu.has(n.
+kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var di=1e4,Su="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Mr(s){let e=URL.createObjectURL(
+new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
-arrayBuffer())}async function rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Js(e),this.motions=new dt(t,e,2,si);let i=navigator.hardwareConcurrency||
-2;this.maps=new dt(t,e,Math.max(1,Math.min(i-1,8)),si)}static async load(e){let t=await ar(new URL(`hophoop.wasm?${x.module}`,e)),n=()=>ar(new URL(`hophoop-deri\
-vatives.wasm?${x.derivatives}`,e)),i=new URL(`kernel.js?${x.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
-n):new s(t,or(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await rr(e),or(t),async()=>rr(await n()))}motion(e,t){return this.motions.
+arrayBuffer())}async function Rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
+var It=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new en(e),this.motions=new pt(t,e,2,di);let i=navigator.hardwareConcurrency||
+2;this.maps=new pt(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${_.module}`,e)),n=()=>Ar(new URL(`hophoop-deri\
+vatives.wasm?${_.derivatives}`,e)),i=new URL(`kernel.js?${_.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
+n):new s(t,Mr(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await Rr(e),Mr(t),async()=>Rr(await n()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
-ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(o=>new dt(this.start,o,1,si)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(Uc)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,i,o){return this.motions.ask("regions",[e,
-t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=x.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(ni,e-h),p=new Float64Array(
+ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(o=>new pt(this.start,o,1,di)),(await this.rates.catch(()=>{throw this.rates=
+null,new Error(Su)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,i,o){return this.motions.ask("regions",[e,
+t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=_.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
 a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let g=await this.maps.ask("map",[{count:d,rows:p},n,i],o,[p.buffer]),f=g.sequences?.map(b=>(l.includes(
-b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=f?f[g.values[b]]??Number.NaN:g.values[b]},u=Array.from({length:Math.ceil(e/ni)},(h,d)=>d*ni);return await Promise.
-all(u.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var{codes:Vc,families:Zc,massless:Jc,hops:Yc,rolls:Qc,other:Xc}=T.classes,{sequence:eu}=T.words,lr="sequence";function tu(s){let e=-1;for(let t of s){e^=t.charCodeAt(
-0);for(let n=0;n<8;n++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function hr(s,e){if(e!==lr)return Vc[e]?.[s]??Xc;let t=[...s].find(p=>"SK".includes(p))??"R",n=[s.
-startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).join(", "),i=s.endsWith("H")?Yc:Zc[t+s.slice(-1)]??Qc,o=s.includes("M")?Jc[n]:i,a=[1,3,5].map(
-p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(s.length-1,9)/9,c=tu(s)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
-#${a.map(p=>{let g=(1-.2*c)*p+.2*c*r,f=Math.min(Math.max((g+(1-g)*u)*(1-h),0),1);return Math.round(255*f).toString(16).padStart(2,"0")}).join("")}`}function cr(s,e){
-return e!==lr?s.replaceAll("_"," "):[...s].map(t=>eu[t]).join(" → ")}function K({duration:s,hoop:e,plane:t,start:n,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:c,slope:u,rolling_resistance:h,mu_static:d,
-mu_kinetic:p,restitution:g,impact_law:f,painleve:b}=t,{x:w,height:y,angle:k,vx:E,vy:R,omega:M,slip:A}=qe(n,o),{max_events:D,model:O,...C}=i;return{radius:o,mass:a,
+b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=f?f[g.values[b]]??Number.NaN:g.values[b]},u=Array.from({length:Math.ceil(e/mi)},(h,d)=>d*mi);return await Promise.
+all(u.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var{codes:Eu,families:Tu,massless:Mu,hops:Au,rolls:Ru,other:zu}=T.classes,{sequence:Lu}=T.words,zr="sequence";function Pu(s){let e=-1;for(let t of s){e^=t.charCodeAt(
+0);for(let n=0;n<8;n++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function Lr(s,e){if(e!==zr)return Eu[e]?.[s]??zu;let t=[...s].find(p=>"SK".includes(p))??"R",n=[s.
+startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).join(", "),i=s.endsWith("H")?Au:Tu[t+s.slice(-1)]??Ru,o=s.includes("M")?Mu[n]:i,a=[1,3,5].map(
+p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(s.length-1,9)/9,c=Pu(s)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
+#${a.map(p=>{let g=(1-.2*c)*p+.2*c*r,f=Math.min(Math.max((g+(1-g)*u)*(1-h),0),1);return Math.round(255*f).toString(16).padStart(2,"0")}).join("")}`}function Pr(s,e){
+return e!==zr?s.replaceAll("_"," "):[...s].map(t=>Lu[t]).join(" → ")}function K({duration:s,hoop:e,plane:t,start:n,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:c,slope:u,rolling_resistance:h,mu_static:d,
+mu_kinetic:p,restitution:g,impact_law:f,painleve:b}=t,{x:w,height:y,angle:k,vx:E,vy:R,omega:M,slip:A}=qe(n,o),{max_events:D,model:C,...q}=i;return{radius:o,mass:a,
 eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:c,slope:u,rolling_resistance:h,mu_static:d,mu_kinetic:p,restitution:g,impact_law:f,painleve:b,
-x:w,height:y,angle:k,vx:E,vy:R,omega:M,slip:A,rolling:n.speed!==null,duration:s,max_events:D,contact:O==="rigid"?null:C}}function qe({x:s,height:e,angle:t,speed:n,
-vx:i,vy:o,omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:i,vy:o,omega:l,slip:n===null?i-r*l:0}}function ii(s,e){let[t,n,i]=[0,0,0];for(let o=0;o<s.length;o++)for(let a=0;a<e.length;a++){let r=0;for(;o+r<s.length&&a+r<e.length&&s[o+r]===e[a+r];)r++;r>t&&([
-t,n,i]=[r,o,a])}return t?t+ii(s.slice(0,n),e.slice(0,i))+ii(s.slice(n+t),e.slice(i+t)):0}function ur(s,e){let t=[...s],n,i=0;for(let o of e){let a=[...o],r=a.length+
-t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*ii(a,t)/r;l>=.6&&(l>i||l===i&&n!==void 0&&o>n)&&([n,i]=[o,l])}return n}var Ue=class{constructor(e){this.text=e}};function Ve(s){if(Number.isNaN(s))return"nan";if(!Number.isFinite(s))return s>0?"inf":"-inf";let e=s<0||Object.is(s,-0)?
-"-":"",[t,n]=Math.abs(s).toExponential().split("e"),i=t.replace(".",""),o=Number(n);return o<-4||o>=16?`${e}${t}e${oi(o)}`:e+(o<0?`0.${"0".repeat(-o-1)}${i}`:pr(
-i,o+1))}function pr(s,e){let t=s.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var oi=s=>`${s<0?"-":"+"}${String(Math.abs(s)).padStart(2,"0")}`;function fr(s,e){
+x:w,height:y,angle:k,vx:E,vy:R,omega:M,slip:A,rolling:n.speed!==null,duration:s,max_events:D,contact:C==="rigid"?null:q}}function qe({x:s,height:e,angle:t,speed:n,
+vx:i,vy:o,omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:i,vy:o,omega:l,slip:n===null?i-r*l:0}}function pi(s,e){let[t,n,i]=[0,0,0];for(let o=0;o<s.length;o++)for(let a=0;a<e.length;a++){let r=0;for(;o+r<s.length&&a+r<e.length&&s[o+r]===e[a+r];)r++;r>t&&([
+t,n,i]=[r,o,a])}return t?t+pi(s.slice(0,n),e.slice(0,i))+pi(s.slice(n+t),e.slice(i+t)):0}function Dr(s,e){let t=[...s],n,i=0;for(let o of e){let a=[...o],r=a.length+
+t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*pi(a,t)/r;l>=.6&&(l>i||l===i&&n!==void 0&&o>n)&&([n,i]=[o,l])}return n}var Ze=class{constructor(e){this.text=e}};function Je(s){if(Number.isNaN(s))return"nan";if(!Number.isFinite(s))return s>0?"inf":"-inf";let e=s<0||Object.is(s,-0)?
+"-":"",[t,n]=Math.abs(s).toExponential().split("e"),i=t.replace(".",""),o=Number(n);return o<-4||o>=16?`${e}${t}e${fi(o)}`:e+(o<0?`0.${"0".repeat(-o-1)}${i}`:Or(
+i,o+1))}function Or(s,e){let t=s.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var fi=s=>`${s<0?"-":"+"}${String(Math.abs(s)).padStart(2,"0")}`;function Cr(s,e){
 let[t,n]=s.toExponential(e-1).split("e"),i=t.replace(".",""),o=s.toExponential(100).split("e")[0].replace(".","");return o[e]==="5"&&/^0*$/.test(o.slice(e+1))&&
-Number(o[e-1])%2===0?[o.slice(0,e),Number(s.toExponential(100).split("e")[1])]:[i,Number(n)]}function ai(s){return Number.isNaN(s)?"nan":s>0?"inf":"-inf"}var Nt=s=>s<
-0||Object.is(s,-0)?"-":"";function Ee(s,e=6){if(!Number.isFinite(s))return ai(s);let t=Nt(s);if(s===0)return`${t}0`;let[n,i]=fr(Math.abs(s),e),o=n.replace(/0+$/,
-"")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${oi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=pr(n,i+1).split("."),
-l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function su(s,e){if(!Number.isFinite(s))return ai(s);let[t,n]=s===0?["0".repeat(e+1),0]:fr(Math.abs(s),e+1),
-i=t.slice(1);return`${Nt(s)}${t[0]}${i&&`.${i}`}e${oi(n)}`}function ri(s,e){if(!Number.isFinite(s))return ai(s);let t=Math.abs(s);if(t>=1e21)return`${Nt(s)}${BigInt(
+Number(o[e-1])%2===0?[o.slice(0,e),Number(s.toExponential(100).split("e")[1])]:[i,Number(n)]}function gi(s){return Number.isNaN(s)?"nan":s>0?"inf":"-inf"}var Ot=s=>s<
+0||Object.is(s,-0)?"-":"";function Te(s,e=6){if(!Number.isFinite(s))return gi(s);let t=Ot(s);if(s===0)return`${t}0`;let[n,i]=Cr(Math.abs(s),e),o=n.replace(/0+$/,
+"")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${fi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=Or(n,i+1).split("."),
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function Du(s,e){if(!Number.isFinite(s))return gi(s);let[t,n]=s===0?["0".repeat(e+1),0]:Cr(Math.abs(s),e+1),
+i=t.slice(1);return`${Ot(s)}${t[0]}${i&&`.${i}`}e${fi(n)}`}function bi(s,e){if(!Number.isFinite(s))return gi(s);let t=Math.abs(s);if(t>=1e21)return`${Ot(s)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let n=t.toFixed(e),i=t.toFixed(100),o=i.slice(i.indexOf(".")+1+e),a=i.slice(0,i.indexOf(".")+(e?1+e:0));return/^50*$/.test(o)&&Number(
-a.at(-1))%2===0?Nt(s)+a:Nt(s)+n}function W(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,i,o,a)=>{let r=e[n];return r instanceof Ue?r.text:i?
-ce(r):a==="g"?Ee(r,o===""?6:Number(o)||1):a==="e"?su(r,Number(o)):a==="f"?ri(r,Number(o)):String(r)})}function ce(s,e=!0){return s==null?"None":s===!0?"True":s===
-!1?"False":typeof s=="number"?e?Ve(s):gr(s):typeof s=="string"?dr(s):Array.isArray(s)?`[${s.map(n=>ce(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${dr(
-n)}: ${ce(i,e)}`).join(", ")}}`}function gr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ve(s)}function It(s){return typeof s=="number"?gr(s):
-typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${Ys(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
-ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var Ys=(s,e)=>s.toString(16).padStart(e,"0"),nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
-br=s=>s===" "||!nu.test(s);function wr(s){if(s===`
-`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${Ys(e,2)}`:e<65536?`\\u${Ys(e,4)}`:`\\U${Ys(e,8)}`}function dr(s){
-let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:br(n)?n:wr(n));return e+t.join("")+e}var yr=s=>[...s].map(e=>br(e)?e:wr(
-e)).join("");function Qs(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var mr="[\\s\\x1c-\\x1f\\x85]*",iu=new RegExp(`^${mr}([+-]?)(?:(in\
-f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${mr}$`,"i");function vr(s){let e=iu.exec(s);if(!e||s.includes(
-"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:kr,scenario:_r}=T,L=class extends Error{constructor(e){super(yr(e)),this.name="InputError"}},X=class extends L{},N=(s,e={})=>W(kr[s],e),ue=s=>s!==null&&
-typeof s=="object"&&!Array.isArray(s);function Oe(s=()=>!1,e=""){return{said:[],above:e,float:s}}function F(s,e,t,n,i){Ze(s,e,t,N(n,i))}function Ze(s,e,t,n){let i=typeof t==
-"bigint"?String(t):ce(t,s.float(e)),o=s.above+e||kr.whole_scenario;s.said.push(N("finding",{path:o,shown:Qs(i),allowed:n}))}function qt(s,e,t,n,i={}){let{fields:o,
-place:a}=_r.models[s];if(!ue(e))return F(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(Ot(a,c,Object.keys(o))),null;
+a.at(-1))%2===0?Ot(s)+a:Ot(s)+n}function B(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,i,o,a)=>{let r=e[n];return r instanceof Ze?r.text:i?
+ue(r):a==="g"?Te(r,o===""?6:Number(o)||1):a==="e"?Du(r,Number(o)):a==="f"?bi(r,Number(o)):String(r)})}function ue(s,e=!0){return s==null?"None":s===!0?"True":s===
+!1?"False":typeof s=="number"?e?Je(s):qr(s):typeof s=="string"?Nr(s):Array.isArray(s)?`[${s.map(n=>ue(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${Nr(
+n)}: ${ue(i,e)}`).join(", ")}}`}function qr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Je(s)}function Ct(s){return typeof s=="number"?qr(s):
+typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${tn(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(Ct).join(", ")}]`:s&&typeof s=="obj\
+ect"?`{${Object.entries(s).map(([e,t])=>`${Ct(e)}: ${Ct(t)}`).join(", ")}}`:String(s)}var tn=(s,e)=>s.toString(16).padStart(e,"0"),Nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+jr=s=>s===" "||!Nu.test(s);function Br(s){if(s===`
+`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${tn(e,2)}`:e<65536?`\\u${tn(e,4)}`:`\\U${tn(e,8)}`}function Nr(s){
+let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:jr(n)?n:Br(n));return e+t.join("")+e}var Wr=s=>[...s].map(e=>jr(e)?e:Br(
+e)).join("");function sn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var Ir="[\\s\\x1c-\\x1f\\x85]*",Iu=new RegExp(`^${Ir}([+-]?)(?:(in\
+f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Ir}$`,"i");function Fr(s){let e=Iu.exec(s);if(!e||s.includes(
+"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:$r,scenario:Hr}=T,P=class extends Error{constructor(e){super(Wr(e)),this.name="InputError"}},Q=class extends P{},N=(s,e={})=>B($r[s],e),de=s=>s!==null&&
+typeof s=="object"&&!Array.isArray(s);function je(s=()=>!1,e=""){return{said:[],above:e,float:s}}function W(s,e,t,n,i){Ye(s,e,t,N(n,i))}function Ye(s,e,t,n){let i=typeof t==
+"bigint"?String(t):ue(t,s.float(e)),o=s.above+e||$r.whole_scenario;s.said.push(N("finding",{path:o,shown:sn(i),allowed:n}))}function qt(s,e,t,n,i={}){let{fields:o,
+place:a}=Hr.models[s];if(!de(e))return W(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(jt(a,c,Object.keys(o))),null;
 let r=n.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,n):Object.
-hasOwn(e,c)?l[c]=li(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=Et(u.default)}return n.said.length===r?{values:l,
-given:new Set(Object.keys(e))}:null}function Ot(s,e,t){let n=ur(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
-{path:`${s}${Qs(e)}`,hint:i})}function li(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return au(e,t,n);if(s.kind==="word")return s.options.
-includes(e)||F(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return F(n,t,e,"number");if(i&&!(o>=0))return F(n,
-t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return F(n,t,e,"whole");if(!i&&!Number.isFinite(o))return F(n,t,e,"finite_number");for(let[a,r]of s.limits??
-[])if(!ou(a,o,r))return F(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!Ce(s.range,o)?F(n,t,e,"range",s.range):o+0}function ou(s,e,t){return s===
-"greater_than"?e>t:s==="greater_than_equal"?e>=t:s==="less_than"?e<t:e<=t}var Ce=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(i=>Et(i)===n);function au(s,e,t){
-return Array.isArray(s)?s.map((n,i)=>ru(n,`${e}.${i}`,t)):F(t,e,s,"list")}function ru(s,e,t){let n=hi(s,"shape",_r.parts,e,t),i=n&&qt(n,s,e,t);if(!i)return null;
-let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function hi(s,e,t,n,i,o){if(!ue(s))return F(i,n,
+hasOwn(e,c)?l[c]=wi(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=Mt(u.default)}return n.said.length===r?{values:l,
+given:new Set(Object.keys(e))}:null}function jt(s,e,t){let n=Dr(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
+{path:`${s}${sn(e)}`,hint:i})}function wi(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return Cu(e,t,n);if(s.kind==="word")return s.options.
+includes(e)||W(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return W(n,t,e,"number");if(i&&!(o>=0))return W(n,
+t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return W(n,t,e,"whole");if(!i&&!Number.isFinite(o))return W(n,t,e,"finite_number");for(let[a,r]of s.limits??
+[])if(!Ou(a,o,r))return W(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!Be(s.range,o)?W(n,t,e,"range",s.range):o+0}function Ou(s,e,t){return s===
+"greater_than"?e>t:s==="greater_than_equal"?e>=t:s==="less_than"?e<t:e<=t}var Be=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(i=>Mt(i)===n);function Cu(s,e,t){
+return Array.isArray(s)?s.map((n,i)=>qu(n,`${e}.${i}`,t)):W(t,e,s,"list")}function qu(s,e,t){let n=yi(s,"shape",Hr.parts,e,t),i=n&&qt(n,s,e,t);if(!i)return null;
+let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function yi(s,e,t,n,i,o){if(!de(s))return W(i,n,
 s,"table"),null;let a=Object.hasOwn(s,e)?s[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${n}.${e}`})),null;if(typeof a=="stri\
-ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ce(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
-at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:Qs(ce(r)),allowed:u};return i.said.push(N("finding",h)),null}function Ct(s){let e=s.
-length-1;return e?N(e===1?"other_problem":"other_problems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var xr=T.scenario.ends,ci=s=>Object.hasOwn(xr,s)?xr[s]:[];function di(s){let e=s.indexOf(".");return e<0?[s,""]:[s.slice(0,e),s.slice(e+1)]}function jt(s){for(let e of s){
-let[t]=di(e),n=ci(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Sr=new Set(T.scenario.paths),lu=new Set(
-T.map.words),Tr=/^hoop\.parts\.\d+\.(\w+)$/,Mr=Object.assign(Object.create(null),...Object.values(T.scenario.parts).map(s=>T.scenario.models[s].fields));function Ar(s){
-return Sr.has(s)||(Tr.exec(s)?.[1]??"")in Mr?null:N("no_parameter",{path:s,known:[...Sr].join(", ")})}function Rr(s){let e=Tr.exec(s);return e?Mr[e[1]].kind!=="\
-word":!lu.has(s)}function Er(s){let[e,t]=di(s);return(e==="start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}var mi=s=>e=>!s.some(t=>e===t||e.startsWith(
-t.endsWith(".")?t:`${t}.`));function pi(s,e,t,n){let i=[...t.keys()],o=jt(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Ue(ce(t.get(d),!1)));throw new L(N("two_ways",{
-one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=mi(i);for(let l of i.sort((c,u)=>Er(c)-Er(u))){let c=structuredClone(t.get(l)),[u,h]=di(l);if(h==="")
-ui(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||ui(e,u,{});let d=e[u];if(!ue(d))throw new L(N("no_section_parts",{path:l,section:u}));
-if(!a.has(u)&&ci(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=hu(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
-t.has(`${u}.${f}`)||(d[f]=b)}for(let p of ci(l))delete d[p];cu(d,h.split("."),c,l)}}return e}function ui(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0})}function hu(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
+ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ue(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
+at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:sn(ue(r)),allowed:u};return i.said.push(N("finding",h)),null}function Bt(s){let e=s.
+length-1;return e?N(e===1?"other_problem":"other_problems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var Gr=T.scenario.ends,vi=s=>Object.hasOwn(Gr,s)?Gr[s]:[];function xi(s){let e=s.indexOf(".");return e<0?[s,""]:[s.slice(0,e),s.slice(e+1)]}function Wt(s){for(let e of s){
+let[t]=xi(e),n=vi(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Ur=new Set(T.scenario.paths),ju=new Set(
+T.map.words),Vr=/^hoop\.parts\.\d+\.(\w+)$/,Zr=Object.assign(Object.create(null),...Object.values(T.scenario.parts).map(s=>T.scenario.models[s].fields));function Jr(s){
+return Ur.has(s)||(Vr.exec(s)?.[1]??"")in Zr?null:N("no_parameter",{path:s,known:[...Ur].join(", ")})}function Yr(s){let e=Vr.exec(s);return e?Zr[e[1]].kind!=="\
+word":!ju.has(s)}function Kr(s){let[e,t]=xi(s);return(e==="start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}var _i=s=>e=>!s.some(t=>e===t||e.startsWith(
+t.endsWith(".")?t:`${t}.`));function Si(s,e,t,n){let i=[...t.keys()],o=Wt(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Ze(ue(t.get(d),!1)));throw new P(N("two_ways",{
+one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=_i(i);for(let l of i.sort((c,u)=>Kr(c)-Kr(u))){let c=structuredClone(t.get(l)),[u,h]=xi(l);if(h==="")
+ki(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||ki(e,u,{});let d=e[u];if(!de(d))throw new P(N("no_section_parts",{path:l,section:u}));
+if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=Bu(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
+t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];Wu(d,h.split("."),c,l)}}return e}function ki(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0})}function Bu(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
 eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
 s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=qe(s,t().radius);return{height:a,vx:r,vy:l,
-omega:c}}return{}}function cu(s,e,t,n){let i=s,o=e.pop(),a=l=>new L(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
-if(r(l))i=i[Number(l)];else if(ue(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(ue(i))ui(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:uu,limits:se}=T,{allowed:du,events:mu,flight_turns:pu,quantities:fu}=T.map,gu=1e-300,q=(s,e={})=>W(uu[s],e),fi=s=>q("doubt",{time:Ee(s,4)});function Te(s){
-let{duration:e,hoop:t,contact:n}=s;if(e>se.duration)throw new X(q("too_long",{duration:e,most:se.duration}));let i=t.parts?.length??0;if(i>se.parts)throw new X(
-q("too_many_parts",{parts:i,most:se.parts}));let o=Dr(Lr(s));if(o>se.turns)throw new X(q("too_many_turns",{duration:e,turns:o,most:se.turns}));if(n.model==="com\
-pliant"){let a=bu(s,o);if(a>se.steps)throw new X(q("too_stiff",{steps:a,most:se.steps}))}return n.max_events<=se.events?s:{...s,contact:{...n,max_events:se.events}}}
-function Lr({duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:i}){let{height:o,vx:a,vy:r,omega:l}=qe(i,e);return{duration:s,radius:e,gravity:t,slope:n,
-height:o,vx:a,vy:r,omega:l}}function Dr({duration:s,radius:e,gravity:t,slope:n,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
-sqrt(t*(e+i)))+.5*t*Math.abs(Math.sin(n))*s)*s/(2*Math.PI*e)}function bu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
-Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function gi(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new L(q("rigid_maps"));
-let{contact:i,...o}=Te(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,mu)}};wu(a,e,t,fu[n].span);let r=jt([t.path,e.path]);if(r)throw new L(q("two_ax\
-es",{one:r[0],other:r[1]}));return a}function wu(s,e,t,n){let i=Lr(s),o=n==="first_revolution",a=Wt(e).filter(h=>Pr(e.path,h)),r=Wt(t).filter(h=>Pr(t.path,h)),[
-l,c]=[0,0];for(let h of r)for(let d of a){let p=zr(zr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx**2/(10*i.gravity*i.radius+gu),pu):Dr(p);l+=f,c=Math.max(c,f)}if(!o&&
-c>se.turns)throw new X(q("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_turns)return;let u=a.length*r.length;throw new X(q("map_turns",{cells:u,turns:l,most:se.
-map_turns}))}function zr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
-s}var Wt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Pr(s,e){let t=du[s.startsWith("plane.mu")?"plane.mu":s];return!t||Ce(
-t,e)}var{scenario:mt}=T,yu=["load_fraction","eccentricity","inertia_ratio"],Nr=["mu_static","mu_kinetic"],vu=["height","vx","vy","omega"],Je=class extends Error{};function $(s,e){
-throw new Je(N(s,e))}function Xs(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function Ir({values:s,given:e},t){let n={...s},i=yu.filter(
-u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),Xs("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,ku(n.radius,n.parts,
-t))):n.load_fraction!==null||!i.length?(Xs("hoop","load_fraction",i),n.load_fraction??=mt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
+omega:c}}return{}}function Wu(s,e,t,n){let i=s,o=e.pop(),a=l=>new P(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
+if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))ki(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Fu,limits:se}=T,{allowed:$u,events:Hu,flight_turns:Gu,quantities:Uu}=T.map,Ku=1e-300,O=(s,e={})=>B(Fu[s],e),Ei=s=>O("doubt",{time:Te(s,4)});function Me(s){
+let{duration:e,hoop:t,contact:n}=s;if(e>se.duration)throw new Q(O("too_long",{duration:e,most:se.duration}));let i=t.parts?.length??0;if(i>se.parts)throw new Q(
+O("too_many_parts",{parts:i,most:se.parts}));let o=tl(el(s));if(o>se.turns)throw new Q(O("too_many_turns",{duration:e,turns:o,most:se.turns}));if(n.model==="com\
+pliant"){let a=Vu(s,o);if(a>se.steps)throw new Q(O("too_stiff",{steps:a,most:se.steps}))}return n.max_events<=se.events?s:{...s,contact:{...n,max_events:se.events}}}
+function el({duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:i}){let{height:o,vx:a,vy:r,omega:l}=qe(i,e);return{duration:s,radius:e,gravity:t,slope:n,
+height:o,vx:a,vy:r,omega:l}}function tl({duration:s,radius:e,gravity:t,slope:n,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
+sqrt(t*(e+i)))+.5*t*Math.abs(Math.sin(n))*s)*s/(2*Math.PI*e)}function Vu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
+Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function Ti(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new P(O("rigid_maps"));
+let{contact:i,...o}=Me(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,Hu)}};Zu(a,e,t,Uu[n].span);let r=Wt([t.path,e.path]);if(r)throw new P(O("two_ax\
+es",{one:r[0],other:r[1]}));return a}function Zu(s,e,t,n){let i=el(s),o=n==="first_revolution",a=Ft(e).filter(h=>Qr(e.path,h)),r=Ft(t).filter(h=>Qr(t.path,h)),[
+l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx**2/(10*i.gravity*i.radius+Ku),Gu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
+c>se.turns)throw new Q(O("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_turns)return;let u=a.length*r.length;throw new Q(O("map_turns",{cells:u,turns:l,most:se.
+map_turns}))}function Xr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
+s}var Ft=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=$u[s.startsWith("plane.mu")?"plane.mu":s];return!t||Be(
+t,e)}var{scenario:ft}=T,Ju=["load_fraction","eccentricity","inertia_ratio"],sl=["mu_static","mu_kinetic"],Yu=["height","vx","vy","omega"],Xe=class extends Error{};function $(s,e){
+throw new Xe(N(s,e))}function nn(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function nl({values:s,given:e},t){let n={...s},i=Ju.filter(
+u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),nn("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,Xu(n.radius,n.parts,
+t))):n.load_fraction!==null||!i.length?(nn("hoop","load_fraction",i),n.load_fraction??=ft.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
 n.inertia_ratio=t.ideal(n.load_fraction)):i.length===1&&$("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
-load_fraction:r,eccentricity:l}=n,c=mt.ranges;if(Ce(c["hoop.mass"],o)||$("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!Ce(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
+load_fraction:r,eccentricity:l}=n,c=ft.ranges;if(Be(c["hoop.mass"],o)||$("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!Be(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
 hoop.inertia_ratio"];$(n.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&$("massless_eccentricity",{eccentricity:l}),
-n}function ku(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+mt.touch));return o>=0&&$("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
-radius:s}),i}function qr({values:s,given:e}){let t={...s};t.apart=Nr.some(r=>e.has(r)),t.mu!==null?(Xs("plane","mu",Nr.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+n}function Xu(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+ft.touch));return o>=0&&$("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
+radius:s}),i}function il({values:s,given:e}){let t={...s};t.apart=sl.some(r=>e.has(r)),t.mu!==null?(nn("plane","mu",sl.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:n,mu_kinetic:i,slope:o}=t;i>n&&$("kinetic_above_static",{mu_kinetic:i,mu_static:n}),Math.abs(
-o)<.5*Math.PI||$("vertical",{slope:o});let a=mt.ranges["plane.slope"];return Ce(a,o)||$("slope",{slope:o,words:a.words}),t}function Or({values:s,given:e}){let t={
-...s};return t.speed!==null?(Xs("start","speed",vu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function Cr({values:s}){let e=s;
-return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&$("together",{section:"contact",other:"restitution",way:"damping"}),e}function jr(s,e,t){let{
+o)<.5*Math.PI||$("vertical",{slope:o});let a=ft.ranges["plane.slope"];return Be(a,o)||$("slope",{slope:o,words:a.words}),t}function ol({values:s,given:e}){let t={
+...s};return t.speed!==null?(nn("start","speed",Yu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function al({values:s}){let e=s;
+return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&$("together",{section:"contact",other:"restitution",way:"damping"}),e}function rl(s,e,t){let{
 hoop:n,plane:i,contact:o}=s,a=n.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&$("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
 a&&$("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(n.eccentricity,n.inertia_ratio);c!==void 0&&!(l<c)&&$("resistance",{given:l,most:c}),a&&
-r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.compliance&&_u(o,e.compliance(t(s)))}function _u(s,e){for(let[i,{of:o,...a}]of Object.
-entries(mt.relative)){let r=s[i];if(r===null)continue;let l=e[i];Ce(a,l)||$("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
-n=Et(mt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var xu=1e3;function Wr(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>xu)throw new L(N("unreadable_query",{reason:"Max number of fields excee\
+r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.compliance&&Qu(o,e.compliance(t(s)))}function Qu(s,e){for(let[i,{of:o,...a}]of Object.
+entries(ft.relative)){let r=s[i];if(r===null)continue;let l=e[i];Be(a,l)||$("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
+n=Mt(ft.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var ed=1e3;function ll(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>ed)throw new P(N("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
-Map))throw new L(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new L(N("given_twice",{path:o}));c.set(l,vr(a)??a)}let n=t.
-get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",Su(i)),bi(t)}function Su(s){let e=Array.from({length:s.size},(n,i)=>String(
-i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new L(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function bi(s){return Array.isArray(
-s)?s.map(bi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,bi(t)])):s}function Fr(s){return Br(s,"").map(([e,t])=>`${e}=${Eu(e,t)}`).join("&")}function Br(s,e){
-return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>Br(n,e?`${e}.${t}`:t))}function Eu(s,e){return en(s,e).replace("e+","e").replace(
-/\.0$/,"")}function en(s,e){return typeof e=="string"?e:Tu.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ve(e)}var Tu=new Set(Object.values(T.scenario.models).flatMap(
-({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Me}=T,Mu={rigid:"Rigid",compliant:"Compliant"};function wi(s,e,t=Oe()){let n=yi(s,e,t);if(!n)throw new L(Ct(t.said));return n}function yi(s,e,t){let{
-fields:n,place:i}=Me.models.Scenario;if(!ue(s))return F(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
-Ot(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Me.default[r];return[r,vi(r,l,e,t)]}));return t.said.
-length?null:Gr(t,()=>ki(a,e))}function vi(s,e,t,n){if(s==="hoop")return tn("Hoop",e,s,n,o=>Ir(o,t));if(s==="plane")return tn("Plane",e,s,n,qr);if(s==="start")return tn(
-"Start",e,s,n,Or);if(s!=="contact")return li(Me.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&tn(i,e,s,n,Cr)}function ki(s,e){return jr(
-s,e,K),s}function tn(s,e,t,n,i){let o=qt(s,e,t,n);return o&&Gr(n,()=>i(o))}function Gr(s,e){try{return e()}catch(t){if(!(t instanceof Je))throw t;return s.said.
-push(t.message),null}}function _i(s,e){return wi(Wr(s),e,Oe(()=>!0))}function sn(s,e,t){let n=pi(s,Ae(s),e,(i,o,a)=>Hr(i,o,t,a));return wi(n,t,Oe(mi([...e.keys()])))}
-function nn(s,e,t){let n=Oe();try{let i=pi(s,Ae(s),e,(r,l,c)=>Hr(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vi(r,i[r],t,n)]);return n.
-said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof L)return null;throw i}}function Hr(s,e,t,n){let i=Oe(n),o=vi(s,e,t,i);if(i.said.length)throw new L(
-Ct(i.said));return o}var Au=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,Au(s[t])])),xi=s=>Object.keys(Me.models[s].fields);
-function Ae({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:Ru(e),plane:zu(t),start:Pu(n),contact:Ft(i,xi(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function Ru(s){if(s.parts){let t=s.parts.map(n=>Ft(n,xi(Me.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Ft(s,["radius","mass",...e])}function zu(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
-0&&e.push("rolling_resistance"),Ft(s,xi("Plane").filter(t=>!e.includes(t)))}function Pu(s){return Ft(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
-"x","angle","speed"])}function Si(s,e){let{Hoop:t,Start:n}=Me.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
-default,load_fraction:a.default}}return s==="plane"?Me.default.plane:s==="start"?{...$r(n),speed:void 0}:$r(Me.models[e==="compliant"?"Compliant":"Rigid"])}var $r=({
-fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function $t(s){let e={};for(let[t,n]of Object.entries(Ae(s))){let i=Me.default[t];
-if(Bt(n,i))continue;if(!ue(n)){e[t]=n;continue}let o=Si(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Bt(o[r],l));e[t]=a.length?Object.fromEntries(
-a):n}return Fr(e)}function Bt(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
-Object.keys(e).length&&t.every(n=>Bt(s[n],e[n]))}var Lu=8,{cell:Ei,laws:Du,quantities:Kr}=T.map;async function Ti(s,{x:e,y:t},n,i){let o=Wt(e),a=Wt(t),r=Nu(s,e.path,t.path)?Iu(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
-[[t.path,a[p]],[e.path,o[d]]]);return nn(s,g,n)},l=o.length*a.length,c=new Float64Array(Ei.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
-now()-h>Lu&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&Ou(Object.assign(u,g),n);
-if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ei.length;w++)c[w*l+b]=qu[w](f)}}return{count:l,rows:c}}function Nu({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
-if(n[0]===n[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(n.includes("hoop")&&i&&s.speed!==null)}function Iu(s,{x:e,y:t},[n,
-i],o){let a=n.map(l=>nn(s,new Map([[e.path,l]]),o)),r=i.map(l=>nn(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var qu=Ei.map(s=>s==="l\
-aw"?({impact_law:e})=>Du[e]:s==="strike"?({painleve:e})=>+(e==="impact"):s==="allowed"?()=>1:e=>Number(e[s]));function Ou(s,e){try{return K(ki(s,e))}catch(t){if(!(t instanceof
-Je))throw t;return null}}var Mi=s=>Kr[s].span;function Ai({x:s,y:e,what:t},n){let{label:i,unit:o,words:a}=Kr[t],{values:r,names:l}=Cu(n,o===""?a:null),c=o===""?
-l.map(u=>({name:u,text:cr(u,t),color:hr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function Cu({values:s,sequences:e},t){
+Map))throw new P(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new P(N("given_twice",{path:o}));c.set(l,Fr(a)??a)}let n=t.
+get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",td(i)),Mi(t)}function td(s){let e=Array.from({length:s.size},(n,i)=>String(
+i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new P(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function Mi(s){return Array.isArray(
+s)?s.map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function hl(s){return cl(s,"").map(([e,t])=>`${e}=${sd(e,t)}`).join("&")}function cl(s,e){
+return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>cl(n,e?`${e}.${t}`:t))}function sd(s,e){return on(s,e).replace("e+","e").replace(
+/\.0$/,"")}function on(s,e){return typeof e=="string"?e:nd.has(s.slice(s.lastIndexOf(".")+1))?String(e):Je(e)}var nd=new Set(Object.values(T.scenario.models).flatMap(
+({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Ae}=T,id={rigid:"Rigid",compliant:"Compliant"};function Ai(s,e,t=je()){let n=Ri(s,e,t);if(!n)throw new P(Bt(t.said));return n}function Ri(s,e,t){let{
+fields:n,place:i}=Ae.models.Scenario;if(!de(s))return W(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
+jt(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Ae.default[r];return[r,zi(r,l,e,t)]}));return t.said.
+length?null:dl(t,()=>Li(a,e))}function zi(s,e,t,n){if(s==="hoop")return an("Hoop",e,s,n,o=>nl(o,t));if(s==="plane")return an("Plane",e,s,n,il);if(s==="start")return an(
+"Start",e,s,n,ol);if(s!=="contact")return wi(Ae.models.Scenario.fields[s],e,s,n);let i=yi(e,"model",id,s,n,"rigid");return i&&an(i,e,s,n,al)}function Li(s,e){return rl(
+s,e,K),s}function an(s,e,t,n,i){let o=qt(s,e,t,n);return o&&dl(n,()=>i(o))}function dl(s,e){try{return e()}catch(t){if(!(t instanceof Xe))throw t;return s.said.
+push(t.message),null}}function Pi(s,e){return Ai(ll(s),e,je(()=>!0))}function rn(s,e,t){let n=Si(s,Re(s),e,(i,o,a)=>ml(i,o,t,a));return Ai(n,t,je(_i([...e.keys()])))}
+function ln(s,e,t){let n=je();try{let i=Si(s,Re(s),e,(r,l,c)=>ml(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,zi(r,i[r],t,n)]);return n.
+said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof P)return null;throw i}}function ml(s,e,t,n){let i=je(n),o=zi(s,e,t,i);if(i.said.length)throw new P(
+Bt(i.said));return o}var od=s=>s===1/0?"inf":s,$t=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,od(s[t])])),Di=s=>Object.keys(Ae.models[s].fields);
+function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:ad(e),plane:rd(t),start:ld(n),contact:$t(i,Di(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function ad(s){if(s.parts){let t=s.parts.map(n=>$t(n,Di(Ae.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return $t(s,["radius","mass",...e])}function rd(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
+0&&e.push("rolling_resistance"),$t(s,Di("Plane").filter(t=>!e.includes(t)))}function ld(s){return $t(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
+"x","angle","speed"])}function Ni(s,e){let{Hoop:t,Start:n}=Ae.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
+default,load_fraction:a.default}}return s==="plane"?Ae.default.plane:s==="start"?{...ul(n),speed:void 0}:ul(Ae.models[e==="compliant"?"Compliant":"Rigid"])}var ul=({
+fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function Gt(s){let e={};for(let[t,n]of Object.entries(Re(s))){let i=Ae.default[t];
+if(Ht(n,i))continue;if(!de(n)){e[t]=n;continue}let o=Ni(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Ht(o[r],l));e[t]=a.length?Object.fromEntries(
+a):n}return hl(e)}function Ht(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
+Object.keys(e).length&&t.every(n=>Ht(s[n],e[n]))}var hd=8,{cell:Ii,laws:cd,quantities:pl}=T.map;async function Oi(s,{x:e,y:t},n,i){let o=Ft(e),a=Ft(t),r=ud(s,e.path,t.path)?dd(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
+[[t.path,a[p]],[e.path,o[d]]]);return ln(s,g,n)},l=o.length*a.length,c=new Float64Array(Ii.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
+now()-h>hd&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&pd(Object.assign(u,g),n);
+if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ii.length;w++)c[w*l+b]=md[w](f)}}return{count:l,rows:c}}function ud({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
+if(n[0]===n[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(n.includes("hoop")&&i&&s.speed!==null)}function dd(s,{x:e,y:t},[n,
+i],o){let a=n.map(l=>ln(s,new Map([[e.path,l]]),o)),r=i.map(l=>ln(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var md=Ii.map(s=>s==="l\
+aw"?({impact_law:e})=>cd[e]:s==="strike"?({painleve:e})=>+(e==="impact"):s==="allowed"?()=>1:e=>Number(e[s]));function pd(s,e){try{return K(Li(s,e))}catch(t){if(!(t instanceof
+Xe))throw t;return null}}var Ci=s=>pl[s].span;function qi({x:s,y:e,what:t},n){let{label:i,unit:o,words:a}=pl[t],{values:r,names:l}=fd(n,o===""?a:null),c=o===""?
+l.map(u=>({name:u,text:Pr(u,t),color:Lr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function fd({values:s,sequences:e},t){
 if(!t)return{values:s,names:[]};let n=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=
-0?i?.[a]??a:Number.NaN),names:n}}var{scenario:an}=T,ju=30;function Ur(s,e){for(let t of an.sections[s]??["Scenario"]){let n=an.models[t].fields[e];if(n)return n.unit}return""}function Zr(s,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):en(s,e)}function Vr(s,e,t){let n=`${s} = ${Zr(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(ju)} # ${t}`}function rn(s){
-let{duration:e,...t}=Ae(s),n=[Vr("duration",e,Ur("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
-isArray(r))n.push(Vr(a,r,Ur(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${Zr(u,h)}`);n.push(`  { ${c.join(", ")}\
+0?i?.[a]??a:Number.NaN),names:n}}var{scenario:cn}=T,gd=30;function fl(s,e){for(let t of cn.sections[s]??["Scenario"]){let n=cn.models[t].fields[e];if(n)return n.unit}return""}function bl(s,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):on(s,e)}function gl(s,e,t){let n=`${s} = ${bl(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(gd)} # ${t}`}function un(s){
+let{duration:e,...t}=Re(s),n=[gl("duration",e,fl("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
+isArray(r))n.push(gl(a,r,fl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${bl(u,h)}`);n.push(`  { ${c.join(", ")}\
  },`)}n.push("]")}}return`${n.join(`
 `)}
-`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Ae(s),t=Bt(e.contact,an.default.contact)?"":`    contact=${on(
+`}var bd={hoop:"Hoop",plane:"Plane",start:"Start"},wd=["load_fraction","mu"];function ji(s){let e=Re(s),t=Ht(e.contact,cn.default.contact)?"":`    contact=${hn(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
 `,`motion = hh.simulate(
-`,`    ${on("hoop",e.hoop)},
-`,`    ${on("plane",e.plane)},
-`,`    ${on("start",e.start)},
-`,`    duration=${zi("duration",e.duration)},
+`,`    ${hn("hoop",e.hoop)},
+`,`    ${hn("plane",e.plane)},
+`,`    ${hn("start",e.start)},
+`,`    duration=${Bi("duration",e.duration)},
 `,t,`)
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function on(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":Wu[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Si(
-s,t.model),a=Object.entries(t).filter(([r,l])=>Fu.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${zi(r,l)}`);return e&&a.push(`parts=[${e.map(Bu).join(", ")}]`),`hh\
-.${i}(${a.join(", ")})`}function Bu({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${zi(n,i)}`);return`hh.${an.parts[s]}(${t.join(", ")})`}function zi(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ce(e):en(s,e)}var{letters:Yr,modes:Li,verbs:Di,events:$u,statuses:Gu,story:Ye,summary:pt}=T.words,Hu=["turn","apex","end"],Ku=400,[,Pi,Jr,Uu,Vu]=Li,Zu="⁰¹²³⁴⁵⁶⁷⁸⁹";
-function Qr(s,e){let{omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Ni=s=>[...s.keys()].filter(e=>Qr(s,e)),Ii=(s,e)=>.5*(s[e].t+s[e+1].t);
-function qi(s,e=Ku){let t=[],n=0,i=el(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Yu(s,o,a):W(Ye.more_bounces,
-{count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:Yr[Li.indexOf(ln(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:W(Ye.left_out,
-{count:n})}),t}var Xr=s=>s.kind==="impact"&&s.to==="H"&&s.collision!==!1;function el(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&
-(Xr(a)||i.length&&a.kind==="apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);
-n.set(r[e],r.length-e)}i=[]}return n}function Oi(s,e=6){let t=[],n=0,i=el(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(
-W(pt.more_bounces,{count:u}));continue}if(c.kind==="start"||!t.length){t.push(Di[ln(s,l)]);continue}let h=Ju(s,l,c);h&&(n++,n<=e&&t.push(W(pt.change,{phrase:h,where:Xe(
-c.angle)})))}let o=n>e?W(pt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Gu[s.
-status]};return W(pt.sentence,r).trim()}function Ju(s,e,t){return t.collision===!1?pt.without_collision:Xr(t)?pt.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||tl(t)?Di[ln(s,e)]:Hu.includes(t.kind)?"":$u[t.kind]}function Yu(s,e,t){let n=ln(s,e),i={where:Xe(t.angle),verb:Di[n],kind:t.kind.replaceAll("_"," ")},o=Qu(
-s.events,e,n,i);return W(Ye[o]??Ye.other,i)}function Qu(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=Qe(i.vx),n.started=W(t===Uu?Ye.started_flight:
-t===Vu?Ye.started_skim:Ye.started,n)),o==="slip_start"&&t===Pi?"slip_start_spin":o==="takeoff"?Xu(s,e,n):o==="impact"?(n.speed=Qe(i.before.vy===null?null:Math.abs(
-i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&tl(i)?"turn_in_slip":(o==="apex"&&(n.gap=sl(i.height)),o==="\
-kane_gain"&&(n.gain=Qe(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Xu(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=Math.max(i,s[o].
-height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=sl(i),t.time=Qe(s[o].t-n),
-"takeoff_and_landing"}return"takeoff"}function ln(s,e){let t=s.events[e];return ed(t.to,Qr(s.events,e)?s.omega(e):t.omega)}function ed(s,e){return s==="S"?e>0?Pi:
-Jr:s==="K"?e<0?Pi:Jr:Li[Yr.indexOf(s)]}var tl=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),Xe=s=>`${ri(s*(180/Math.PI),1)}°`.replaceAll("-","−");function sl(s){
-return s>=.995?`${Qe(s)} m`:s>=.00995?`${Qe(s*100)} cm`:`${Qe(s*1e3)} mm`}function Qe(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Ee(s,3).split("e"),n=t===
-void 0?"":`·10${td(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var td=s=>[...String(s)].map(e=>e==="-"?"⁻":Zu[Number(e)]).join("");var nl=2e3,sd=s=>s===1/0?"inf":s;function hn(s,{status:e,sequence:t,events:n,final:i,energy:o}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:Ae(
-s),status:e,sequence:t,events:n,final:i,energy:o}}function Ci(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{...hn(s,e),events:e.events.slice(0,
-nl),query:$t(s),duration:e.duration,values:nd(s),automatic:id(s,n),massless:s.hoop.inertia_ratio===0,summary:Oi(i),story:qi(i),ending:T.words.statuses[e.status],
-shortened:e.events.length>nl}}function nd(s){let{speed:e}=s.start,t={...s,start:{...qe(s.start,s.hoop.radius),speed:e}},n=i=>{let[o,a]=i.split(".");return sd(t[o][a])};
-return Object.fromEntries(T.shown.map(i=>[i,n(i)]))}function id(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:n}=e.compliance(
-K(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:od,variables:ji}=T.table,{letters:ad}=T.words,Wi=(s,e)=>JSON.stringify(hn(s,e),null,1);function Fi(s){let e=Math.min(Math.max(Math.floor(s*od)+1,2),T.limits.
-samples),t=s/(e-1);return Float64Array.from({length:e},(n,i)=>i===e-1?s:i*t)}function Bi(s,e){let t=Object.keys(ji),n=t.map(l=>ji[l]==="1"?l:`${l} [${ji[l]}]`),
-{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let u=t.map(h=>h==="mode"?ad[a.
-mode[l]]:Ve(a[h][l]));r.push([Ve(c),...u].join(","))}return`${r.join(`\r
+`].join("")}function hn(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":bd[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Ni(
+s,t.model),a=Object.entries(t).filter(([r,l])=>wd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${Bi(r,l)}`);return e&&a.push(`parts=[${e.map(yd).join(", ")}]`),`hh\
+.${i}(${a.join(", ")})`}function yd({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${Bi(n,i)}`);return`hh.${cn.parts[s]}(${t.join(", ")})`}function Bi(s,e){
+return e==="inf"?'float("inf")':typeof e=="string"?ue(e):on(s,e)}var{letters:yl,modes:Fi,verbs:$i,events:vd,statuses:kd,story:Qe,summary:gt}=T.words,xd=["turn","apex","end"],_d=400,[,Wi,wl,Sd,Ed]=Fi,Td="⁰¹²³⁴⁵⁶⁷⁸⁹";
+function vl(s,e){let{omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>vl(s,e)),Gi=(s,e)=>.5*(s[e].t+s[e+1].t);
+function Ui(s,e=_d){let t=[],n=0,i=xl(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Ad(s,o,a):B(Qe.more_bounces,
+{count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:yl[Fi.indexOf(dn(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:B(Qe.left_out,
+{count:n})}),t}var kl=s=>s.kind==="impact"&&s.to==="H"&&s.collision!==!1;function xl(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&
+(kl(a)||i.length&&a.kind==="apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);
+n.set(r[e],r.length-e)}i=[]}return n}function Ki(s,e=6){let t=[],n=0,i=xl(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(
+B(gt.more_bounces,{count:u}));continue}if(c.kind==="start"||!t.length){t.push($i[dn(s,l)]);continue}let h=Md(s,l,c);h&&(n++,n<=e&&t.push(B(gt.change,{phrase:h,where:tt(
+c.angle)})))}let o=n>e?B(gt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:kd[s.
+status]};return B(gt.sentence,r).trim()}function Md(s,e,t){return t.collision===!1?gt.without_collision:kl(t)?gt.bounces:["slip_start","slip_reversal"].includes(
+t.kind)||_l(t)?$i[dn(s,e)]:xd.includes(t.kind)?"":vd[t.kind]}function Ad(s,e,t){let n=dn(s,e),i={where:tt(t.angle),verb:$i[n],kind:t.kind.replaceAll("_"," ")},o=Rd(
+s.events,e,n,i);return B(Qe[o]??Qe.other,i)}function Rd(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=et(i.vx),n.started=B(t===Sd?Qe.started_flight:
+t===Ed?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Wi?"slip_start_spin":o==="takeoff"?zd(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?null:Math.abs(
+i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&_l(i)?"turn_in_slip":(o==="apex"&&(n.gap=Sl(i.height)),o==="\
+kane_gain"&&(n.gain=et(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function zd(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=Math.max(i,s[o].
+height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=Sl(i),t.time=et(s[o].t-n),
+"takeoff_and_landing"}return"takeoff"}function dn(s,e){let t=s.events[e];return Ld(t.to,vl(s.events,e)?s.omega(e):t.omega)}function Ld(s,e){return s==="S"?e>0?Wi:
+wl:s==="K"?e<0?Wi:wl:Fi[yl.indexOf(s)]}var _l=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Sl(s){
+return s>=.995?`${et(s)} m`:s>=.00995?`${et(s*100)} cm`:`${et(s*1e3)} mm`}function et(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Te(s,3).split("e"),n=t===
+void 0?"":`·10${Pd(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var Pd=s=>[...String(s)].map(e=>e==="-"?"⁻":Td[Number(e)]).join("");var El=2e3,Dd=s=>s===1/0?"inf":s;function mn(s,{status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}){let{schema:r,setup:l}=T;return{schema:r,version:l.
+version,scenario:Re(s),status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}}function Vi(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{
+...mn(s,e),events:e.events.slice(0,El),query:Gt(s),duration:e.duration,values:Nd(s),automatic:Id(s,n),massless:s.hoop.inertia_ratio===0,summary:Ki(i),story:Ui(i),
+ending:T.words.statuses[e.status],shortened:e.events.length>El}}function Nd(s){let{speed:e}=s.start,t={...s,start:{...qe(s.start,s.hoop.radius),speed:e}},n=i=>{
+let[o,a]=i.split(".");return Dd(t[o][a])};return Object.fromEntries(T.shown.map(i=>[i,n(i)]))}function Id(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};
+let{stiffness:t,slip_speed:n}=e.compliance(K(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:Od,variables:Zi}=T.table,{letters:Cd}=T.words,Ji=(s,e)=>JSON.stringify(mn(s,e),null,1);function Yi(s){let e=Math.min(Math.max(Math.floor(s*Od)+1,2),T.limits.
+samples),t=s/(e-1);return Float64Array.from({length:e},(n,i)=>i===e-1?s:i*t)}function Xi(s,e){let t=Object.keys(Zi),n=t.map(l=>Zi[l]==="1"?l:`${l} [${Zi[l]}]`),
+{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let u=t.map(h=>h==="mode"?Cd[a.
+mode[l]]:Je(a[h][l]));r.push([Je(c),...u].join(","))}return`${r.join(`\r
 `)}\r
-`}var{calls:rd,regions:ol,map:ld}=T,hd={samples:{window:{read:cd}},regions:{window:{read:ud,usual:ol.usual}},map:{x:{read:il},y:{read:il},what:{read:md,usual:"seq\
-uence"}}};function al(s,e){let t=rd[s],n=Object.keys(e).find(i=>!t.includes(i));return n===void 0?null:Ot("",n,t)}function rl(s,e,t){let n={};for(let[i,{read:o,
-usual:a}]of Object.entries(hd[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):n[i]=a;return n}function ll(s,e,t,n,i){if(!Array.
-isArray(s)||s.length!==n)return Ze(t,e,s,i);let o=t.said.length;return s.forEach((a,r)=>{typeof a!="number"?F(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||F(t,
-`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function cd(s,e,t){let n=ll(s,e,t,2,q("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Ze(t,e,s,q("times")),
-n}function ud(s,e,t){let n=ll(s,e,t,4,q("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<ol.widest);return i<o&&a<r&&l||Ze(t,e,s,q("window")),
-n}function il(s,e,t){return qt("Axis",s,e,t,{number_path:dd})?.values??null}function dd(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Ar(s);return n?
-t.said.push(n):Rr(s)||Ze(t,e,s,q("number_path")),s}function md(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Object.keys(ld.quantities);return n.includes(
-s)||Ze(t,e,s,q("one_of",{known:n.join(", ")})),s}var{limits:cn}=T;function un(s,e,t){let n=al(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Oe(),l=null;i!==void 0&&!ue(i)?F(r,"scenario",
-i,"table"):i!==void 0&&(l=yi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&F(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!fd(
-h)).map(gd)):F(r,"changes",a,"list");let c=rl(s,e,r);if(r.said.length)throw new L(Ct(r.said));pd(a.length,c),(o!==null||!l)&&(l=_i(o??"",t));let u=new Map;for(let[
-h,d]of a)jt([...u.keys(),h])&&(l=sn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?sn(l,u,t):l}}var ft=(s,e)=>un("film",s,e).checked;function pd(s,{x:e,
-y:t}){if(s>cn.changes)throw new X(q("too_many_changes",{pairs:s,most:cn.changes}));if(!e)return;if(e.path===t.path)throw new L(q("equal_axes",{path:e.path}));let n=e.
-cells*t.cells;if(n>cn.cells)throw new X(q("too_many_cells",{cells:n,most:cn.cells}))}var fd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",gd=s=>q("no\
-t_a_pair",{change:new Ue(It(s).slice(0,60))});var bd=[[-2,1/12],[-1,-2/3],[1,2/3],[2,-1/12]],ul=[[1,4],[2,-3],[3,4/3],[4,-1/4]],wd=ul.map(([s,e])=>[-s,-e]),hl=.001,cl=1e-6;function $i(s,e,t,n){let i=o=>{try{
-return Le(K(Te(ft({scenario:s,changes:[[e,o]]},n))))}catch(a){if(a instanceof L||a instanceof X)return null;throw a}};for(let o=hl*Math.max(Math.abs(t),1);o>cl*
-hl;o*=.1){let[a,r]=[-1,1].map(l=>i(t+l*cl*o)!==null);for(let l of[bd,ul,wd]){let c=l.map(([u])=>i(t+u*o));if(!c.some(u=>u===null))return{rates:yd(c,l,o,i(t)),smaller:a,
-larger:r}}}return null}function yd(s,e,t,n){return Float64Array.from(s[0],(i,o)=>{let a=n?n[o]:s[0][o];return s.reduce((r,l,c)=>l[o]===a?r:r+e[c][1]*(l[o]-a),0)/
-t})}var{theory:U}=T.words;function Hi({hoop:s,plane:e},t){let n=[],i=(r,l,c,u)=>{l!==null&&n.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
-o=()=>i("painleve",t.painleve_friction,"1",r=>kd(r,t,e));if(e.gravity<=0)return o(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
-U.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>W(r,{where:Xe(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:u,
-any_speed:h}=U;i("first_slip",t.first_slip_speed,"m/s",d=>Gi(d,r,u)),i("first_hop",t.first_hop_speed,"m/s",d=>Gi(d,l,u)),i("immediate_hop",t.immediate_hop_speed,
-"m/s",d=>Gi(d,c,h))}else n.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});i("needed_friction",t.needed_friction,"1",r=>vd(r,e)),o();
-let a=t.jam_angles.map(Xe).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>W(U.jam_at,{places:a})),s.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>W(
-U.rest_at,{where:Xe(r)})),n}function Gi(s,e,t){return s<T.words.least_speed?W(t,{would:e}):Number.isFinite(s)?W(U.above,{would:e,speed:Ee(s,4)}):U.no_speed}function vd(s,{
-mu_static:e}){return Number.isFinite(s)?W(s<=e?U.friction_enough:U.friction_short,{mu:Ee(s,3)}):U.no_friction}function kd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return W(n,{mu:Ee(s,3),where:Xe(e)})}var xd=360,Sd=240,Ki={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Ed=["motion.nc","motion.mp4","mo\
-tion.gif"],Gt=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
-keys(Ki),...i?Ed:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=un(e,t,this.mechanics);if(e==="fi\
-lm")return this.film(i,n);if(e==="samples"){let a=K(Te(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
-python:Ri(i),toml:rn(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(K(i),n);return{header:{thresholds:Hi(i,a)},arrays:{}}}if(e==="regions"){
-let{window:a}=o,r=K(i),l=await this.kernel.regions(r,a,xd,Sd,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(`The \
-page does not answer ${e}.`)}async film(e,t){let n=K(Te(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
-t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:$t(e)},t);let r=await this.turning(n,i,t),
-l=Ci(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:fi(a)},arrays:o}}async turning(e,{events:t},n){let i=Ni(t);if(!i.length)return()=>0;let o=Float64Array.
-from(i,r=>Ii(t,r)),{omega:a}=await this.kernel.samples(e,o,n);return r=>a[i.indexOf(r)]}async changes(e,t,n,i){if(!this.kernel.changes)throw new TypeError("This\
- kernel has no derivatives.");let o=K(Te(ft({scenario:e},this.mechanics)));if(o.contact)throw new L(q("compliant_changes"));let a=$i(e,t,n,this.mechanics);if(!a)
+`}var{calls:qd,regions:Ml,map:jd}=T,Bd={samples:{window:{read:Wd}},regions:{window:{read:Fd,usual:Ml.usual}},map:{x:{read:Tl},y:{read:Tl},what:{read:Hd,usual:"seq\
+uence"}}};function Al(s,e){let t=qd[s],n=Object.keys(e).find(i=>!t.includes(i));return n===void 0?null:jt("",n,t)}function Rl(s,e,t){let n={};for(let[i,{read:o,
+usual:a}]of Object.entries(Bd[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):n[i]=a;return n}function zl(s,e,t,n,i){if(!Array.
+isArray(s)||s.length!==n)return Ye(t,e,s,i);let o=t.said.length;return s.forEach((a,r)=>{typeof a!="number"?W(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||W(t,
+`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function Wd(s,e,t){let n=zl(s,e,t,2,O("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Ye(t,e,s,O("times")),
+n}function Fd(s,e,t){let n=zl(s,e,t,4,O("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<Ml.widest);return i<o&&a<r&&l||Ye(t,e,s,O("window")),
+n}function Tl(s,e,t){return qt("Axis",s,e,t,{number_path:$d})?.values??null}function $d(s,e,t){if(typeof s!="string")return W(t,e,s,"word");let n=Jr(s);return n?
+t.said.push(n):Yr(s)||Ye(t,e,s,O("number_path")),s}function Hd(s,e,t){if(typeof s!="string")return W(t,e,s,"word");let n=Object.keys(jd.quantities);return n.includes(
+s)||Ye(t,e,s,O("one_of",{known:n.join(", ")})),s}var{limits:pn}=T;function fn(s,e,t){let n=Al(s,e);if(n)throw new P(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=je(),l=null;i!==void 0&&!de(i)?W(r,"scenario",
+i,"table"):i!==void 0&&(l=Ri(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&W(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!Ud(
+h)).map(Kd)):W(r,"changes",a,"list");let c=Rl(s,e,r);if(r.said.length)throw new P(Bt(r.said));Gd(a.length,c),(o!==null||!l)&&(l=Pi(o??"",t));let u=new Map;for(let[
+h,d]of a)Wt([...u.keys(),h])&&(l=rn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?rn(l,u,t):l}}var bt=(s,e)=>fn("film",s,e).checked;function Gd(s,{x:e,
+y:t}){if(s>pn.changes)throw new Q(O("too_many_changes",{pairs:s,most:pn.changes}));if(!e)return;if(e.path===t.path)throw new P(O("equal_axes",{path:e.path}));let n=e.
+cells*t.cells;if(n>pn.cells)throw new Q(O("too_many_cells",{cells:n,most:pn.cells}))}var Ud=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",Kd=s=>O("no\
+t_a_pair",{change:new Ze(Ct(s).slice(0,60))});var Vd=[[-2,1/12],[-1,-2/3],[1,2/3],[2,-1/12]],Dl=[[1,4],[2,-3],[3,4/3],[4,-1/4]],Zd=Dl.map(([s,e])=>[-s,-e]),Ll=.001,Pl=1e-6;function Qi(s,e,t,n){let i=o=>{try{
+return De(K(Me(bt({scenario:s,changes:[[e,o]]},n))))}catch(a){if(a instanceof P||a instanceof Q)return null;throw a}};for(let o=Ll*Math.max(Math.abs(t),1);o>Pl*
+Ll;o*=.1){let[a,r]=[-1,1].map(l=>i(t+l*Pl*o)!==null);for(let l of[Vd,Dl,Zd]){let c=l.map(([u])=>i(t+u*o));if(!c.some(u=>u===null))return{rates:Jd(c,l,o,i(t)),smaller:a,
+larger:r}}}return null}function Jd(s,e,t,n){return Float64Array.from(s[0],(i,o)=>{let a=n?n[o]:s[0][o];return s.reduce((r,l,c)=>l[o]===a?r:r+e[c][1]*(l[o]-a),0)/
+t})}var{theory:V}=T.words;function to({hoop:s,plane:e},t){let n=[],i=(r,l,c,u)=>{l!==null&&n.push({key:r,label:V[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
+o=()=>i("painleve",t.painleve_friction,"1",r=>Xd(r,t,e));if(e.gravity<=0)return o(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?V.loss_by_friction:
+V.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>B(r,{where:tt(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:u,
+any_speed:h}=V;i("first_slip",t.first_slip_speed,"m/s",d=>eo(d,r,u)),i("first_hop",t.first_hop_speed,"m/s",d=>eo(d,l,u)),i("immediate_hop",t.immediate_hop_speed,
+"m/s",d=>eo(d,c,h))}else n.push({key:"uphill",label:V.uphill,value:null,unit:"",text:V.no_threshold});i("needed_friction",t.needed_friction,"1",r=>Yd(r,e)),o();
+let a=t.jam_angles.map(tt).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>B(V.jam_at,{places:a})),s.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>B(
+V.rest_at,{where:tt(r)})),n}function eo(s,e,t){return s<T.words.least_speed?B(t,{would:e}):Number.isFinite(s)?B(V.above,{would:e,speed:Te(s,4)}):V.no_speed}function Yd(s,{
+mu_static:e}){return Number.isFinite(s)?B(s<=e?V.friction_enough:V.friction_short,{mu:Te(s,3)}):V.no_friction}function Xd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return V.never;let n=s<=t?V.paradox_here:V.paradox_not_here;return B(n,{mu:Te(s,3),where:tt(e)})}var em=360,tm=240,so={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},sm=["motion.nc","motion.mp4","mo\
+tion.gif"],Ut=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
+keys(so),...i?sm:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=fn(e,t,this.mechanics);if(e==="fi\
+lm")return this.film(i,n);if(e==="samples"){let a=K(Me(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
+python:ji(i),toml:un(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(K(i),n);return{header:{thresholds:to(i,a)},arrays:{}}}if(e==="regions"){
+let{window:a}=o,r=K(i),l=await this.kernel.regions(r,a,em,tm,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(`The \
+page does not answer ${e}.`)}async film(e,t){let n=K(Me(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
+t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:Gt(e)},t);let r=await this.turning(n,i,t),
+l=Vi(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:Ei(a)},arrays:o}}async turning(e,{events:t},n){let i=Hi(t);if(!i.length)return()=>0;let o=Float64Array.
+from(i,r=>Gi(t,r)),{omega:a}=await this.kernel.samples(e,o,n);return r=>a[i.indexOf(r)]}async changes(e,t,n,i){if(!this.kernel.changes)throw new TypeError("This\
+ kernel has no derivatives.");let o=K(Me(bt({scenario:e},this.mechanics)));if(o.contact)throw new P(O("compliant_changes"));let a=Qi(e,t,n,this.mechanics);if(!a)
 return null;let{rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,i);return{count:u.count,smaller:l?u.smaller:null,larger:c?u.larger:null}}async map(e,{
-x:t,y:n,what:i},o){let a=Mi(i),r=gi(e,{x:t,y:n,what:i}),l=await Ti(r,{x:t,y:n},this.mechanics,o);return Ai({x:t,y:n,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){
-if(!(e in Ki)){if(this.server)return this.server.file(e,t);throw new L(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Ki[e]})}async fileText(e,t){
-let n=ft({query:t},this.mechanics);if(e==="motion.toml")return rn(n);let i=Te(n),o=K(i),a=await this.kernel.motion(o);if(e==="motion.json")return Wi(i,a);let r=Fi(
-a.duration);return Bi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Ui(s,e,t){let n=e&&new _s(e);try{let i=await Dt.load(s);return new Gt(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function dl(s){
-navigator.serviceWorker?.register(s).catch(()=>{})}async function ml(s){let e=new xs(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Dt.
-unpack(s.get("module"),s.get("worker"),t);return new Gt(n,n.mechanics,{server:e})}catch{return e}}var Td=new URL("./",import.meta.url);async function Md(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),n,i;try{n=await Ui(Td,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&dl(t.getAttribute("content")??"");let o=new ut(
-s,n,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=go(location.hash);try{await o.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function vy(s,e,t,n){let i=await Ui(
-e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new ut(s,i,o,{panels:n});return await a.open([t]),a}async function Ad({model:s,el:e}){let t=document.
-createElement("div");e.append(t);let n=await ml(s),i=new ut(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
-i.motions.set([at(s.get("film"))]),i.begin();let o=()=>i.motions.replace(at(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Re as current,ky as default,Tn as languageMenu,vy as mount,Zt as repeat,v as t,st as untranslated};
+x:t,y:n,what:i},o){let a=Ci(i),r=Ti(e,{x:t,y:n,what:i}),l=await Oi(r,{x:t,y:n},this.mechanics,o);return qi({x:t,y:n,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){
+if(!(e in so)){if(this.server)return this.server.file(e,t);throw new P(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:so[e]})}async fileText(e,t){
+let n=bt({query:t},this.mechanics);if(e==="motion.toml")return un(n);let i=Me(n),o=K(i),a=await this.kernel.motion(o);if(a.doubt!==null&&this.server)return(await this.
+server.file(e,t)).text();if(e==="motion.json")return Ji(i,a);let r=Yi(a.duration);return Xi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(
+e?`?${e}`:"",this.base)}${t}`}};async function no(s,e,t){let n=e&&new Ss(e);try{let i=await It.load(s);return new Ut(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function Nl(s){
+navigator.serviceWorker?.register(s).catch(()=>{})}async function Il(s){let e=new Es(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await It.
+unpack(s.get("module"),s.get("worker"),t);return new Ut(n,n.mechanics,{server:e})}catch{return e}}var nm=new URL("./",import.meta.url);async function im(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),n,i;try{n=await no(nm,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&Nl(t.getAttribute("content")??"");let o=new mt(
+s,n,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=To(location.hash);try{await o.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function dv(s,e,t,n){let i=await no(
+e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new mt(s,i,o,{panels:n});return await a.open([t]),a}async function om({model:s,el:e}){let t=document.
+createElement("div");e.append(t);let n=await Il(s),i=new mt(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
+i.motions.set([lt(s.get("film"))]),i.begin();let o=()=>i.motions.replace(lt(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
+i.close()}}var Ol=document.getElementById("hophoop-lab");Ol&&im(Ol);var mv={render:om};export{rh as adopt,ze as current,mv as default,zn as languageMenu,dv as mount,Yt as repeat,v as t,it as untranslated};

@@ -11,7 +11,10 @@ import math
 import numpy as np
 
 from hophoop._jit import jit
-from hophoop.numerics.collocation import NODES, ORDER, WEIGHTS, coefficients
+from hophoop.numerics.arcs import arcsine, arctangent2, hypotenuse
+from hophoop.numerics.circular import sine_and_cosine
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.constants import NODES, WEIGHTS
 from hophoop.physics.contact import rolling_acceleration
 from hophoop.physics.roll import rolling_u
 
@@ -45,19 +48,19 @@ def first_hilltop(body):
 
     Hilltops stand at ε sin(θ + β) = −sin β, once a turn, each lower than the one uphill by the same amount.
     """
-    weight = math.hypot(body.gn, body.gt)
+    weight = hypotenuse(body.gn, body.gt)
     if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
         return math.nan
-    return math.asin(-body.gt / (body.eps * weight)) - math.atan2(body.gt, body.gn)
+    return arcsine(-body.gt / (body.eps * weight)) - arctangent2(body.gt, body.gn)
 
 
 @jit
 def first_valley(body):
     """Angle of the valley after `first_hilltop`."""
-    weight = math.hypot(body.gn, body.gt)
+    weight = hypotenuse(body.gn, body.gt)
     if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
         return math.nan
-    return math.pi + math.asin(body.gt / (body.eps * weight)) - math.atan2(body.gt, body.gn)
+    return math.pi + arcsine(body.gt / (body.eps * weight)) - arctangent2(body.gt, body.gn)
 
 
 @jit
@@ -204,7 +207,8 @@ def time_from_top(body, w, angle):
 @jit
 def rocking_time(body, angle):
     """Period of rocking from rest at an angle; inf in an equilibrium, nan where the hoop rolls away."""
-    start = rolling_acceleration(body, math.sin(angle), math.cos(angle), 0.0)
+    s, c = sine_and_cosine(angle)
+    start = rolling_acceleration(body, s, c, 0.0)
     if start == 0.0:
         return math.inf
     valley = first_valley(body)

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from hophoop._jit import jit
+from hophoop.numerics.arcs import arctangent
 from hophoop.physics.body import Mode
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -37,7 +38,7 @@ def slip_speeds(bodies, out):
         best = math.inf
         for side in (1.0, -1.0):
             angle, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
-            if angle >= math.atan(body.mu_s):
+            if angle >= arctangent(body.mu_s):
                 best = 0.0  # even the smallest push
                 break
             # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.

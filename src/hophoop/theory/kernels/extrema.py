@@ -7,10 +7,11 @@ falls through zero. An error δ there changes the value by δ² only, so the val
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import jit
-from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.arcs import arctangent2
+from hophoop.numerics.circular import sine_and_cosine
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
@@ -30,15 +31,15 @@ MOST = 100_000
 def force_angle(body, w, th, side):
     """Angle between the contact force of rolling and the normal, F > 0 counted positive for side = 1."""
     u = rolling_u(body, 0.0, w, th)
-    friction, normal = rolling_forces(body, math.sin(th), math.cos(th), u)
-    return math.atan2(side * friction, normal)
+    s, c = sine_and_cosine(th)
+    friction, normal = rolling_forces(body, s, c, u)
+    return arctangent2(side * friction, normal)
 
 
 @jit
 def cone_margin_line(body, th, side):
     """(A, B): the margin to one side of the friction cone is A + B w, with w the square of v at θ = 0."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     a, b = cone_weights(body.mu_s)
     from_rest = rolling_u(body, 0.0, 0.0, th)
     growth = rolling_inertia(body, 1.0) / rolling_inertia(body, c)
@@ -55,7 +56,7 @@ def searched(what, body, w, th, side):
     if what == FORCE_ANGLE:
         return force_angle(body, w, th, side)
     steady, rate = cone_margin_line(body, th, side)
-    return math.atan2(-rate, steady)
+    return arctangent2(-rate, steady)
 
 
 @jit

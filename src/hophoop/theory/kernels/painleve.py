@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
+from hophoop.numerics.arcs import arccosine
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body
 from hophoop.physics.contact import slip_stiffness
 from hophoop.theory.kernels.rows import body_of
@@ -13,8 +15,7 @@ from hophoop.theory.kernels.rows import body_of
 @jit
 def threshold(body, th, sigma):
     """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     smooth = slip_stiffness(with_friction(body, 0.0), s, c, sigma)
     rough = slip_stiffness(with_friction(body, 1.0), s, c, sigma)
     return smooth / (smooth - rough) if rough < smooth else math.inf
@@ -37,8 +38,7 @@ def regions(bodies, angles, frictions, out):
     """σ of the direction in which p_σ ≤ 0, 0 where there is none."""
     for k in range(angles.shape[0]):
         body = with_friction(body_of(bodies[k]), frictions[k])
-        s = math.sin(angles[k])
-        c = math.cos(angles[k])
+        s, c = sine_and_cosine(angles[k])
         out[k] = 0
         for sigma in (-1, 1):
             if slip_stiffness(body, s, c, sigma) <= 0.0:
@@ -59,7 +59,7 @@ def worst_angle(eps, kap):
             low = c
         else:
             high = c
-    return math.acos(low)
+    return arccosine(low)
 
 
 @jit

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
+from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import MODE_LETTERS, Mode
 from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
 from hophoop.physics.modes import can_roll, next_mode
@@ -23,10 +24,9 @@ def modes(bodies, angles, rates, out):
             out[k] = mode if mode <= SKIM else NONE
         elif can_roll(body, angles[k], rates[k]):
             out[k] = ROLL
-        elif math.sin(angles[k]) * rates[k] > 0.0 or math.cos(angles[k]) == 1.0:
-            out[k] = SKIM
         else:
-            out[k] = NONE
+            s, c = sine_and_cosine(angles[k])
+            out[k] = SKIM if s * rates[k] > 0.0 or c == 1.0 else NONE
 
 
 @jit
@@ -45,8 +45,7 @@ def rolling_ranges(bodies, angles, out):
     """Rolling needs N ≥ 0 and two cone margins ≥ 0, each a line in u = θ̇²."""
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
-        s = math.sin(angles[k])
-        c = math.cos(angles[k])
+        s, c = sine_and_cosine(angles[k])
         a, b = cone_weights(body.mu_s)
         friction0, normal0 = rolling_forces(body, s, c, 0.0)
         friction1, normal1 = rolling_forces(body, s, c, 1.0)
@@ -60,8 +59,7 @@ def rolling_ranges(bodies, angles, out):
 @jit
 def lift_off(body, th):
     """Magnitude of θ̇ at which f_n = 0, infinite where the load is not up; f_n is linear in θ̇²."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_and_cosine(th)
     _, at_rest = free_acceleration(body, s, c, 0.0)
     _, moving = free_acceleration(body, s, c, 1.0)
     return math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
+from hophoop.numerics.arcs import arccosine, arcsine
+from hophoop.numerics.circular import cosine, sine_and_cosine, tangent
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
 from hophoop.records.scratch import new_scratch
@@ -28,13 +30,14 @@ def forces(bodies, angles, rates, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
         rate = rates[k]
-        out[k, 0], out[k, 1] = rolling_forces(body, math.sin(angles[k]), math.cos(angles[k]), rate * rate)
+        s, c = sine_and_cosine(angles[k])
+        out[k, 0], out[k, 1] = rolling_forces(body, s, c, rate * rate)
 
 
 @jit
 def kinetic(bodies, angles, rates, out):
     for k in range(angles.shape[0]):
-        inertia = rolling_inertia(body_of(bodies[k]), math.cos(angles[k]))
+        inertia = rolling_inertia(body_of(bodies[k]), cosine(angles[k]))
         out[k] = 0.5 * inertia * rates[k] * rates[k]
 
 
@@ -80,7 +83,7 @@ def needed_frictions(bodies, speeds, out):
         if other > largest:
             largest = other
             place = elsewhere
-        out[k, 0] = math.tan(largest) if largest < 0.5 * math.pi else math.inf
+        out[k, 0] = tangent(largest) if largest < 0.5 * math.pi else math.inf
         out[k, 1] = place
 
 
@@ -93,9 +96,9 @@ def contact_losses(bodies, speeds, out):
         if w >= body.gn:
             angle = 0.0
         else:
-            angle = math.acos(w / body.gn)
+            angle = arccosine(w / body.gn)
         a, _ = cone_weights(body.mu_s)
-        slides = 2.0 * math.asin(min(a, 1.0))
+        slides = 2.0 * arcsine(min(a, 1.0))
         by_friction = slides < angle
         if by_friction:
             angle = slides

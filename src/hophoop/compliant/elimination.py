@@ -1,0 +1,134 @@
+"""Small systems of linear equations, real and complex, by elimination with partial pivoting.
+
+Complex products and quotients are written out: compilers and NumPy take their terms in different orders.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+
+
+@jit
+def product(a, b):
+    """a b of complex numbers."""
+    return complex(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
+
+
+@jit
+def scaled(a, factor):
+    """A complex number times a real one."""
+    return complex(a.real * factor, a.imag * factor)
+
+
+@jit
+def divided(a, divisor):
+    """A complex number over a real one."""
+    return complex(a.real / divisor, a.imag / divisor)
+
+
+@jit
+def reciprocal(a):
+    """1/a of a complex number."""
+    square = a.real * a.real + a.imag * a.imag
+    return complex(a.real / square, -a.imag / square)
+
+
+@jit
+def exchange_rows(matrix, one, other):
+    """Exchange two rows in place."""
+    for j in range(matrix.shape[1]):
+        matrix[one, j], matrix[other, j] = matrix[other, j], matrix[one, j]
+
+
+@jit
+def exchange_entries(side, pivots):
+    """Bring the right-hand side into the order of the factors."""
+    for k in range(side.shape[0]):
+        best = pivots[k]
+        if best != k:
+            side[k], side[best] = side[best], side[k]
+
+
+@jit
+def factor(matrix, pivots):
+    """LU factors of a small real matrix in place; False where it is singular."""
+    n = matrix.shape[0]
+    for k in range(n):
+        best = k
+        size = abs(matrix[k, k])
+        for i in range(k + 1, n):
+            if abs(matrix[i, k]) > size:
+                best = i
+                size = abs(matrix[i, k])
+        pivots[k] = best
+        if not 0.0 < size < math.inf:
+            return False
+        if best != k:
+            exchange_rows(matrix, k, best)
+        inverse = 1.0 / matrix[k, k]
+        for i in range(k + 1, n):
+            matrix[i, k] *= inverse
+            for j in range(k + 1, n):
+                matrix[i, j] -= matrix[i, k] * matrix[k, j]
+    return True
+
+
+@jit
+def solve(matrix, pivots, side):
+    """Solve with the factors, in place."""
+    n = matrix.shape[0]
+    exchange_entries(side, pivots)
+    for i in range(1, n):
+        for j in range(i):
+            side[i] -= matrix[i, j] * side[j]
+    for i in range(n - 1, -1, -1):
+        for j in range(i + 1, n):
+            side[i] -= matrix[i, j] * side[j]
+        side[i] /= matrix[i, i]
+
+
+@jit
+def size_of(a):
+    """abs(Re a) + abs(Im a), by which pivots are chosen."""
+    return abs(a.real) + abs(a.imag)
+
+
+@jit
+def factor_complex(matrix, pivots):
+    """LU factors of a small complex matrix in place, with reciprocals of the pivots; False where it is singular."""
+    n = matrix.shape[0]
+    for k in range(n):
+        best = k
+        size = size_of(matrix[k, k])
+        for i in range(k + 1, n):
+            other = size_of(matrix[i, k])
+            if other > size:
+                best = i
+                size = other
+        pivots[k] = best
+        if not 0.0 < size < math.inf:
+            return False
+        if best != k:
+            exchange_rows(matrix, k, best)
+        matrix[k, k] = reciprocal(matrix[k, k])
+        for i in range(k + 1, n):
+            matrix[i, k] = product(matrix[i, k], matrix[k, k])
+            for j in range(k + 1, n):
+                matrix[i, j] -= product(matrix[i, k], matrix[k, j])
+    return True
+
+
+@jit
+def solve_complex(matrix, pivots, side):
+    """Solve with the complex factors, in place."""
+    n = matrix.shape[0]
+    exchange_entries(side, pivots)
+    for i in range(1, n):
+        for j in range(i):
+            side[i] -= product(matrix[i, j], side[j])
+    for i in range(n - 1, -1, -1):
+        for j in range(i + 1, n):
+            side[i] -= product(matrix[i, j], side[j])
+        side[i] = product(side[i], matrix[i, i])

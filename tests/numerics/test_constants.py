@@ -1,0 +1,77 @@
+"""The tables of the solver: what they are, found another way, and that they are those that the generator writes."""
+
+import numpy as np
+import pytest
+from numpy.polynomial import chebyshev, legendre
+
+from hophoop.compliant import tableau
+from hophoop.numerics import constants, generate
+from hophoop.panels.panel import SINES
+
+POINTS = constants.NODES
+
+
+def test_the_generator_writes_these_tables():
+    text = generate.source(generate.tables(), generate.ABOUT)
+    with open(constants.__file__, encoding="utf-8", newline="") as file:
+        assert file.read() == text
+
+
+def test_quadrature_is_that_of_gauss():
+    nodes, weights = legendre.leggauss(16)
+    np.testing.assert_allclose(POINTS, nodes, rtol=1e-15)
+    np.testing.assert_allclose(constants.WEIGHTS, weights, rtol=1e-14)
+    assert np.array_equal(POINTS, -POINTS[::-1])
+    assert np.array_equal(constants.WEIGHTS, constants.WEIGHTS[::-1])
+
+
+@pytest.mark.parametrize("degree", range(16))
+def test_series_antiderivative_and_halves_of_a_polynomial(degree):
+    series = np.zeros(16)
+    series[degree] = 1.0
+    values = chebyshev.chebval(POINTS, series)
+    np.testing.assert_allclose(constants.SERIES @ values, series, atol=5e-15)
+    integral = chebyshev.chebint(series, lbnd=-1)
+    np.testing.assert_allclose(constants.ANTIDERIVATIVE_T.T @ values, chebyshev.chebval(POINTS, integral), atol=2e-15)
+    for table, place in ((constants.LEFT_T, -1.0), (constants.RIGHT_T, 1.0)):
+        half = chebyshev.chebval(POINTS, table.T @ series)
+        np.testing.assert_allclose(half, chebyshev.chebval(0.5 * (POINTS + place), series), atol=5e-15)
+
+
+def test_panels_are_tabulated_at_their_nodes():
+    widths = 0.9 * 2.0 ** (-0.5 * np.arange(96))
+    np.testing.assert_allclose(constants.WIDTHS, widths, rtol=1e-15)
+    offsets = widths[:, None] * (1.0 + POINTS) / 2.0
+    np.testing.assert_allclose(constants.SINES, np.sin(offsets), rtol=1e-15)
+    np.testing.assert_allclose(constants.VERSINES, 2.0 * np.sin(0.5 * offsets) ** 2, rtol=1e-15)
+    np.testing.assert_allclose(constants.FAR_SINES, np.sin(widths), rtol=1e-15)
+    np.testing.assert_allclose(constants.FAR_VERSINES, 2.0 * np.sin(0.5 * widths) ** 2, rtol=1e-15)
+    assert np.array_equal(SINES[0], -SINES[1])
+
+
+def test_radau_integrates_polynomials_and_is_diagonal_in_its_eigenvectors():
+    c = tableau.NODES
+    powers = np.arange(5)
+    np.testing.assert_allclose(tableau.A @ c[:, None] ** powers, c[:, None] ** (powers + 1) / (powers + 1), atol=1e-15)
+    # quadrature of order 9: the last row of A integrates degrees up to 8 over the whole step
+    degrees = np.arange(9)
+    np.testing.assert_allclose(tableau.A[-1] @ c[:, None] ** degrees, 1.0 / (degrees + 1), rtol=1e-14)
+    np.testing.assert_allclose(tableau.A_INVERSE @ tableau.A, np.eye(5), atol=1e-13)
+    np.testing.assert_allclose(tableau.A_INVERSE @ tableau.FROM_REAL, tableau.GAMMA * tableau.FROM_REAL, rtol=1e-13)
+    vectors = tableau.FROM_PAIR
+    np.testing.assert_allclose(tableau.A_INVERSE @ vectors, vectors * tableau.LAMBDA, rtol=1e-13)
+    # from stages to eigenvectors and back
+    back = np.outer(tableau.FROM_REAL, tableau.TO_REAL) + (vectors @ tableau.TO_PAIR).real
+    np.testing.assert_allclose(back, np.eye(5), atol=1e-13)
+
+
+def test_radau_estimates_its_error_by_a_solution_of_order_five():
+    c = tableau.NODES
+    # h f(y0)/γ + Σ DEFECT_i h f_i vanishes for polynomials up to degree 4
+    for degree in range(5):
+        start = 1.0 if degree == 0 else 0.0
+        assert start / tableau.GAMMA + tableau.DEFECT @ c**degree == pytest.approx(0.0, abs=1e-13)
+    np.testing.assert_allclose(tableau.ERROR, tableau.DEFECT @ tableau.A_INVERSE, atol=1e-12)
+    values = np.sin(np.concatenate(([0.0], c)))
+    dense = tableau.POWERS @ values[1:]
+    np.testing.assert_allclose(c[:, None] ** np.arange(1, 6) @ dense, values[1:], atol=1e-14)

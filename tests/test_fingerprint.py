@@ -1,0 +1,101 @@
+"""The fingerprint of a motion: its definition, what counts and what does not."""
+
+import hashlib
+import json
+import math
+import runpy
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._fingerprint import fingerprint, is_fingerprint
+
+QUIET_NAN = bytes.fromhex("000000000000f87f")
+
+
+def by_hand(motion):
+    """From the public events, one number at a time."""
+    text = b""
+    for event in motion.events:
+        text += event.kind.encode()
+        for name in ("t", "x", "height", "angle", "vx", "vy", "omega", "slip"):
+            value = getattr(event, name)
+            text += QUIET_NAN if math.isnan(value) else struct.pack("<d", value if value != 0.0 else 0.0)
+    return hashlib.sha256(text).hexdigest()[:16]
+
+
+MOTIONS = {
+    "hop": hh.Scenario(duration=2.0),
+    "end by the duration asked for": hh.Scenario(duration=1.7, hoop=hh.Hoop.ideal(0.6, radius=0.3, mass=2.0)),
+    "massless": hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start.rolling(0.1), duration=3.0),
+    "massless, no answer": hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=3.0), start=hh.Start.rolling(-2.0)),
+    "rest": hh.Scenario(start=hh.Start()),
+    "bounces": hh.Scenario(plane=hh.Plane(restitution=0.7), start=hh.Start(height=0.3, omega=1.0), duration=3.0),
+    "compliant": hh.Scenario(start=hh.Start(height=0.02, omega=3.0), duration=0.2, contact=hh.Compliant(stiffness=1e4)),
+}
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_it_is_the_hash_of_the_public_events(name):
+    motion = hh.simulate(MOTIONS[name])
+    assert motion.fingerprint == by_hand(motion)
+    assert is_fingerprint(motion.fingerprint)
+    assert motion.to_dict()["fingerprint"] == motion.fingerprint
+
+
+def test_a_kept_value():
+    """The bytes of 'start' and eight numbers, hashed by coreutils' sha256sum."""
+    assert fingerprint(["start"], [[0.0, 1.0, -0.0, -2.5, 1e-310, math.inf, 3.0, 0.1]]) == "54f71afa5f213e6e"
+
+
+def test_one_bit_of_any_number_and_the_kind_count():
+    states = np.linspace(0.1, 2.0, 16).reshape(2, 8)
+    found = {fingerprint(["start", "end"], states), fingerprint(["start", "jam"], states), fingerprint(["start"], states[:1])}
+    for place in np.ndindex(states.shape):
+        other = states.copy()
+        other[place] = np.nextafter(other[place], 9.0)
+        found.add(fingerprint(["start", "end"], other))
+    assert len(found) == 3 + 16
+
+
+def test_zeros_and_nans_have_one_form():
+    nans = [
+        struct.unpack("<d", bytes.fromhex(bits))[0] for bits in ("010000000000f87f", "000000000000f8ff", "000000000000f87f")
+    ]
+    found = {fingerprint(["end"], [[nan, zero] * 4]) for nan in nans for zero in (0.0, -0.0)}
+    assert found == {hashlib.sha256(b"end" + 4 * (QUIET_NAN + bytes(8))).hexdigest()[:16]}
+
+
+def test_what_it_is_given_stays_as_it_is():
+    states = np.array([[-0.0, math.nan, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]])
+    before = states.tobytes()
+    fingerprint(["end"], states)
+    assert states.tobytes() == before
+
+
+def test_each_event_has_eight_numbers():
+    with pytest.raises(ValueError, match="argument"):
+        fingerprint(["start", "end"], np.zeros((1, 8)))
+
+
+def test_other_scenarios_have_other_fingerprints():
+    speeds = np.linspace(1.0, 3.0, 40)
+    assert len({hh.simulate(hh.Scenario(start=hh.Start.rolling(v), duration=1.0)).fingerprint for v in speeds}) == 40
+
+
+def test_the_form_of_one():
+    assert is_fingerprint("0123456789abcdef")
+    assert is_fingerprint("0123456789ABCDEF")
+    assert not any(map(is_fingerprint, ("", "0123", "0123456789abcdeg", "0123456789abcdef0", "0123456789abcdef\n")))
+
+
+def test_kept_motions_have_their_bits():
+    """After a change of the kernels' bits: `python tests/data/fingerprints.py`, and a line in CHANGELOG."""
+    program = Path(__file__).parent / "data" / "fingerprints.py"
+    kept = json.loads(program.with_suffix(".json").read_text(encoding="utf-8"))
+    scenarios = runpy.run_path(str(program))["kept_scenarios"]()
+    assert {name: hh.simulate(scenario).fingerprint for name, scenario in scenarios.items()} == kept
+    assert {f"article {name}" for name in hh.article.scenarios()} < kept.keys()
