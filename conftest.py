@@ -25,6 +25,17 @@ os.environ.setdefault("MPLBACKEND", "agg")
 pytest_plugins = ["browser_tools"]
 
 
+def pytest_addoption(parser):
+    parser.addoption("--other-tables", type=int, metavar="SEED", help="tables of the solver off by a rounding")
+
+
+def pytest_configure(config):
+    if (seed := config.getoption("other_tables", None)) is not None:
+        import other_tables
+
+        other_tables.move_tables(seed)
+
+
 @pytest.hookimpl(tryfirst=True)  # workers start after this
 def pytest_sessionstart(session):
     import compile_ahead

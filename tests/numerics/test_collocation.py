@@ -32,7 +32,11 @@ def test_widths_go_on_beyond_the_tables():
 
 
 def test_falls_are_where_numpy_has_roots():
-    """Resolved functions with two falls and a rise between; the first fall, to rounding."""
+    """Resolved functions with two falls and a rise between; the first fall, to rounding.
+
+    The condition of a root is 1/abs(slope), up to 1,000 here with roots 0.05 apart: it moves by that times the rounding of the
+    function. Three units in the last place of the function's largest value are what the sixteen products of a series may add.
+    """
     random = np.random.default_rng(5)
     stack = np.zeros((search.DEPTH + 3, col.ORDER + 2))
     for _ in range(200):
@@ -45,8 +49,39 @@ def test_falls_are_where_numpy_has_roots():
             return -np.prod([x - root for root in roots], axis=0) * np.exp(slow * x)
 
         series = np.empty(col.ORDER)
-        col.coefficients(function(col.NODES), series)
-        assert search.first_fall(series, 0.0, stack) == pytest.approx(roots[0], abs=2e-14)
+        values = function(col.NODES)
+        col.coefficients(values, series)
+        slope = (roots[1] - roots[0]) * (roots[2] - roots[0]) * np.exp(slow * roots[0])
+        rounding = 3.0 * np.spacing(1.0) * np.abs(values).max()
+        found = search.first_fall(series, 0.0, stack)
+        assert found == pytest.approx(roots[0], rel=0.0, abs=rounding / slope + np.spacing(1.0))
+
+
+@pytest.mark.parametrize("floor", [0.0, 1e-9, 1e-3])
+@pytest.mark.parametrize("place", [0.0, 0.5, -0.5, 0.25, -0.875, 0.1])
+def test_a_fall_on_the_border_of_two_intervals(place, floor):
+    """Rounding may leave the left one above zero at its end and the right one below it at its start: the root is in neither.
+
+    Nor is a fall passed over that is deeper than the floor only in a later interval.
+    """
+    random = np.random.default_rng(8)
+    stack = np.zeros((search.DEPTH + 3, col.ORDER + 2))
+    exact = np.zeros(col.ORDER)
+    exact[:4] = chebyshev.poly2cheb(-np.polynomial.polynomial.polymul([-place, 1.0], [place**2 + 0.01, -2.0 * place, 1.0]))
+    bent = np.zeros(col.ORDER)
+    bent[:3] = chebyshev.poly2cheb(-np.polynomial.polynomial.polymul([-place, 1.0], [1.0 - place, 1.0]))
+    for series in (exact, bent):  # with slopes of 0.01 and 1 at the fall
+        for _ in range(100):
+            rounded = series + 1e-16 * random.uniform(-1.0, 1.0, col.ORDER)
+            found = search.first_fall(rounded, floor, stack)
+            assert found == pytest.approx(place, rel=0.0, abs=1e-13)
+            assert search.first_fall_after(rounded, found, floor, stack) == search.NOT_FOUND
+    assert search.first_fall(exact, 8.0, stack) == search.NOT_FOUND  # it does not fall so far
+    touching = np.zeros(col.ORDER)
+    touching[:3] = chebyshev.poly2cheb(np.polynomial.polynomial.polymul([-place, 1.0], [-place, 1.0]))
+    for _ in range(100):
+        series = touching + 1e-16 * random.uniform(-1.0, 1.0, col.ORDER)
+        assert search.first_fall(series, max(floor, 1e-14), stack) == search.NOT_FOUND
 
 
 def test_what_is_no_number_falls_nowhere():

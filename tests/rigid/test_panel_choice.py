@@ -379,23 +379,27 @@ def test_the_next_panel_is_as_wide_as_is_resolved(om, sigma):
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
 @pytest.mark.parametrize("sigma", [0, 1, -1])
-@pytest.mark.parametrize(("om", "most"), [(1e-3, 2), (1e-5, 2), (1e-12, 4), (1e-40, 80)])
+@pytest.mark.parametrize(("om", "most"), [(1e-3, 13), (9e-4, 4), (1e-5, 4), (1e-12, 4), (1e-40, 4), (1e-140, 4)])
 def test_a_hoop_that_begins_slowly_has_a_narrow_panel(om, most, sigma, way):
-    """Of the scale θ̇²/θ̈ where it gathers speed, and up to the turning point where it loses it; found in a few tries."""
+    """Of the scale θ̇²/θ̈ where it gathers speed, and up to the turning point where it loses it; found in a few tries.
+
+    How many depends on no rounding: below θ̇ = 1e-3 the scale gives the first width, and rounding hides nothing there.
+    """
     body = body_of(mu=0.125)
     th = 1.0 * way
     alpha = 0.5 * math.sin(1.0) / (2.0 + math.cos(1.0)) if sigma == 0 else at_rest(body, th, sigma)[0] * way
     assert alpha > 0.1
-    panel, totals, _, _ = chosen(body, sigma, state_of(th, way * om, sigma * 1.0), 2)
+    panel, totals, _, tried = chosen(body, sigma, state_of(th, way * om, sigma * 1.0), 2)
     scale = om**2 / alpha
     assert (panel.kind, panel.way) == (LINEAR, way)
     assert totals.tail <= RESOLVED
+    assert tried <= most
     assert 0.1 * scale < panel.extent < 10.0 * scale
     panel, totals, level, tried = chosen(body, sigma, state_of(th, -way * om, sigma * 1.0), 2)
     assert (panel.kind, panel.way, level) == (ARRIVE, -way, 2)
     assert totals.tail <= RESOLVED
     assert panel.extent == pytest.approx(0.5 * scale, rel=1e-2 * om)
-    assert tried <= most
+    assert tried <= 2
 
 
 def test_a_panel_outlasts_the_motion():

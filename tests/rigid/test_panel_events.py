@@ -71,6 +71,18 @@ def test_a_margin_that_begins_with_rounding_and_falls_has_fallen_at_its_begin(po
     assert fall(falls + 1e-6, floor=3e-14)[0] == pytest.approx(-1.0 + 0.01 ** (1.0 / power), abs=1e-12)
 
 
+@pytest.mark.parametrize("rounding", [-1e-17, 0.0, 1e-17, 2e-14, -2e-14])
+def test_the_sign_of_a_margins_rounding_at_the_begin_decides_nothing(rounding):
+    """Whichever side it leaves to is what counts: one that rises first falls later, or not at all."""
+    rises = 1e-4 * (1.0 + NODES)
+    for floor in (3e-14, 1e-12):
+        assert fall(rounding + rises, floor=floor)[0] == NOT_FOUND
+        assert fall(rounding - rises, floor=floor)[0] == -1.0
+        assert fall(rounding + rises * (0.5 - NODES), floor=floor)[0] == pytest.approx(0.5, abs=1e-9)
+        assert fall(rounding - rises * (0.5 - NODES), floor=floor)[0] == -1.0
+        assert fall(np.full(16, rounding), floor=floor)[0] == NOT_FOUND
+
+
 @pytest.mark.parametrize("place", [-0.6, 0.1, 0.9])
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
 def test_a_parabola_that_touches_zero_is_near_it(place, size):
@@ -139,16 +151,19 @@ def test_slip_ends_or_the_rim_lifts_whichever_is_first(sigma, mu):
         assert found[:2] == (pytest.approx(0.25, abs=1e-14), what)
         assert not found[3]
     assert end_of_slip(0.75 - NODES, 0.25 - NODES, mu=mu, sigma=sigma)[1] == lift
-    xi, what, _, noted = end_of_slip(0.25 - NODES, 0.25 - NODES, mu=mu, sigma=sigma)  # lift-off is first, and doubtful
-    assert (xi, what, noted) == (pytest.approx(0.25, abs=1e-14), lift, mu > 0.0)
+    for off in (-1e-14, -1e-15, 0.0, 1e-15, 1e-14):  # lift-off is first, whatever the rounding, and doubtful
+        xi, what, _, noted = end_of_slip(0.25 - off - NODES, 0.25 - NODES, mu=mu, sigma=sigma)
+        assert (xi, what, noted) == (pytest.approx(0.25, abs=1e-14), lift, mu > 0.0)
     assert end_of_slip(one, one, mu=mu, sigma=sigma)[0] == NOT_FOUND
 
 
 def test_slip_that_has_ended_before_the_first_node():
     """From a speed that is lost in what the panel makes of it."""
     one, slip = np.full(16, 1.0), -(1.0 + NODES)
-    assert end_of_slip(slip, one, fresh=True)[:2] == (-1.0, panel_events.STOP)
-    assert end_of_slip(slip, one)[:2] == (-1.0, panel_events.STOP)
+    # where the panel's series begins a rounding above zero it ends there
+    at_once = pytest.approx(-1.0, rel=0.0, abs=1e-15)
+    assert end_of_slip(slip, one, fresh=True)[:2] == (at_once, panel_events.STOP)
+    assert end_of_slip(slip, one)[:2] == (at_once, panel_events.STOP)
     assert end_of_slip(1.0 + NODES, one, fresh=True)[0] == NOT_FOUND
     # begun at no speed: with friction the mode says the direction, without it rounding of θ may be wrong
     assert end_of_slip(slip, one, fresh=True, zeros=1)[0] == NOT_FOUND

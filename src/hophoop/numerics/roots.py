@@ -77,15 +77,19 @@ def _bracketed(series, f_low, f_middle, f_high):
 def first_fall(series, floor, stack):
     """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
 
-    Roots where it rises, and falls that stay above −`floor`, are passed over. `stack` is scratch of
-    shape (DEPTH + 2, ORDER + 2).
+    Roots where it rises, and falls after which it rises again before it comes to −`floor`, are passed over. `stack` is
+    scratch of shape (DEPTH + 3, ORDER + 2).
     """
     return first_fall_after(series, -2.0, floor, stack)
 
 
 @apart_jit
 def first_fall_after(series, begin, floor, stack):
-    """`first_fall`, of those beyond ξ = `begin`."""
+    """`first_fall`, of those beyond ξ = `begin`.
+
+    Intervals are looked at from left to right. A root at the end that two of them share may be in neither: rounding may
+    leave the left one above zero there and the right one not. So what counts is that the series has been above zero.
+    """
     spread = _spread(series)
     if abs(series[0]) > spread or spread == 0.0 or not spread < math.inf:
         return NOT_FOUND  # also of nan, which no halving would get rid of
@@ -94,36 +98,56 @@ def first_fall_after(series, begin, floor, stack):
     stack[0, ORDER] = -1.0
     stack[0, ORDER + 1] = 1.0
     top = 0
+    above = False  # the series is above zero left of the interval
+    fallen = NOT_FOUND  # where it has come to zero, as long as it has not risen again
     for looked in range(MOST_INTERVALS):
         if top < 0:
             break
         row = stack[top]
         low = row[ORDER]
         high = row[ORDER + 1]
+        one_sign = False
         if top > 0 or looked > 0:  # of the whole series it is known
             spread = _spread(row)
-            if abs(row[0]) > spread or spread == 0.0:
+            one_sign = abs(row[0]) > spread or spread == 0.0
+            if one_sign and row[0] > 0.0:
+                above = True
+                fallen = NOT_FOUND
                 top -= 1
                 continue
-        # the series of the derivative, from the top coefficient down, the odd and the even ones side by side
-        even = 0.0
-        odd = 0.0
-        even_slope = 0.0
-        odd_slope = 0.0
-        for k in range(ORDER - 1, 1, -2):
-            even += 2.0 * k * row[k]
-            odd += 2.0 * (k - 1) * row[k - 1]
-            even_slope += abs(even)
-            odd_slope += abs(odd)
-        first = 0.5 * even + row[1]
-        slope = even_slope + odd_slope
+            if one_sign and not above and fallen == NOT_FOUND:
+                top -= 1
+                continue
         f_low, f_middle, f_high = end_values(row)
-        width = high - low
-        if abs(first) > slope or width < 1e-15 or top >= DEPTH:
-            if f_low > 0.0 and f_high <= 0.0 and f_high <= -floor:
-                root = low + 0.5 * (1.0 + _bracketed(row, f_low, f_middle, f_high)) * width
-                if root > begin + 1e-14:
-                    return root
+        first = 0.0
+        slope = 0.0
+        if not one_sign:
+            # the series of the derivative, from the top coefficient down, the odd and the even ones side by side
+            even = 0.0
+            odd = 0.0
+            even_slope = 0.0
+            odd_slope = 0.0
+            for k in range(ORDER - 1, 1, -2):
+                even += 2.0 * k * row[k]
+                odd += 2.0 * (k - 1) * row[k - 1]
+                even_slope += abs(even)
+                odd_slope += abs(odd)
+            first = 0.5 * even + row[1]
+            slope = even_slope + odd_slope
+        if one_sign or abs(first) > slope or high - low < 1e-15 or top >= DEPTH:
+            if f_high > 0.0:
+                above = True
+                fallen = NOT_FOUND
+            else:
+                if f_low > 0.0:
+                    fallen = low + 0.5 * (1.0 + _bracketed(row, f_low, f_middle, f_high)) * (high - low)
+                elif above:
+                    fallen = low
+                above = False
+                if min(f_low, f_high) <= -floor and fallen != NOT_FOUND:
+                    if fallen > begin + 1e-14:
+                        return fallen
+                    fallen = NOT_FOUND
             top -= 1
             continue
         middle = 0.5 * (low + high)

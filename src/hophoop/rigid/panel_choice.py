@@ -33,6 +33,7 @@ from hophoop.panels.panel import (
 from hophoop.panels.resisted import solve_resisted
 from hophoop.panels.roll import solve_roll, u_on_panel
 from hophoop.panels.slip import solve_slip
+from hophoop.physics.contact import inertia_at_height, load_height
 from hophoop.physics.painleve import slip_coefficients, stiffness_slope
 from hophoop.physics.resistance import held, motion_slipping, resistance_arm
 from hophoop.records.state import with_anchor
@@ -121,6 +122,26 @@ def levels_away(body, sigma, way, begin):
     if slope * way <= 0.0 or begin.stiffness <= 0.0:
         return 0
     return int(math.ceil(2.0 * binary_logarithm(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
+
+
+@apart_jit
+def slow_levels(body, sigma, begin):
+    """(widest, finest) level for a panel that begins with θ̇² below `SLOW`².
+
+    θ̇² changes by its own size over the angle θ̇²/θ̈: no panel wider than this angle is resolved. On a much wider one θ̇² at the
+    start is lost in rounding, and with it the turning point.
+    """
+    finest = LEVELS + int(math.ceil(2.0 * binary_logarithm(SLOW * SLOW / begin.u)))
+    torque = abs(begin.arm)
+    inertia = begin.stiffness
+    if sigma == 0:
+        inertia = inertia_at_height(body, load_height(begin.sine, begin.cosine))
+    else:
+        torque *= body.gn
+    if not 0.0 < begin.u * inertia < width_of(0) * torque:
+        return 0, finest
+    ratio = binary_logarithm(width_of(0) * torque) - binary_logarithm(inertia) - binary_logarithm(begin.u)  # the quotient itself may overflow
+    return int(math.floor(2.0 * ratio)), finest
 
 
 @apart_jit
@@ -219,7 +240,8 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
     way = 1.0 if state.om > 0.0 else -1.0
     finest = LEVELS
     if u < SLOW * SLOW:
-        finest += int(math.ceil(2.0 * binary_logarithm(SLOW * SLOW / u)))
+        widest, finest = slow_levels(body, sigma, begin)
+        level = max(level, min(widest, finest))
     if sigma != 0 and begin.stiffness * min(u, 1.0) < BESIDE_SINGULAR:
         finest += levels_away(body, sigma, way, begin)
     while True:  # at most `finest` times: each time a finer level

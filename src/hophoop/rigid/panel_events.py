@@ -32,14 +32,16 @@ MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
 # A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
 # function that the panel resolves goes beyond their range by less than a tenth of it.
 FAR_FROM_ZERO = 0.25
+SAME_PLACE = 1e-13  # of ξ: events of a panel that are nearer to each other come at once, for all that doubles show
 GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
 
 
 @inline_jit
 def fall_of(row, state_is_fresh, floor, scratch):
-    """Where in the panel a margin falls through zero; at its very start if it is negative there already.
+    """Where in the panel a margin falls through zero; at its very start if it has fallen there already.
 
-    A margin that stays above −`floor` counts as the zero that it would be without rounding.
+    Between −`floor` and `floor` a margin counts as the zero that it would be without rounding. One that starts there has fallen
+    if the first node outside is below; so the sign of the rounding at the start decides nothing.
 
     Returns
     -------
@@ -52,17 +54,17 @@ def fall_of(row, state_is_fresh, floor, scratch):
         return NOT_FOUND, False
     near = abs(lowest) < NEARBY * (highest - lowest)
     coefficients(row, scratch.series)
-    if not state_is_fresh and left_value(scratch.series) <= 0.0:
-        if floor == 0.0:
+    if not state_is_fresh:
+        start = left_value(scratch.series)
+        if start < -floor or (start <= 0.0 and floor == 0.0):
             return -1.0, near
-        for i in range(ORDER):
-            if row[i] < -floor:
-                return -1.0, near
-        return NOT_FOUND, near
-    found = first_fall(scratch.series, floor, scratch.stack)
-    if found == NOT_FOUND and not state_is_fresh and lowest < -floor and highest <= floor:
-        return -1.0, near  # only rounding has it above zero at its start
-    return found, near
+        if start <= floor:
+            for i in range(ORDER):
+                if row[i] < -floor:
+                    return -1.0, near
+                if row[i] > floor:
+                    break
+    return first_fall(scratch.series, floor, scratch.stack), near
 
 
 @inline_jit
@@ -96,7 +98,7 @@ def graze_rounding(body, state):
 
 @inline_jit
 def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
-    """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off before the end of slip."""
+    """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off where both do."""
     work = scratch.work
     for i in range(ORDER):
         work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
@@ -116,7 +118,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
         stop = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins
     if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
         note_doubt(scratch, state.t, state.t + totals.time)
-    if stop < lift:
+    if stop < lift - SAME_PLACE:
         return stop, STOP, doubtful
     return lift, LIFT, doubtful
 
