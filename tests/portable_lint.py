@@ -7,6 +7,7 @@ which of them a CPU's vectors take. What is allowed is listed; everything else i
 from __future__ import annotations
 
 import ast
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -101,8 +102,17 @@ def _of_operator(node: ast.BinOp | ast.AugAssign) -> Iterator[str]:
         yield "@"
     elif isinstance(node.op, ast.Pow):
         parts = (node.left, node.right) if isinstance(node, ast.BinOp) else (node.target, node.value)
-        if not all(_is_whole(part) for part in parts):
+        if not _is_exact_power(*parts):
             yield "**"
+
+
+def _is_exact_power(base: ast.AST, exponent: ast.AST) -> bool:
+    """Of whole numbers, or a power of two with a whole exponent, all of them written out."""
+    if isinstance(exponent, ast.UnaryOp) and isinstance(exponent.op, ast.USub):
+        return _is_exact_power(base, exponent.operand) and isinstance(getattr(base, "value", 0), float)
+    if not _is_whole(exponent) or not isinstance(base, ast.Constant):
+        return False
+    return _is_whole(base) or (isinstance(base.value, float) and math.frexp(base.value)[0] == 0.5)
 
 
 def _is_whole(node: ast.AST) -> bool:
@@ -123,15 +133,13 @@ def _of_call(node: ast.Call, names: dict[str, str]) -> Iterator[str]:
         stable = any(each.arg == "kind" and getattr(each.value, "value", "") == "stable" for each in node.keywords)
         if function.attr == "argsort" and not stable:
             yield "argsort"  # equal ones come in an order of the processor's vectors
-        arange_floats = any(isinstance(part, ast.Constant) and isinstance(part.value, float) for part in ast.walk(node))
-        if module == "numpy" and function.attr == "arange" and len(node.args) == 3 and arange_floats:
-            whole = all(float(part.value).is_integer() for part in ast.walk(node) if _is_float(part))
-            if not whole:
-                yield "arange"  # start + i step, which a compiler may fuse
+        fractions = any(isinstance(part, ast.Constant) and part.value != int(part.value) for part in _numbers(node))
+        if module == "numpy" and function.attr == "arange" and fractions:
+            yield "arange"  # start + i step, which a compiler may fuse
 
 
-def _is_float(node: ast.AST) -> bool:
-    return isinstance(node, ast.Constant) and isinstance(node.value, float)
+def _numbers(node: ast.Call) -> list[ast.Constant]:
+    return [part for part in ast.walk(node) if isinstance(part, ast.Constant) and isinstance(part.value, float)]
 
 
 def _counts(node: ast.Call) -> bool:
