@@ -140,7 +140,8 @@ def slow_levels(body, sigma, begin):
         torque *= body.gn
     if not 0.0 < begin.u * inertia < width_of(0) * torque:
         return 0, finest
-    ratio = binary_logarithm(width_of(0) * torque) - binary_logarithm(inertia) - binary_logarithm(begin.u)  # the quotient itself may overflow
+    # the quotient itself may overflow
+    ratio = binary_logarithm(width_of(0) * torque) - binary_logarithm(inertia) - binary_logarithm(begin.u)
     return int(math.floor(2.0 * ratio)), finest
 
 
