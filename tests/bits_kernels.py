@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
+import json
 import math
 import os
 import shutil
@@ -12,6 +15,7 @@ from collections.abc import Iterable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import numpy as np
 
@@ -21,12 +25,13 @@ from hophoop.compliant.kernel import MAX_STEPS
 from hophoop.compliant.records import WIDTH
 from hophoop.maps.kernel import CELL
 from hophoop.module.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
-from hophoop.module.stamp import HERE, sources
+from hophoop.module.stamp import HERE, MODULE, sources
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.records.layout import EVENT, SEGMENT
 from module.host import Host
 from module.module_tools import cell_of
+from module.test_page_kernel import given_of
 
 # Processor → how LLVM and zig call it.
 PROCESSORS = {
@@ -65,8 +70,6 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
 
 def hash_name(text: str) -> str:
     """A name of a file."""
-    import hashlib
-
     return hashlib.sha256(text.encode()).hexdigest()[:24]
 
 
@@ -131,11 +134,16 @@ def run_program(made: Path, kept: Sequence[Kept], processor: str = "") -> dict[i
         emulator = [f"qemu-{processor}"] if processor else []
         subprocess.run([*emulator, str(made), str(asked), str(answered), *map(str, sizes)], check=True)
         content = answered.read_bytes()
+    return parted(content, kept)
+
+
+def parted(content: bytes, kept: Iterable[Kept]) -> dict[int, Bits]:
+    """Bits out of bytes: for each motion its heads, the records of its events and, where it lasts, the rows of its samples."""
     found, place = {}, 0
 
     def taken(kind: Any, count: int) -> np.ndarray:
         nonlocal place
-        part = np.frombuffer(content, kind, count, place)
+        part: np.ndarray = np.frombuffer(content, kind, count, place)
         place += part.nbytes
         return part
 
@@ -143,7 +151,8 @@ def run_program(made: Path, kept: Sequence[Kept], processor: str = "") -> dict[i
         heads = dict(zip(HEADS, taken("<f8", len(HEADS)).tolist(), strict=True))
         events = taken(EVENT, int(heads["events"]))
         rows = SAMPLES if heads["duration"] > 0.0 else 0
-        found[each.index] = bits_of_heads(heads, events, taken("<f8", rows * len(SAMPLE_COLUMNS)).reshape(rows, len(SAMPLE_COLUMNS)))
+        samples = taken("<f8", rows * len(SAMPLE_COLUMNS)).reshape(rows, len(SAMPLE_COLUMNS))
+        found[each.index] = bits_of_heads(heads, events, samples)
     assert place == len(content)
     return found
 
@@ -163,3 +172,52 @@ def run_module(host: Host, kept: Iterable[Kept]) -> dict[int, Bits]:
             rows = host.samples(int(heads["segments"]), sample_times(heads["duration"]))
         found[each.index] = bits_of_heads(heads, events, rows)
     return found
+
+
+# --- a browser -------------------------------------------------------------------------------------------------------
+
+# The page's kernel computes motions as the page does; what it leaves in the module's memory comes back as bytes.
+IN_PAGE = """
+async ({ asked, count, eventBytes }) => {
+  const { HoopModule } = await import("./kernel.js");
+  const response = await fetch("./hophoop.wasm");
+  const module = new HoopModule(await WebAssembly.compile(await response.arrayBuffer()));
+  const parts = [];
+  for (const given of JSON.parse(asked, (_, value) => (value === "inf" ? Infinity : value))) {
+    const computed = module.compute(given);
+    const { place } = module.memory.rooms.get("events");
+    const events = new Uint8Array(module.exports.memory.buffer, place, eventBytes * computed.count).slice();
+    const times = Float64Array.from({ length: computed.duration > 0 ? count : 0 }, (_, k) => (computed.duration * k) / (count - 1));
+    const states = times.length ? module.states(computed, times, false) : times;
+    for (const numbers of [computed.head, events, states])
+      parts.push(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength));
+  }
+  const bytes = new Uint8Array(await new Blob(parts).arrayBuffer());
+  let text = "";
+  for (let k = 0; k < bytes.length; k += 0x8000) text += String.fromCharCode(...bytes.subarray(k, k + 0x8000));
+  return btoa(text);
+}
+"""
+
+
+def run_page(browser: Any, kept: Sequence[Kept]) -> dict[int, Bits]:
+    """The bits of motions that the page's kernel computes in a browser of playwright's."""
+    files = {
+        "/": ("text/html", b"<!doctype html><title>bits</title>"),
+        "/kernel.js": ("text/javascript", (HERE.parent / "lab" / "static" / "kernel.js").read_bytes()),
+        "/hophoop.wasm": ("application/wasm", (HERE / MODULE).read_bytes()),
+    }
+    page = browser.new_page()
+
+    def answer(route: Any) -> None:
+        kind, body = files.get(urlsplit(route.request.url).path, ("text/plain", b""))
+        route.fulfill(content_type=kind, body=body)
+
+    try:
+        page.route("**/*", answer)
+        page.goto("http://bits.test/")
+        asked = json.dumps([given_of(each.scenario) for each in kept])
+        content = page.evaluate(IN_PAGE, {"asked": asked, "count": SAMPLES, "eventBytes": EVENT.itemsize})
+    finally:
+        page.close()
+    return parted(base64.b64decode(content), kept)

@@ -41,8 +41,8 @@ def test_all_bits_are_the_kept_ones() -> None:
 
 
 def test_interpreted_motions_have_the_kept_bits() -> None:
-    kept = by_doubles(kept_scenarios(every=25), "rigid", "border", "paradox", "resisted", "massless")
-    assert len(kept) > 30
+    kept = by_doubles(kept_scenarios(every=40), "rigid", "border", "paradox", "resisted", "massless")
+    assert len(kept) > 20
     assert differing(computed(kept, "interpreted")) == {}
 
 
@@ -69,7 +69,7 @@ def test_all_kinds_of_motions_are_kept() -> None:
 
 
 def test_hashes_see_every_number_but_not_the_sign_of_zero_or_nan() -> None:
-    bits = bits_tools.bits_of(hh.simulate(kept_scenarios(every=1000)[0].scenario))
+    bits = bits_tools.bits_of(hh.simulate(hh.Scenario(duration=1.0)))
     own = bits_tools.own_hashes(bits)
     for place, table in enumerate(bits):
         other = table.copy()
@@ -80,14 +80,12 @@ def test_hashes_see_every_number_but_not_the_sign_of_zero_or_nan() -> None:
 
 
 def test_a_motion_that_differs_is_named() -> None:
-    kept = kept_scenarios(every=500)
+    kept = [each for each in kept_scenarios(every=10) if each.kind == "paradox"]
     found = computed(kept, "interpreted")
-    before = differing(found)
-    first = found[kept[0].index]
-    found[kept[0].index] = first._replace(samples=first.samples * (1.0 + 1e-15))
-    changed = differing(found)
-    assert kept[0].index in changed["samples"]
-    assert set(before.get("events", [])) == set(changed.get("events", []))
+    assert differing(found) == {}
+    index = next(index for index, bits in found.items() if bits.samples.size)
+    found[index] = found[index]._replace(samples=np.nextafter(found[index].samples, np.inf))
+    assert differing(found) == {"samples": [index]}
 
 
 def test_the_changelog_names_the_kept_bits() -> None:
