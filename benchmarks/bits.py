@@ -1,9 +1,9 @@
-"""The kept scenarios in many surroundings: how many motions have other bits there. `python benchmarks/bits.py [--markdown FILE]`.
+"""Compute the kept scenarios in many surroundings and count the motions with other bits: `python benchmarks/bits.py`.
 
-Each surrounding is a process of its own: other BLAS kernels, a C library and a NumPy without the newer instructions, Numba for an
-older processor, interpreted kernels, WebAssembly in wasmtime and in Chromium, and the kernel's code as a program for ARM64 and
-RISC-V under qemu. `--old` computes another checkout in the same surroundings, each tree compared with itself as given here.
-What is missing (ziglang, qemu, Chromium) is named and left out. The exit status is 1 where any motion differs.
+Each surrounding is a process of its own: other BLAS kernels, a C library and a NumPy without the newer instructions,
+Numba for an older processor, interpreted kernels, WebAssembly in wasmtime and in Chromium, and the kernels' code as a
+program for ARM64 and RISC-V under qemu. `--old` computes another checkout in the same surroundings; each is compared with
+itself as given. Missing programs (ziglang, qemu, Chromium) are named. The exit status is 1 where any motion differs.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -23,7 +23,7 @@ import numpy as np
 HERE = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(HERE / "tests"))
 
-GIVEN = "as given"
+GIVEN, OLDER = "as given", "all of these"
 OLD_GLIBC = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable"}
 OLD_NUMBA = {"NUMBA_CPU_NAME": "nehalem", "NUMBA_CPU_FEATURES": ""}
 PYTHON, INTERPRETED, WASMTIME, CHROMIUM = "compiled", "interpreted", "wasmtime", "chromium"
@@ -50,9 +50,7 @@ def surroundings() -> list[Surrounding]:
         Surrounding("C library without AVX2 and FMA", environment={**OLD_GLIBC}),
         Surrounding("Numba for Nehalem, no features", environment={**OLD_NUMBA}),
         Surrounding("NumPy without optional instructions", environment={**numpy_off}),
-        Surrounding(
-            "all of these", environment={**blas, "OPENBLAS_CORETYPE": "Nehalem", **OLD_GLIBC, **OLD_NUMBA, **numpy_off}
-        ),
+        Surrounding(OLDER, environment={**blas, "OPENBLAS_CORETYPE": "Nehalem", **OLD_GLIBC, **OLD_NUMBA, **numpy_off}),
         Surrounding("interpreted", INTERPRETED, every=10),
         Surrounding("WebAssembly in wasmtime", WASMTIME),
         Surrounding("WebAssembly in Chromium", CHROMIUM),
@@ -68,6 +66,12 @@ def optional_features() -> list[str]:
     except ImportError:  # before NumPy 2
         from numpy.core import _multiarray_umath as core
     return [name for name in core.__cpu_dispatch__ if core.__cpu_features__.get(name)]
+
+
+def with_changes(changes: Mapping[str, str | None]) -> dict[str, str]:
+    """The environment of this process with changes; None takes a name away."""
+    kept = {name: value for name, value in os.environ.items() if name not in changes}
+    return kept | {name: value for name, value in changes.items() if value is not None}
 
 
 # --- one surrounding, in a process of its own ------------------------------------------------------------------------
@@ -122,11 +126,8 @@ def by_module(how: str, kept: Sequence[object]) -> dict[int, object]:
 
 def started(surrounding: Surrounding, source: Path, out: Path, cache: Path, every: int) -> str:
     """Run it, and return what is missing for it, or nothing."""
-    own = {**os.environ, "PYTHONPATH": str(source / "src"), "NUMBA_CACHE_DIR": str(cache), "HOPHOOP_KERNELS": "compiled"}
-    for name, value in surrounding.environment.items():
-        own.pop(name, None)
-        if value is not None:
-            own[name] = value
+    own = with_changes(surrounding.environment)
+    own |= {"PYTHONPATH": str(source / "src"), "NUMBA_CACHE_DIR": str(cache), "HOPHOOP_KERNELS": "compiled"}
     command = [sys.executable, __file__, "--child", surrounding.how, str(max(every, surrounding.every)), str(out)]
     done = subprocess.run(command, env=own, capture_output=True, text=True, check=False)
     if done.returncode == 0:
@@ -192,7 +193,11 @@ def run(source: Path, chosen: Sequence[Surrounding], folder: Path, every: int) -
         missing = started(each, source, out, cache, every)
         found[each.name] = missing or difference(reference, out)
         told = found[each.name]
-        said = told if isinstance(told, str) else f"{told.motions} motions, {told.events} with other events, {told.anything} differ"
+        said = (
+            told
+            if isinstance(told, str)
+            else f"{told.motions} motions, {told.events} with other events, {told.anything} differ"
+        )
         print(f"{place + 1} of {len(chosen)}  {each.name}: {said} ({time.perf_counter() - begin:.0f} s)", flush=True)
     return found
 
@@ -214,16 +219,26 @@ def table(results: Sequence[tuple[str, dict[str, Difference | str]]]) -> str:
 
 def main() -> int:
     """Compute, compare, write the table."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--source", type=Path, default=HERE, help="checkout whose src is computed with; this one by default")
     parser.add_argument("--old", type=Path, help="another checkout, to show beside it")
     parser.add_argument("--every", type=int, default=1, help="only every so many of the kept scenarios")
-    parser.add_argument("--only", nargs="+", default=[], metavar="WORD", help="only surroundings whose name has one of these words")
+    parser.add_argument(
+        "--only", nargs="+", default=[], metavar="WORD", help="only surroundings whose name has one of these words"
+    )
     parser.add_argument("--markdown", type=Path, help="write the table to this file, such as docs/tables/bits.md")
+    parser.add_argument(
+        "--run", nargs=argparse.REMAINDER, metavar="COMMAND", help="run a command in all older surroundings at once"
+    )
     options = parser.parse_args()
-    chosen = [each for each in surroundings() if each.name == GIVEN or not options.only or any(word in each.name for word in options.only)]
+    if options.run:
+        older = next(each for each in surroundings() if each.name == OLDER)
+        return subprocess.run(options.run, env=with_changes(older.environment), check=False).returncode
+    chosen = [
+        each
+        for each in surroundings()
+        if each.name == GIVEN or not options.only or any(word in each.name for word in options.only)
+    ]
     results = []
     with tempfile.TemporaryDirectory() as name:
         for place, (label, source) in enumerate((("", options.source), ("before", options.old))):

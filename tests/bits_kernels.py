@@ -187,7 +187,8 @@ async ({ asked, count, eventBytes }) => {
     const computed = module.compute(given);
     const { place } = module.memory.rooms.get("events");
     const events = new Uint8Array(module.exports.memory.buffer, place, eventBytes * computed.count).slice();
-    const times = Float64Array.from({ length: computed.duration > 0 ? count : 0 }, (_, k) => (computed.duration * k) / (count - 1));
+    const rows = computed.duration > 0 ? count : 0;
+    const times = Float64Array.from({ length: rows }, (_, k) => (computed.duration * k) / (count - 1));
     const states = times.length ? module.states(computed, times, false) : times;
     for (const numbers of [computed.head, events, states])
       parts.push(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength));

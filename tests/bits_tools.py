@@ -163,7 +163,9 @@ def differing(found: Mapping[int, Bits], tables: Sequence[str] = TABLES) -> dict
     """Motions whose bits are not the kept ones, by table; those that agree are left out."""
     lines = [line.split() for line in kept_hashes()["motions"]]
     result = {
-        name: [index for index, bits in found.items() if own_hashes(bits)[TABLES.index(name)] != lines[index][TABLES.index(name)]]
+        name: [
+            index for index, bits in found.items() if own_hashes(bits)[TABLES.index(name)] != lines[index][TABLES.index(name)]
+        ]
         for name in tables
     }
     return {name: indices for name, indices in result.items() if indices}
@@ -173,4 +175,3 @@ def by_doubles(kept: Iterable[Kept], *kinds: str) -> list[Kept]:
     """Those that doubles decide, which is all that a kernel by itself has; of some kinds, or of all."""
     left_out = set(kept_hashes()["digits"])
     return [each for each in kept if each.index not in left_out and (not kinds or each.kind in kinds)]
-

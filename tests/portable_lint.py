@@ -1,7 +1,7 @@
-"""What a source does whose last bit may be another on another machine: functions of the C library, BLAS, NumPy's fast loops.
+"""Find what may round otherwise on another machine: functions of the C library, BLAS, NumPy's fast loops.
 
-IEEE 754 fixes + − × ÷ √, comparisons and conversions. It does not fix what a C library makes of sin, which order BLAS sums in, or
-which of them a CPU's vectors take. What is allowed is listed; everything else is found.
+IEEE 754 defines + − × ÷ √, comparisons and conversions to the bit. It does not define the sine of a C library, nor the order in
+which BLAS sums. What is allowed is listed; everything else is found.
 """
 
 from __future__ import annotations
@@ -14,32 +14,41 @@ from typing import NamedTuple
 # Exact, or rounded correctly by every implementation.
 MATH = {
     "sqrt", "floor", "ceil", "trunc", "fabs", "copysign", "ldexp", "frexp", "modf", "fmod", "nextafter", "ulp", "fsum",
-    "isnan", "isinf", "isfinite", "isclose", "inf", "nan", "pi", "tau", "e", "isqrt", "gcd", "lcm", "comb", "factorial", "prod",
+    "isnan", "isinf", "isfinite", "isclose", "inf", "nan", "pi", "tau", "e", "isqrt", "gcd", "lcm", "comb",
+    "factorial", "prod",
     "degrees", "radians",
 }  # fmt: skip
-# The same, and what only makes, shapes, picks or orders arrays. Sums are there: NumPy adds pairwise in an order that depends on
-# the shape alone. Not there: sin, exp, hypot and the like, which have variants for processors, and interp, einsum and dot, which
-# fuse products with sums on some.
+# The same, and what only makes, shapes, picks or orders arrays. Sums are allowed: NumPy adds pairwise in an order that depends
+# on the shape alone. Forbidden: sin, exp, hypot and the like, which have variants for processors; interp, einsum and dot, which
+# may fuse products with sums.
 NUMPY = {
     # kinds and constants
-    "ndarray", "float64", "float32", "int64", "int32", "int16", "int8", "uint64", "uint32", "uint16", "uint8", "bool_", "void",
+    "ndarray", "float64", "float32", "int64", "int32", "int16", "int8", "uint64", "uint32", "uint16", "uint8",
+    "bool_", "void",
     "str_", "object_", "integer", "floating", "number", "generic", "dtype", "finfo", "iinfo", "inf", "nan", "pi", "newaxis",
     "errstate", "__version__", "typing",
     # made and shaped
-    "array", "asarray", "ascontiguousarray", "empty", "empty_like", "zeros", "zeros_like", "ones", "ones_like", "full", "full_like",
+    "array", "asarray", "ascontiguousarray", "empty", "empty_like", "zeros", "zeros_like", "ones", "ones_like",
+    "full", "full_like",
     "eye", "diag", "linspace", "arange", "meshgrid", "indices", "frombuffer", "fromiter", "copy", "save", "load",
-    "atleast_1d", "atleast_2d", "broadcast_to", "broadcast_arrays", "broadcast_shapes", "concatenate", "stack", "hstack", "vstack",
+    "atleast_1d", "atleast_2d", "broadcast_to", "broadcast_arrays", "broadcast_shapes", "concatenate", "stack",
+    "hstack", "vstack",
     "column_stack", "append", "insert", "delete", "repeat", "tile", "split", "reshape", "ravel", "moveaxis", "swapaxes",
-    "transpose", "expand_dims", "squeeze", "flip", "roll", "ndim", "size", "shape", "ndindex", "ndenumerate", "unravel_index",
+    "transpose", "expand_dims", "squeeze", "flip", "roll", "ndim", "size", "shape", "ndindex", "ndenumerate",
+    "unravel_index",
     "ravel_multi_index",
     # picked, compared and ordered
-    "where", "select", "choose", "take", "put", "nonzero", "flatnonzero", "argwhere", "any", "all", "isin", "unique", "searchsorted",
-    "sort", "argsort", "lexsort", "argmin", "argmax", "nanargmin", "nanargmax", "min", "max", "minimum", "maximum", "nanmin",
+    "where", "select", "choose", "take", "put", "nonzero", "flatnonzero", "argwhere", "any", "all", "isin", "unique",
+    "searchsorted",
+    "sort", "argsort", "lexsort", "argmin", "argmax", "nanargmin", "nanargmax", "min", "max", "minimum", "maximum",
+    "nanmin",
     "nanmax", "fmin", "fmax", "clip", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "logical_and",
     "logical_or", "logical_not", "isnan", "isinf", "isfinite", "isclose", "allclose", "array_equal", "count_nonzero",
     # exact or rounded correctly
-    "abs", "absolute", "fabs", "sign", "signbit", "copysign", "floor", "ceil", "trunc", "rint", "sqrt", "square", "nextafter",
-    "spacing", "ldexp", "frexp", "fmod", "nan_to_num", "add", "subtract", "multiply", "divide", "true_divide", "negative", "outer",
+    "abs", "absolute", "fabs", "sign", "signbit", "copysign", "floor", "ceil", "trunc", "rint", "sqrt", "square",
+    "nextafter",
+    "spacing", "ldexp", "frexp", "fmod", "nan_to_num", "add", "subtract", "multiply", "divide", "true_divide",
+    "negative", "outer",
     "diff", "sum", "nansum", "mean", "prod", "cumsum", "cumprod", "bitwise_and", "bitwise_or",
 }  # fmt: skip
 METHODS = {"dot", "std", "var"}  # of arrays: BLAS, or a product and a sum in one
@@ -149,4 +158,8 @@ def _counts(node: ast.Call) -> bool:
     element = node.args[0].elt
     if isinstance(element, ast.Call) and isinstance(element.func, ast.Name):
         return element.func.id in ("len", "int", "bool", "isinstance")
-    return _is_whole(element) or isinstance(element, ast.Compare) or (isinstance(element, ast.UnaryOp) and isinstance(element.op, ast.Not))
+    return (
+        _is_whole(element)
+        or isinstance(element, ast.Compare)
+        or (isinstance(element, ast.UnaryOp) and isinstance(element.op, ast.Not))
+    )

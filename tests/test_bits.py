@@ -1,6 +1,6 @@
 """The kept scenarios of data/bits have the kept bits: events, samples and ledgers, compiled and interpreted.
 
-Other surroundings, such as an older processor, are tried by benchmarks/bits.py; the module and other processors in tests/module.
+benchmarks/bits.py tries other surroundings, such as an older processor; tests/module has the module and other processors.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""No source between a scenario and what is shown of its motion calls what another machine rounds otherwise."""
+"""No source between a scenario and the results of its motion calls anything that rounds otherwise elsewhere."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ from portable_lint import findings
 PACKAGE = Path(__file__).parents[1] / "src" / "hophoop"
 # From the numbers of a scenario to all that reads, maps or writes its motion.
 COVERED = (
-    "numerics", "panels", "physics", "records", "rigid", "compliant", "scenario", "precise", "derivatives", "theory", "maps", "module",
-    "_fingerprint.py", "arbitration.py", "export.py", "poses.py", "results.py", "simulation.py", "trajectory.py", "units.py",
+    "numerics", "panels", "physics", "records", "rigid", "compliant", "scenario", "precise", "derivatives", "theory",
+    "maps", "module",
+    "_fingerprint.py", "arbitration.py", "export.py", "poses.py", "results.py", "simulation.py", "trajectory.py",
+    "units.py",
 )  # fmt: skip
 WHOLE = "whole numbers"
 WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/elimination.py"

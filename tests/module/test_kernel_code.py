@@ -17,7 +17,9 @@ from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
 RUNTIME = re.compile(r"NRT_\w+|Py\w+|numba_\w+")
 MEMORY = {"memset", "memcpy", "memmove", "bzero"}
 EXACT = {"floor", "ceil", "trunc", "rint", "fmod", "ldexp", "sqrt"}
-INTRINSIC = re.compile(r"llvm\.(?:floor|ceil|trunc|rint|sqrt|fabs|copysign|memset|memcpy|memmove|lifetime|[us]m(?:in|ax)|abs|ctlz|cttz|[us]\w+\.with\.overflow)\b")
+INTRINSIC = re.compile(
+    r"llvm\.(?:floor|ceil|trunc|rint|sqrt|fabs|copysign|memset|memcpy|memmove|lifetime|[us]m(?:in|ax)|abs|ctlz|cttz|[us]\w+\.with\.overflow)\b"
+)
 LOOSE = re.compile(r"= f\w+ (?:fast|contract|reassoc|arcp|afn)\b")
 TARGETS = {
     "x86-64": ("x86_64-unknown-linux-gnu", "", ""),
@@ -85,7 +87,9 @@ def test_fused_instructions_and_calls_are_seen() -> None:
     for line, name in lines.items():
         assert fused(f"motion:\n{line}\n") == {name: 1}
     assert not fused("motion:\n\tfmul\td0, d1, d2\n\tvmulsd\t%xmm0, %xmm1, %xmm2\n\tfmax\td0, d1, d2\n")
-    calls = "motion:\n\tcallq\tsin@PLT\n\tbl\t_exp\n\tcall\tpow@plt\n\ttail\tfma\n\tb\t.LBB0_1\n\tbl\tmotion\n\tcallq\tfloor@PLT\n"
+    calls = (
+        "motion:\n\tcallq\tsin@PLT\n\tbl\t_exp\n\tcall\tpow@plt\n\ttail\tfma\n\tb\t.LBB0_1\n\tbl\tmotion\n\tcallq\tfloor@PLT\n"
+    )
     assert strange(called(calls)) == {"sin", "exp", "pow", "fma"}
     assert LOOSE.search("%4 = fmul contract double %2, %3")
 
