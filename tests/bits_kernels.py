@@ -18,6 +18,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
+from filelock import FileLock
 
 import hophoop as hh
 from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
@@ -47,30 +48,33 @@ NATIVE = ("motion", "samples", "compliant_motion", "compliant_samples")
 
 
 def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
-    """LLVM's code of entries, in a process of its own: it leaves Numba unoptimised. Kept until the sources change."""
-    built = f"{sources()}-{version('numba')}-{version('llvmlite')}-{table}-{'-'.join(sorted(names))}"
-    kept = Path(tempfile.gettempdir()) / f"hophoop-code-{os.getuid() if hasattr(os, 'getuid') else 0}"
-    kept.mkdir(exist_ok=True)
-    file = kept / f"{hash_name(built)}.ll"
-    if not file.exists():
-        with tempfile.TemporaryDirectory() as fresh:
-            made = Path(fresh) / "code.ll"
-            script = (
-                "import sys; from pathlib import Path; from hophoop.module import build, entries; "
-                f"chosen = {{name: getattr(entries, {table!r})[name] for name in {tuple(names)!r}}}; "
-                "Path(sys.argv[1]).write_text(build.joined(build.plain_code(chosen)), encoding='utf-8')"
-            )
-            environment = {**os.environ, "NUMBA_CACHE_DIR": fresh}  # code that is compiled already is for this machine
-            environment.pop("NUMBA_DISABLE_JIT", None)
-            subprocess.run([sys.executable, "-c", script, str(made)], check=True, env=environment)
-            shutil.copy(made, file.with_suffix(f".{os.getpid()}"))
-            os.replace(file.with_suffix(f".{os.getpid()}"), file)
+    """LLVM's code of entries, made in a process of its own: it leaves Numba unoptimised. Kept until the sources change."""
+    user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
+    folder = Path(tempfile.gettempdir()) / f"hophoop-code-{user}"
+    folder.mkdir(exist_ok=True)
+    name, stamp = short_hash(table, *sorted(names)), short_hash(sources(), version("numba"), version("llvmlite"))
+    file = folder / f"{name}-{stamp}.ll"
+    with FileLock(folder / f"{name}.lock"):  # other tests wait for the same
+        if not file.exists():
+            for older in folder.glob(f"{name}-*.ll"):
+                older.unlink()
+            with tempfile.TemporaryDirectory(dir=folder) as fresh:
+                made = Path(fresh) / "code.ll"
+                script = (
+                    "import sys; from pathlib import Path; from hophoop.module import build, entries; "
+                    f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
+                    "Path(sys.argv[1]).write_text(build.joined(build.plain_code(chosen)), encoding='utf-8')"
+                )
+                environment = {**os.environ, "NUMBA_CACHE_DIR": fresh}  # code that is compiled already is for this machine
+                environment.pop("NUMBA_DISABLE_JIT", None)
+                subprocess.run([sys.executable, "-c", script, str(made)], check=True, env=environment)
+                made.replace(file)
     return file.read_text(encoding="utf-8")
 
 
-def hash_name(text: str) -> str:
-    """A name of a file."""
-    return hashlib.sha256(text.encode()).hexdigest()[:24]
+def short_hash(*words: str) -> str:
+    """A part of a file's name."""
+    return hashlib.sha256(" ".join(words).encode()).hexdigest()[:16]
 
 
 # --- a program -------------------------------------------------------------------------------------------------------
