@@ -23,6 +23,7 @@ from hophoop.numerics.elementary_constants import ARCTANGENTS, PI_HIGH, PI_LOW
 HALF_PI_HIGH, HALF_PI_LOW = 0.5 * PI_HIGH, 0.5 * PI_LOW
 A3, A5, A7, A9 = -1.0 / 3.0, 0.2, -1.0 / 7.0, 1.0 / 9.0
 SMALL_RATIO = 9.094947017729282e-13  # 2^−40: up to here arctan t = t
+SMALL_SINE = 1e-8  # up to here arcsin x = x
 LARGE, DOWN = 2.0**500, 2.0**-600  # lengths from where on both are made shorter, and by how much
 SMALL, UP = 2.0**-400, 2.0**600
 
@@ -92,7 +93,7 @@ def complement_of(size):
 def arcsine(x):
     """Return the arcsine [rad]; nan outside of [−1, 1]."""
     size = abs(x)
-    if size < 1e-8:
+    if size < SMALL_SINE:
         return x
     if not size < 1.0:
         return math.copysign(HALF_PI_HIGH, x) if size == 1.0 else math.nan

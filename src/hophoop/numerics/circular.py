@@ -177,7 +177,9 @@ _SINES = [tuple(row) for row in SINES.tolist()]
 
 def _both_by_floats(x):
     x = float(x)
-    if not TINY < abs(x) < NEAR:
+    if abs(x) <= TINY:
+        return x, 1.0
+    if not abs(x) < NEAR:
         s, s_rest, c, c_rest = interpreted(rare)(x)
         return s + s_rest, c + c_rest
     k = (x * ANGLE_INVERSE + INTEGER) - INTEGER

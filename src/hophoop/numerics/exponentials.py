@@ -40,6 +40,7 @@ L3, L5, L7, L9 = -L3, -L5, -L7, -L9
 FIRST = 90  # row of LOGARITHMS for m = 90/128
 ROOT_TWO = 1.4142135623730951
 COARSE = 3145728.0  # 1.5 · 2^21: added and taken away it leaves multiples of 2^−31
+SMALL_1P = 1e-9  # up to here log(1 + u) = u − u²/2
 LARGE_POWER = 1.8446744073709552e19  # 2^64
 
 
@@ -186,7 +187,7 @@ def binary_logarithm(x):
 @lean_jit
 def logarithm_1p(u):
     """Return log(1 + u), with all digits also where u is small."""
-    if abs(u) < 1e-9:
+    if abs(u) < SMALL_1P:
         return u - 0.5 * u * u if u != 0.0 else u
     if not -1.0 < u < math.inf:
         return _logarithm_rare(1.0 + u)

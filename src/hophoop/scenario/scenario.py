@@ -322,6 +322,9 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
         raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))
 
 
+_sine_and_cosine = interpreted(sine_and_cosine)  # once, since every motion needs it
+
+
 def to_body(hoop: Hoop, plane: Plane) -> Body:
     """Hoop and plane as the kernels take them.
 
@@ -336,7 +339,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         In units of R, m and √(R/g); see `time_unit` for g = 0.
     """
     weight = 1.0 if plane.gravity > 0.0 else 0.0
-    s, c = interpreted(sine_and_cosine)(plane.slope)
+    s, c = _sine_and_cosine(plane.slope)
     return Body(
         eps=hoop.eccentricity,
         kap=hoop.inertia_ratio,
