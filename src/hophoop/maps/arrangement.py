@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hophoop.maps.slices import Codes, Floats, Ints, Slice, middle, resolve
 
-BESIDE = tuple(10.0**-k for k in range(2, 11))  # parts of y beside each border at which the lines are looked at again
+BESIDE = tuple(float(f"1e-{k}") for k in range(2, 11))  # parts of y beside each border at which the lines are looked at again
 CLOSE = 1e-6  # parts of x
 WITHIN = np.linspace(0.0, 1.0, 27)[1:-1]
 CANDIDATES = 4  # classes below and above a difference at which it is tried to be enclosed

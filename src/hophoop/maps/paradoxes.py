@@ -132,7 +132,7 @@ def paradoxes(
         span=span,
     )
     weight = base.plane.gravity * cosine(base.plane.slope) * base.hoop.radius
-    rolls = fast[None, :] ** 2 * gammas[:, None] <= weight
+    rolls = (fast * fast)[None, :] * gammas[:, None] <= weight
     counted = np.broadcast_to((rolls | hops)[:, None, :], (gammas.size, mus.size, fast.size))
     met = counted & (cells["painleve"].values == QUANTITIES["painleve"].words.index("yes"))
     jammed = counted & (cells["status"].values == QUANTITIES["status"].words.index("jammed"))

@@ -60,7 +60,7 @@ class Refined(NamedTuple):
             Share and uncertainty by class, greatest first [1]; equal shares of the window count alike, also
             along a logarithmic axis. The uncertainty is that of the squares that a border crosses.
         """
-        area = 0.25 ** self.level.astype(float) * self._unit
+        area = np.ldexp(1.0, -2 * self.level) * self._unit
         mixed = self.mixed
         found = {}
         for code, name in enumerate(self.classes):
@@ -74,7 +74,7 @@ class Refined(NamedTuple):
     @property
     def _unit(self) -> float:
         # a square of level 0, as part of the window
-        top = 0.25 ** self.level.astype(float)
+        top = np.ldexp(1.0, -2 * self.level)
         return float(1.0 / top.sum())
 
 

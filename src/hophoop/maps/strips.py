@@ -116,10 +116,11 @@ def strips_at(scenario: Scenario, path: str = "start.speed") -> Strips:
     hoop, plane = scenario.hoop, scenario.plane
     angle, rate = saddle_of_skid(hoop.eccentricity, hoop.inertia_ratio, plane.mu_kinetic)
     # of the saddle at the top, in rolling
-    rolling = math.sqrt(hoop.eccentricity / ((1.0 + hoop.eccentricity) ** 2 + hoop.inertia_ratio))
+    arm = 1.0 + hoop.eccentricity
+    rolling = math.sqrt(hoop.eccentricity / (arm * arm + hoop.inertia_ratio))
     ways = -angle / (1.0 + rate / rolling), -angle
     # a hoop that moves on at λδ sticks before one that stands, by λδ (1 + ε) R/(μ g)
-    sooner = rate**2 * (1.0 + hoop.eccentricity) / plane.mu_kinetic
+    sooner = rate * rate * arm / plane.mu_kinetic
     grown = 0.5 * (arrivals[0].growth + arrivals[1].growth)
     reversal, both = (logarithm(way / growing) + sooner * way - grown for way in ways)
     revolutions = both + logarithm_1p(-exponential(reversal - both))

@@ -15,7 +15,7 @@ from hophoop.maps.evaluate import points
 from hophoop.maps.rules import Place, Rules, explain
 from hophoop.maps.slices import Floats, Ints
 from hophoop.maps.strips import strips_at
-from hophoop.numerics.elementwise import logarithm
+from hophoop.numerics.elementwise import logarithm, power
 from hophoop.scenario import InputError, Scenario
 
 # Both parameters run from next to 0: on the edges themselves the hoop rests or nothing is friction. The immediate hop
@@ -32,7 +32,7 @@ TRIES = 12  # stretches of a class at which its width is measured
 HALVINGS = 40  # of what then is known of an extent to a factor of four
 LISTED = 25  # places on the border of a skid at which the width of its strips is asked from theory
 NEAR = 1e-6  # parts of the speed beside such a place
-REACH = np.concatenate([4.0 ** -np.arange(26.0, 0.0, -1.0), [0.5, 1.0]])  # parts of the range of friction
+REACH = np.concatenate([np.ldexp(1.0, -2 * np.arange(26, 0, -1)), [0.5, 1.0]])  # parts of the range of friction
 
 
 class Found(NamedTuple):
@@ -208,7 +208,7 @@ def _widest(classify: Classifier, seen: Seen, x_range: tuple[float, float], y_ra
         own = np.flatnonzero(seen.code == code)
         own = own[np.argsort(-seen.length[own], kind="stable")]
         # the longest stretches, and ever fewer of the shorter ones
-        ranks = np.minimum((own.size ** (np.arange(TRIES) / TRIES)).astype(int) - 1, own.size - 1)
+        ranks = np.minimum(power(float(own.size), np.arange(TRIES) / TRIES).astype(int) - 1, own.size - 1)
         picked.append(own[np.unique(np.concatenate([ranks, np.arange(min(TRIES // 2, own.size))]))])
     tries = np.concatenate(picked)
     sides = x_range[1] - x_range[0], y_range[1] - y_range[0]

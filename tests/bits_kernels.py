@@ -1,0 +1,228 @@
+"""The kernels' own code outside of Python: as LLVM's text, as assembly, as a program for another processor, as the module."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterable, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import numpy as np
+from filelock import FileLock
+
+import hophoop as hh
+from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
+from hophoop.compliant.kernel import MAX_STEPS
+from hophoop.compliant.records import WIDTH
+from hophoop.maps.kernel import CELL
+from hophoop.module.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
+from hophoop.module.stamp import HERE, MODULE, sources
+from hophoop.physics.body import Status
+from hophoop.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.records.layout import EVENT, SEGMENT
+from module.host import Host
+from module.module_tools import cell_of
+from module.test_page_kernel import given_of
+
+# Processor → how LLVM and zig call it.
+PROCESSORS = {
+    "aarch64": ("aarch64-unknown-linux-musl", "aarch64-linux-musl"),
+    "riscv64": ("riscv64-unknown-linux-musl", "riscv64-linux-musl"),
+}
+# What LLVM takes for a plain machine of its kind that zig's C library is made for.
+FEATURES = {"riscv64": "+m,+a,+f,+d,+c"}
+NATIVE = ("motion", "samples", "compliant_motion", "compliant_samples")
+
+
+# --- LLVM's code -----------------------------------------------------------------------------------------------------
+
+
+def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
+    """LLVM's code of entries, made in a process of its own: it leaves Numba unoptimised. Kept until the sources change."""
+    user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
+    folder = Path(tempfile.gettempdir()) / f"hophoop-code-{user}"
+    folder.mkdir(exist_ok=True)
+    name, stamp = short_hash(table, *sorted(names)), short_hash(sources(), version("numba"), version("llvmlite"))
+    file = folder / f"{name}-{stamp}.ll"
+    with FileLock(folder / f"{name}.lock"):  # other tests wait for the same
+        if not file.exists():
+            for older in folder.glob(f"{name}-*.ll"):
+                older.unlink()
+            with tempfile.TemporaryDirectory(dir=folder) as fresh:
+                made = Path(fresh) / "code.ll"
+                script = (
+                    "import sys; from pathlib import Path; from hophoop.module import build, entries; "
+                    f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
+                    "Path(sys.argv[1]).write_text(build.joined(build.plain_code(chosen)), encoding='utf-8')"
+                )
+                environment = {**os.environ, "NUMBA_CACHE_DIR": fresh}  # code that is compiled already is for this machine
+                environment.pop("NUMBA_DISABLE_JIT", None)
+                subprocess.run([sys.executable, "-c", script, str(made)], check=True, env=environment)
+                made.replace(file)
+    return file.read_text(encoding="utf-8")
+
+
+def short_hash(*words: str) -> str:
+    """A part of a file's name."""
+    return hashlib.sha256(" ".join(words).encode()).hexdigest()[:16]
+
+
+# --- a program -------------------------------------------------------------------------------------------------------
+
+
+def why_no_program(processor: str) -> str:
+    """What is missing to build and run a program for it, or nothing."""
+    try:
+        import ziglang  # noqa: F401
+    except ImportError:
+        return "ziglang is not installed (the extra `module`)"
+    if shutil.which(f"qemu-{processor}") is None:
+        return f"qemu-{processor} is not installed (Debian: apt-get install qemu-user)"
+    return ""
+
+
+def program(processor: str, folder: Path) -> Path:
+    """The kernel's entries as a static program for a processor."""
+    from hophoop.module import build
+
+    triple, target = PROCESSORS[processor]
+    machine, code = build.optimised(code_of(NATIVE), NATIVE, triple, features=FEATURES.get(processor, ""))
+    compiled, made = folder / f"{processor}.o", folder / f"kernel-{processor}"
+    compiled.write_bytes(machine.emit_object(code))
+    subprocess.run(
+        [sys.executable, "-m", "ziglang", "cc", "-target", target, "-O2", "-ffp-contract=off", "-static",
+         str(FOLDER / "native.c"), str(HERE / "nrt.c"), str(compiled), "-o", str(made), "-lm"],
+        check=True,
+    )  # fmt: skip
+    return made
+
+
+def ask(kept: Iterable[Kept]) -> np.ndarray:
+    """What the program reads."""
+    return np.array([np.concatenate(([each.kind == "compliant"], *numbers(each.scenario))) for each in kept])
+
+
+def numbers(scenario: hh.Scenario) -> tuple[np.ndarray, np.ndarray]:
+    """The cell and the contact of a scenario, as the module's entries take them."""
+    contact = scenario.contact
+    if isinstance(contact, hh.Rigid):
+        return cell_of(scenario), np.zeros(len(COMPLIANT))
+    chosen = [
+        list(NormalLaw).index(NormalLaw[contact.law.upper().replace("-", "_")]),
+        list(FrictionLaw).index(FrictionLaw[contact.friction.upper()]),
+        *(getattr(contact, name) for name in COMPLIANT[2:]),
+    ]
+    cell = cell_of(scenario.replace("contact", hh.Rigid(max_events=contact.max_events)))
+    return cell, np.array([math.nan if each is None else float(each) for each in chosen])
+
+
+def run_program(made: Path, kept: Sequence[Kept], processor: str = "") -> dict[int, Bits]:
+    """The bits of motions that the program computes; emulated where a processor is named."""
+    with tempfile.TemporaryDirectory() as fresh:
+        asked, answered = Path(fresh) / "asked", Path(fresh) / "answered"
+        ask(kept).astype("<f8").tofile(asked)
+        sizes = (
+            len(CELL), len(COMPLIANT), EVENT.itemsize, SEGMENT.itemsize, 8 * WIDTH, len(HEADS), len(EVENT_COLUMNS),
+            len(SAMPLE_COLUMNS), SAMPLES, int(Status.BUFFER), MAX_STEPS, CELL.index("max_events"),
+        )  # fmt: skip
+        emulator = [f"qemu-{processor}"] if processor else []
+        subprocess.run([*emulator, str(made), str(asked), str(answered), *map(str, sizes)], check=True)
+        content = answered.read_bytes()
+    return parted(content, kept)
+
+
+def parted(content: bytes, kept: Iterable[Kept]) -> dict[int, Bits]:
+    """Bits out of bytes: for each motion its heads, the records of its events and, where it lasts, the rows of its samples."""
+    found, place = {}, 0
+
+    def taken(kind: Any, count: int) -> np.ndarray:
+        nonlocal place
+        part: np.ndarray = np.frombuffer(content, kind, count, place)
+        place += part.nbytes
+        return part
+
+    for each in kept:
+        heads = dict(zip(HEADS, taken("<f8", len(HEADS)).tolist(), strict=True))
+        events = taken(EVENT, int(heads["events"]))
+        rows = SAMPLES if heads["duration"] > 0.0 else 0
+        samples = taken("<f8", rows * len(SAMPLE_COLUMNS)).reshape(rows, len(SAMPLE_COLUMNS))
+        found[each.index] = bits_of_heads(heads, events, samples)
+    assert place == len(content)
+    return found
+
+
+# --- the module ------------------------------------------------------------------------------------------------------
+
+
+def run_module(host: Host, kept: Iterable[Kept]) -> dict[int, Bits]:
+    """The bits of rigid motions that the module computes."""
+    found = {}
+    for each in kept:
+        heads, _ = host.motion(cell_of(each.scenario))
+        count = int(heads["events"])
+        events = np.frombuffer(host.view(host.events, EVENT.itemsize * count, np.uint8).tobytes(), EVENT)
+        rows = np.empty((0, len(SAMPLE_COLUMNS)))
+        if heads["duration"] > 0.0:
+            rows = host.samples(int(heads["segments"]), sample_times(heads["duration"]))
+        found[each.index] = bits_of_heads(heads, events, rows)
+    return found
+
+
+# --- a browser -------------------------------------------------------------------------------------------------------
+
+# The page's kernel computes motions as the page does; what it leaves in the module's memory comes back as bytes.
+IN_PAGE = """
+async ({ asked, count, eventBytes }) => {
+  const { HoopModule } = await import("./kernel.js");
+  const response = await fetch("./hophoop.wasm");
+  const module = new HoopModule(await WebAssembly.compile(await response.arrayBuffer()));
+  const parts = [];
+  for (const given of JSON.parse(asked, (_, value) => (value === "inf" ? Infinity : value))) {
+    const computed = module.compute(given);
+    const { place } = module.memory.rooms.get("events");
+    const events = new Uint8Array(module.exports.memory.buffer, place, eventBytes * computed.count).slice();
+    const rows = computed.duration > 0 ? count : 0;
+    const times = Float64Array.from({ length: rows }, (_, k) => (computed.duration * k) / (count - 1));
+    const states = times.length ? module.states(computed, times, false) : times;
+    for (const numbers of [computed.head, events, states])
+      parts.push(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength));
+  }
+  const bytes = new Uint8Array(await new Blob(parts).arrayBuffer());
+  let text = "";
+  for (let k = 0; k < bytes.length; k += 0x8000) text += String.fromCharCode(...bytes.subarray(k, k + 0x8000));
+  return btoa(text);
+}
+"""
+
+
+def run_page(browser: Any, kept: Sequence[Kept]) -> dict[int, Bits]:
+    """The bits of motions that the page's kernel computes in a browser of playwright's."""
+    files = {
+        "/": ("text/html", b"<!doctype html><title>bits</title>"),
+        "/kernel.js": ("text/javascript", (HERE.parent / "lab" / "static" / "kernel.js").read_bytes()),
+        "/hophoop.wasm": ("application/wasm", (HERE / MODULE).read_bytes()),
+    }
+    page = browser.new_page()
+
+    def answer(route: Any) -> None:
+        kind, body = files.get(urlsplit(route.request.url).path, ("text/plain", b""))
+        route.fulfill(content_type=kind, body=body)
+
+    try:
+        page.route("**/*", answer)
+        page.goto("http://bits.test/")
+        asked = json.dumps([given_of(each.scenario) for each in kept])
+        content = page.evaluate(IN_PAGE, {"asked": asked, "count": SAMPLES, "eventBytes": EVENT.itemsize})
+    finally:
+        page.close()
+    return parted(base64.b64decode(content), kept)

@@ -1,0 +1,177 @@
+"""The kept scenarios of data/bits, the bits of their motions, and the hashes of these.
+
+A motion's bits are three tables of doubles: its events as the kernel wrote them, its samples at nine times and its ledger, both
+in SI units. −0 counts as 0 and every nan as the quiet one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+import hophoop as hh
+from hophoop.module.layout import SAMPLE_COLUMNS
+from hophoop.physics.body import MODE_LETTERS, Status
+from hophoop.records.layout import EVENT
+
+FOLDER = Path(__file__).parent / "data" / "bits"
+SCENARIOS, HASHES = FOLDER / "scenarios.json", FOLDER / "hashes.json"
+TABLES = ("events", "samples", "ledger")
+LEDGER = ("kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping")
+LEDGER_FIELDS = ("status", "duration", *LEDGER, "residual")
+SAMPLES = 9
+DIGITS = 12  # of a motion's own hashes; those of all motions have all 64
+
+
+class Kept(NamedTuple):
+    """One of the kept scenarios."""
+
+    index: int
+    kind: str
+    scenario: hh.Scenario
+
+
+class Bits(NamedTuple):
+    """All that is compared of a motion."""
+
+    events: np.ndarray
+    samples: np.ndarray
+    ledger: np.ndarray
+
+
+def scenario_of(sections: Mapping[str, Any], most_events: int) -> hh.Scenario:
+    """A scenario from its line of the file."""
+    keys = {name: value for name, value in sections.items() if name != "kind"}
+    return hh.Scenario.from_dict({"contact": {"model": "rigid", "max_events": most_events}, **keys})
+
+
+def kept_scenarios(every: int = 1) -> list[Kept]:
+    """All kept scenarios, or every so many of them."""
+    told = json.loads(SCENARIOS.read_text(encoding="utf-8"))
+    return [
+        Kept(index, one["kind"], scenario_of(one, told["max_events"]))
+        for index, one in enumerate(told["scenarios"])
+        if index % every == 0
+    ]
+
+
+def kept_hashes() -> dict[str, Any]:
+    """The content of the file of hashes."""
+    told: dict[str, Any] = json.loads(HASHES.read_text(encoding="utf-8"))
+    return told
+
+
+# --- bits ------------------------------------------------------------------------------------------------------------
+
+
+def canonical(table: Any) -> np.ndarray:
+    """Doubles with one zero and one nan."""
+    numbers: np.ndarray = np.array(table, dtype="<f8") + 0.0
+    numbers[np.isnan(numbers)] = np.nan
+    return numbers
+
+
+def event_rows(events: np.ndarray) -> np.ndarray:
+    """Records of the kernel as rows of doubles."""
+    rows = np.empty((len(events), len(EVENT.names or ())))
+    for place, name in enumerate(EVENT.names or ()):
+        rows[:, place] = events[name]
+    return canonical(rows)
+
+
+def sample_times(duration: float) -> np.ndarray:
+    """Times of the samples [s]."""
+    return duration * np.arange(float(SAMPLES)) / (SAMPLES - 1)
+
+
+def bits_of(motion: hh.Trajectory) -> Bits:
+    """The bits of a motion that the library computed."""
+    duration = motion.duration
+    rows = np.empty((SAMPLES if duration > 0.0 else 0, len(SAMPLE_COLUMNS)))
+    if duration > 0.0:
+        sample = motion.at(sample_times(duration))
+        for place, name in enumerate(SAMPLE_COLUMNS):
+            if name == "mode":
+                rows[:, place] = [MODE_LETTERS.index(letter) for letter in sample.mode]
+            elif name == "utilization":
+                rows[:, place] = sample.utilization(motion.scenario.plane)
+            else:
+                rows[:, place] = getattr(sample, name)
+    ledger = motion.ledger
+    energies = [getattr(ledger, name) for name in (*LEDGER, "residual")]
+    return Bits(
+        event_rows(motion.tables["events"]),
+        canonical(rows),
+        canonical([float(status_number(motion.status)), duration, *energies]),
+    )
+
+
+def bits_of_heads(heads: Mapping[str, float], events: np.ndarray, samples: np.ndarray) -> Bits:
+    """The same from what the module's entries wrote: heads, the kernel's records of events, rows of samples."""
+    return Bits(event_rows(events), canonical(samples), canonical([heads[name] for name in LEDGER_FIELDS]))
+
+
+def status_number(word: str) -> int:
+    """The kernel's number of a status."""
+    return int(Status[word.upper()])
+
+
+# --- hashes ----------------------------------------------------------------------------------------------------------
+
+
+def hash_of(tables: Iterable[np.ndarray]) -> str:
+    """SHA-256 of tables, one after the other."""
+    digest = hashlib.sha256()
+    for table in tables:
+        digest.update(table.tobytes())
+    return digest.hexdigest()
+
+
+def own_hashes(bits: Bits) -> list[str]:
+    """The hashes of one motion, in the order of `TABLES`."""
+    return [hash_of([table])[:DIGITS] for table in bits]
+
+
+def hashes_of(found: Sequence[Bits], kept: Sequence[Kept], digits: Sequence[int] = ()) -> dict[str, Any]:
+    """What the file of hashes holds, from the bits of all motions in order."""
+    kinds = sorted({each.kind for each in kept})
+    by_kind = {kind: [bits for bits, each in zip(found, kept, strict=True) if each.kind == kind] for kind in kinds}
+    return {
+        **{name: hash_of(bits[place] for bits in found) for place, name in enumerate(TABLES)},
+        "kinds": {
+            kind: {name: hash_of(bits[place] for bits in part)[:DIGITS] for place, name in enumerate(TABLES)}
+            for kind, part in by_kind.items()
+        },
+        "digits": list(digits),
+        "motions": [" ".join(own_hashes(bits)) for bits in found],
+    }
+
+
+def hashes_text(told: Mapping[str, Any]) -> str:
+    """The file's text, one motion a line."""
+    head = {name: value for name, value in told.items() if name != "motions"}
+    lines = ",\n".join(json.dumps(line) for line in told["motions"])
+    return json.dumps(head, indent=1)[:-2] + f',\n "motions": [\n{lines}\n]}}\n'
+
+
+def differing(found: Mapping[int, Bits], tables: Sequence[str] = TABLES) -> dict[str, list[int]]:
+    """Motions whose bits are not the kept ones, by table; those that agree are left out."""
+    lines = [line.split() for line in kept_hashes()["motions"]]
+    result = {
+        name: [
+            index for index, bits in found.items() if own_hashes(bits)[TABLES.index(name)] != lines[index][TABLES.index(name)]
+        ]
+        for name in tables
+    }
+    return {name: indices for name, indices in result.items() if indices}
+
+
+def by_doubles(kept: Iterable[Kept], *kinds: str) -> list[Kept]:
+    """Those that doubles decide, which is all that a kernel by itself has; of some kinds, or of all."""
+    left_out = set(kept_hashes()["digits"])
+    return [each for each in kept if each.index not in left_out and (not kinds or each.kind in kinds)]

@@ -1,0 +1,28 @@
+"""The module gives the kept bits of every motion that doubles decide, in wasmtime and in Chromium."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+pytest.importorskip("wasmtime")
+
+from bits_kernels import run_module, run_page
+from bits_tools import by_doubles, differing, kept_scenarios
+from hophoop.module.stamp import HERE, MODULE
+from module.host import Host
+
+RIGID = ("rigid", "border", "paradox", "resisted", "massless")
+
+
+def test_the_module_gives_the_kept_bits_in_wasmtime() -> None:
+    kept = by_doubles(kept_scenarios(), *RIGID)
+    assert len(kept) > 900
+    assert differing(run_module(Host(HERE / MODULE), kept)) == {}
+
+
+def test_the_page_gives_the_kept_bits_in_chromium(browser: Any) -> None:
+    kept = by_doubles(kept_scenarios(every=4))
+    assert {each.kind for each in kept} == {*RIGID, "compliant"}
+    assert differing(run_page(browser, kept)) == {}

@@ -1,0 +1,105 @@
+"""The kernels' code for other processors: nothing fused, nothing of the C library; and as a program it gives the kept bits."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from bits_kernels import PROCESSORS, code_of, program, run_program, why_no_program
+from bits_tools import by_doubles, differing, kept_scenarios
+from hophoop.module import build
+from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
+
+# What is left to call: Numba's runtime (nrt.c), memory, and functions whose result is exact.
+RUNTIME = re.compile(r"NRT_\w+|Py\w+|numba_\w+")
+MEMORY = {"memset", "memcpy", "memmove", "bzero"}
+EXACT = {"floor", "ceil", "trunc", "rint", "fmod", "ldexp", "sqrt"}
+INTRINSIC = re.compile(
+    r"llvm\.(?:floor|ceil|trunc|rint|sqrt|fabs|copysign|memset|memcpy|memmove|lifetime|[us]m(?:in|ax)|abs|ctlz|cttz|[us]\w+\.with\.overflow)\b"
+)
+LOOSE = re.compile(r"= f\w+ (?:fast|contract|reassoc|arcp|afn)\b")
+TARGETS = {
+    "x86-64": ("x86_64-unknown-linux-gnu", "", ""),
+    "x86-64 with FMA": ("x86_64-unknown-linux-gnu", "znver4", ""),
+    "aarch64": ("aarch64-unknown-linux-gnu", "", ""),
+    "apple-m1": ("arm64-apple-macosx", "apple-m1", ""),
+    "riscv64": ("riscv64-unknown-linux-gnu", "", "+m,+a,+f,+d,+c"),
+}
+TABLES = {"ENTRIES": tuple(ENTRIES), "DERIVATIVE_ENTRIES": tuple(DERIVATIVE_ENTRIES)}
+
+FUSED = re.compile(r"^\s+(v?fn?m(?:add|sub|la|ls)\w*(?:\.\w+)*)", re.MULTILINE)
+CALLED = re.compile(r"^\s+(?:bl|b|callq?|jmpq?|tail|jal)\s+\*?([A-Za-z_.$][\w.$@]*)", re.MULTILINE)
+
+
+def fused(assembly: str) -> Counter[str]:
+    """Instructions that multiply and add at once."""
+    return Counter(FUSED.findall(assembly))
+
+
+def called(assembly: str) -> set[str]:
+    """Functions that are not in the code itself."""
+    own = set(re.findall(r"^([A-Za-z_.$][\w.$]*):", assembly, re.MULTILINE))
+    names = {name.partition("@")[0] for name in CALLED.findall(assembly)}
+    return {name.lstrip("_") for name in names - own if not name.startswith((".", "L"))}
+
+
+def strange(names: set[str]) -> set[str]:
+    """Those of them that are neither Numba's, nor memory, nor exact."""
+    return {name for name in names if not (RUNTIME.fullmatch(name) or name in MEMORY | EXACT)}
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("table", TABLES)
+def test_code_asks_for_nothing_inexact(table: str) -> None:
+    text = code_of(TABLES[table], table)
+    assert not LOOSE.findall(text)
+    names = set(re.findall(r"^declare [^@]*@([\w.]+)", text, re.MULTILINE))
+    assert len(names) > 5
+    assert not strange({name for name in names if not INTRINSIC.match(name)})
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("table", TABLES)
+def test_assembly_fuses_and_calls_nothing(table: str, target: str) -> None:
+    triple, cpu, features = TARGETS[target]
+    names = TABLES[table]
+    machine, code = build.optimised(code_of(names, table), names, triple, cpu, features)
+    assembly = machine.emit_assembly(code)
+    assert all(re.search(rf"^_?{name}:", assembly, re.MULTILINE) for name in names)
+    assert len(re.findall(r"^\s+(?:vmulsd|mulsd|fmul)", assembly, re.MULTILINE)) > 1000  # it is understood
+    assert not fused(assembly)
+    assert not strange(called(assembly))
+
+
+def test_fused_instructions_and_calls_are_seen() -> None:
+    lines = {
+        "\tvfmadd213sd\t%xmm0, %xmm1, %xmm2": "vfmadd213sd",
+        "\tvfnmsub231pd\t(%rax), %ymm1, %ymm2": "vfnmsub231pd",
+        "\tfmadd\td0, d1, d2, d3": "fmadd",
+        "\tfmla\tv0.2d, v1.2d, v2.2d": "fmla",
+        "\tfmla.2d\tv0, v1, v2": "fmla.2d",
+        "\tfnmsub.d\tfa0, fa1, fa2, fa3": "fnmsub.d",
+    }
+    for line, name in lines.items():
+        assert fused(f"motion:\n{line}\n") == {name: 1}
+    assert not fused("motion:\n\tfmul\td0, d1, d2\n\tvmulsd\t%xmm0, %xmm1, %xmm2\n\tfmax\td0, d1, d2\n")
+    calls = (
+        "motion:\n\tcallq\tsin@PLT\n\tbl\t_exp\n\tcall\tpow@plt\n\ttail\tfma\n\tb\t.LBB0_1\n\tbl\tmotion\n\tcallq\tfloor@PLT\n"
+    )
+    assert strange(called(calls)) == {"sin", "exp", "pow", "fma"}
+    assert LOOSE.search("%4 = fmul contract double %2, %3")
+
+
+@pytest.mark.long
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("processor", PROCESSORS)
+def test_another_processor_gives_the_kept_bits(processor: str, tmp_path: Path) -> None:
+    missing = why_no_program(processor)
+    if missing:
+        pytest.skip(missing)
+    kept = by_doubles(kept_scenarios(every=4))
+    assert differing(run_program(program(processor, tmp_path), kept, processor)) == {}

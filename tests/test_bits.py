@@ -1,0 +1,93 @@
+"""The kept scenarios of data/bits have the kept bits: events, samples and ledgers, compiled and interpreted.
+
+benchmarks/bits.py tries other surroundings, such as an older processor; tests/module has the module and other processors.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bits_tools
+import hophoop as hh
+from bits_tools import Bits, Kept, by_doubles, differing, kept_hashes, kept_scenarios
+from hophoop._jit import forced
+
+CHANGELOG = Path(__file__).parents[1] / "CHANGELOG.md"
+SAY = "bits have changed: python tests/data/bits/generate.py hashes, and a line in CHANGELOG.md"
+
+
+def computed(kept: Iterable[Kept], mode: str) -> dict[int, Bits]:
+    with forced(mode):
+        return {each.index: bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept}
+
+
+@pytest.mark.compiled
+def test_motions_that_doubles_decide_have_the_kept_bits() -> None:
+    assert differing(computed(by_doubles(kept_scenarios()), "compiled")) == {}, SAY
+
+
+@pytest.mark.long
+@pytest.mark.compiled
+def test_all_bits_are_the_kept_ones() -> None:
+    kept = kept_scenarios()
+    found = computed(kept, "compiled")
+    told = kept_hashes()
+    assert bits_tools.hashes_of([found[each.index] for each in kept], kept, told["digits"]) == told, SAY
+
+
+def test_interpreted_motions_have_the_kept_bits() -> None:
+    kept = by_doubles(kept_scenarios(every=40), "rigid", "border", "paradox", "resisted", "massless")
+    assert len(kept) > 20
+    assert differing(computed(kept, "interpreted")) == {}
+
+
+@pytest.mark.long
+def test_a_hundred_interpreted_motions_have_the_kept_bits() -> None:
+    kept = by_doubles(kept_scenarios(every=10))
+    assert {each.kind for each in kept} == set(kept_hashes()["kinds"]) - {"digits"}
+    assert differing(computed(kept, "interpreted")) == {}
+
+
+def test_all_kinds_of_motions_are_kept() -> None:
+    kept = kept_scenarios()
+    assert len(kept) == len(kept_hashes()["motions"]) == 1000
+    planes = [each.scenario.plane for each in kept]
+    counts = Counter(each.kind for each in kept) + Counter(plane.impact_law for plane in planes)
+    for name in ("rigid", "resisted", "massless", "compliant", "newton", "poisson", "stronge"):
+        assert counts[name] >= 40, name
+    assert sum(plane.slope != 0.0 for plane in planes) > 200
+    assert sum(plane.mu_kinetic < plane.mu_static for plane in planes) > 200
+    assert sum(plane.restitution > 0.0 for plane in planes) > 200
+    for special in (0.0, np.inf):
+        assert sum(plane.mu_static == special for plane in planes) > 40
+    assert sum(plane.gravity == 0.0 for plane in planes) > 40
+
+
+def test_hashes_see_every_number_but_not_the_sign_of_zero_or_nan() -> None:
+    bits = bits_tools.bits_of(hh.simulate(hh.Scenario(duration=1.0)))
+    own = bits_tools.own_hashes(bits)
+    for place, table in enumerate(bits):
+        other = table.copy()
+        other.flat[-1] = np.nextafter(other.flat[-1], np.inf)
+        assert bits_tools.hash_of([other])[: bits_tools.DIGITS] != own[place]
+    strange = np.array([-0.0, np.copysign(np.nan, -1.0)])
+    assert bits_tools.canonical(strange).tobytes() == np.array([0.0, np.nan]).tobytes()
+
+
+def test_a_motion_that_differs_is_named() -> None:
+    kept = [each for each in kept_scenarios(every=10) if each.kind == "paradox"]
+    found = computed(kept, "interpreted")
+    assert differing(found) == {}
+    index = next(index for index, bits in found.items() if bits.samples.size)
+    found[index] = found[index]._replace(samples=np.nextafter(found[index].samples, np.inf))
+    assert differing(found) == {"samples": [index]}
+
+
+def test_the_changelog_names_the_kept_bits() -> None:
+    """Bits do not change without a line that says so."""
+    assert f"`{kept_hashes()['events'][:12]}`" in CHANGELOG.read_text(encoding="utf-8")

@@ -1,0 +1,136 @@
+"""No source between a scenario and the results of its motion calls anything that rounds otherwise elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from portable_lint import findings
+
+PACKAGE = Path(__file__).parents[1] / "src" / "hophoop"
+# From the numbers of a scenario to all that reads, maps or writes its motion.
+COVERED = (
+    "numerics", "panels", "physics", "records", "rigid", "compliant", "scenario", "precise", "derivatives", "theory",
+    "maps", "module",
+    "_fingerprint.py", "arbitration.py", "export.py", "poses.py", "results.py", "simulation.py", "trajectory.py",
+    "units.py",
+)  # fmt: skip
+WHOLE = "whole numbers"
+WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/elimination.py"
+MPMATH = "numbers of mpmath, in 60 digits, rounded once"
+EXACT = "integers, fractions and numbers of mpmath"
+# File or folder → what it does → why that is the same everywhere.
+ALLOWED = {
+    "numerics/generate.py": {"**": MPMATH, "sum": MPMATH},
+    "numerics/generate_elementary.py": {"**": MPMATH},
+    "numerics/double_angles.py": {"**": "a power of two"},
+    "numerics/trigonometry.py": {"**": "a power of −1"},
+    "compliant/elimination.py": {"complex": WRITTEN_OUT},
+    "compliant/records.py": {"numpy.complex128": WRITTEN_OUT},
+    "compliant/step.py": {"complex": WRITTEN_OUT},
+    "compliant/tableau.py": {"numpy.complex128": WRITTEN_OUT},
+    "derivatives/uncertainty.py": {"numpy.linalg": "decides only whether correlations that were given are refused"},
+    "maps/distributed.py": {"sum": WHOLE},
+    "maps/memory.py": {"sum": WHOLE},
+    "precise": {
+        "**": EXACT,
+        "sum": EXACT,
+        "math.log2": "how many digits to compute with, or how long a step is",
+        "math.log10": "how many digits to print",
+    },
+}
+
+
+def sources() -> Iterator[Path]:
+    for name in COVERED:
+        path = PACKAGE / name
+        yield from [path] if path.is_file() else sorted(path.rglob("*.py"))
+
+
+def reason_for(name: str, what: str) -> str:
+    return next((reasons[what] for place, reasons in ALLOWED.items() if name.startswith(place) and what in reasons), "")
+
+
+def test_nothing_depends_on_the_machine() -> None:
+    found = [
+        f"{name}:{line}: {what}"
+        for file in sources()
+        for name in [file.relative_to(PACKAGE).as_posix()]
+        for line, what in findings(file.read_text(encoding="utf-8"))
+        if not reason_for(name, what)
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_every_exception_is_still_needed() -> None:
+    used = {
+        (place, what)
+        for file in sources()
+        for place in ALLOWED
+        if file.relative_to(PACKAGE).as_posix().startswith(place)
+        for _, what in findings(file.read_text(encoding="utf-8"))
+    }
+    assert {(place, what) for place, reasons in ALLOWED.items() for what in reasons} <= used
+
+
+@pytest.mark.parametrize(
+    ("source", "what"),
+    [
+        ("import math\ny = math.sin(x)", "math.sin"),
+        ("import math as m\ny = m.hypot(a, b)", "math.hypot"),
+        ("from math import sqrt, exp", "math.exp"),
+        ("import numpy as np\ny = np.exp(x)", "numpy.exp"),
+        ("import numpy as np\ny = np.linalg.inv(a)", "numpy.linalg"),
+        ("import numpy as np\ny = np.polynomial.legendre.leggauss(8)", "numpy.polynomial"),
+        ("from numpy.polynomial import Polynomial", "numpy.polynomial"),
+        ("import numpy as np\ny = np.dot(a, b)", "numpy.dot"),
+        ("import numpy as np\ny = np.einsum('i,i', a, b)", "numpy.einsum"),
+        ("import numpy as np\ny = np.interp(x, a, b)", "numpy.interp"),
+        ("import numpy as np\ny = np.random.default_rng(1)", "numpy.random"),
+        ("import numpy as np\ny = np.geomspace(a, b, 10)", "numpy.geomspace"),
+        ("import numpy as np\ny = np.argsort(keys)", "argsort"),
+        ("import numpy as np\ny = np.arange(0.0, 1.0, 0.1)", "arange"),
+        ("y = keys.argsort()", "argsort"),
+        ("y = a.dot(b)", ".dot"),
+        ("y = a @ b", "@"),
+        ("y @= b", "@"),
+        ("y = x**2", "**"),
+        ("y = 0.5**k", "**"),
+        ("y = 10.0**-3", "**"),
+        ("y = 2.0**0.5", "**"),
+        ("x **= 3", "**"),
+        ("y = pow(x, 3)", "pow"),
+        ("y = sum(losses)", "sum"),
+        ("y = sum(x * x for x in row)", "sum"),
+        ("import cmath", "cmath"),
+        ("from scipy.integrate import quad", "scipy.integrate"),
+        ("y = complex(a, b)", "complex"),
+        ("y = 0.0j", "complex"),
+        ("import numpy as np\ny = np.zeros(3, np.complex128)", "numpy.complex128"),
+    ],
+)
+def test_what_depends_on_the_machine_is_found(source: str, what: str) -> None:
+    assert [found.what for found in findings(source)] == [what]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "import math\ny = math.sqrt(x) + math.floor(x) + math.copysign(math.pi, x) + math.ldexp(x, 3)",
+        "import numpy as np\ny = np.sqrt(np.sum(a)) + np.mean(a) + np.add.accumulate(a)[-1] + a.sum()",
+        "import numpy as np\ny = np.argsort(keys, kind='stable')",
+        "import numpy as np\ny = np.arange(26.0, 0.0, -1.0)",
+        "y = 2**53 + 2.0**-30 + 0.25**3",
+        "y = sum(1 for x in row) + sum(len(x) for x in row) + sum(x > 0.0 for x in row)",
+        "from hophoop.numerics.circular import sine\ny = sine(x)",
+        "y = row.sin",
+    ],
+)
+def test_what_is_the_same_everywhere_is_let_be(source: str) -> None:
+    assert findings(source) == []
+
+
+def test_a_finding_has_its_line() -> None:
+    assert [found.line for found in findings("import math\n\n\ny = math.exp(1.0)\n")] == [4]
