@@ -12,6 +12,8 @@ import pytest
 
 import hophoop as hh
 from hophoop._fingerprint import fingerprint, is_fingerprint
+from hophoop.lab import tables
+from hophoop.lab.presets import presets
 
 QUIET_NAN = bytes.fromhex("000000000000f87f")
 
@@ -99,3 +101,13 @@ def test_kept_motions_have_their_bits():
     scenarios = runpy.run_path(str(program))["kept_scenarios"]()
     assert {name: hh.simulate(scenario).fingerprint for name, scenario in scenarios.items()} == kept
     assert {f"article {name}" for name in hh.article.scenarios()} < kept.keys()
+
+
+def test_presets_have_the_bits_that_the_page_compares_with():
+    """After a change of the kernels' bits: `python -m hophoop.lab.tables`, and `npm run build` in web/."""
+    kept = json.loads(tables.FILE.read_text(encoding="utf-8"))["fingerprints"]
+    motions = {preset.key: hh.simulate(preset.scenario) for preset in presets()}
+    assert {key: motion.fingerprint for key, motion in motions.items() if math.isinf(motion.doubt)} == {
+        key: found for key, found in kept.items() if found
+    }
+    assert kept.keys() == motions.keys()

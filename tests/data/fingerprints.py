@@ -1,6 +1,8 @@
-"""Write the fingerprints of kept motions (fingerprints.json): the article's, the lab's presets, the references here.
+"""Write the fingerprints of kept motions (fingerprints.json): the article's and the references here.
 
     python tests/data/fingerprints.py
+
+Those of the lab's presets are in its tables: `python -m hophoop.lab.tables`.
 
 To be run after each change of the kernels' bits, which CHANGELOG.md names; `tests/test_fingerprint.py` compares.
 """
@@ -15,7 +17,6 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
 import hophoop as hh  # noqa: E402
-from hophoop.lab.presets import presets  # noqa: E402
 from oracle_program import simulate  # noqa: E402
 from oracles.cases import Case  # noqa: E402
 
@@ -25,7 +26,6 @@ FILE = HERE / "fingerprints.json"
 def kept_scenarios() -> dict[str, hh.Scenario]:
     """By name, each of which says where the scenario is kept."""
     found = {f"article {name}": scenario for name, scenario in hh.article.scenarios().items()}
-    found |= {f"preset {preset.key}": preset.scenario for preset in presets()}
     for file in sorted(HERE.glob("*.json")):
         content = json.loads(file.read_text(encoding="utf-8"))
         if "case" in content and "events" in content:

@@ -12,6 +12,7 @@ const LETTERS = [
   ["three", "3"],
 ];
 const USUAL = "tfc";
+const FINGERPRINT = /^[0-9a-f]{16}$/;
 const WAIT = 400; // milliseconds; browsers refuse more than a few changes of the address a second
 
 /**
@@ -23,13 +24,14 @@ const WAIT = 400; // milliseconds; browsers refuse more than a few changes of th
  * @property {number[]} [from] from where it is looked at in space: azimuth, height, distance
  * @property {string} [more] the parameter of which the arrows tell what a little more would do
  * @property {{ what: string, x: [string, number, number], y: [string, number, number] }} [map]
+ * @property {string[]} [fingerprints] of the motions, as where the link was made; "" where there is none
  */
 
 /**
  * What is shown, as the part of a link behind its #; what is as usual is left out.
  * @param {Shown} shown
  */
-export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map }) {
+export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map, fingerprints = [] }) {
   const parts = [];
   if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
   const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
@@ -40,6 +42,7 @@ export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, 
   if (from) parts.push(`from=${from.map((part) => Number(part.toPrecision(3))).join(",")}`);
   if (more) parts.push(`more=${more}`);
   if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
+  if (fingerprints.some(Boolean)) parts.push(`fingerprint=${fingerprints.join(",")}`);
   return parts.join("&");
 }
 
@@ -71,6 +74,8 @@ export function readShown(hash) {
   if (y1 !== undefined && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3]) {
     shown.map = { what, x: [x, ends[0], ends[1]], y: [y, ends[2], ends[3]] };
   }
+  const fingerprints = parts.get("fingerprint")?.toLowerCase().split(",");
+  if (fingerprints) shown.fingerprints = fingerprints.map((text) => (FINGERPRINT.test(text) ? text : ""));
   return shown;
 }
 

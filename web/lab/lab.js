@@ -15,6 +15,7 @@ import { Motions } from "./motions.js";
 import { Notice } from "./notice.js";
 import { PhasePlane } from "./phase.js";
 import { Plots } from "./plots.js";
+import { Sameness } from "./sameness.js";
 import { Share } from "./share.js";
 import { Stage } from "./stage.js";
 import { Story, Theory } from "./story.js";
@@ -44,6 +45,7 @@ export class Lab {
     prepareRoot(root, hosted);
     const { colors } = setup;
     this.known = setup.presets;
+    this.sameness = new Sameness(setup.presets);
     this.address = hosted ? new Address(this) : null;
     this.clock = new Clock();
     this.motions = new Motions(backend, {
@@ -127,6 +129,7 @@ export class Lab {
   async open(queries, shown = {}) {
     await this.motions.load(queries);
     this.clock.duration = Math.max(...this.films().map((film) => film.duration));
+    this.sameness.expect(this.films(), shown.fingerprints ?? []);
     this.restore(shown);
     this.begin();
   }
@@ -187,12 +190,15 @@ export class Lab {
     this.onmotion(this.film().query);
   }
 
-  // The link to what is shown: the motions, the time, the view, the map.
-  link() {
+  /**
+   * The link to what is shown: the motions, the time, the view, the map.
+   * @param {string[]} fingerprints of the motions, to be compared where the link is opened
+   */
+  link(fingerprints = this.sameness.expected(this.films())) {
     const { clock, stage, map, extras } = this;
     const { on, path } = extras.more;
     return this.motions.link(
-      written({ time: clock.time, ...stage.view(), more: on ? path : undefined, map: map.shown() }),
+      written({ time: clock.time, ...stage.view(), more: on ? path : undefined, map: map.shown(), fingerprints }),
     );
   }
 
@@ -269,7 +275,7 @@ export class Lab {
     const { look, colors } = this.theme;
     this.plots.draw(films, active, look);
     this.phase.draw(films, active, look);
-    this.story.draw(films, active, colors);
+    this.story.draw(films, active, colors, this.sameness.of(films[active]));
     this.drawTime();
     this.map.mark(this.film(), look);
     this.stage.describe(films);

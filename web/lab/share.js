@@ -62,7 +62,7 @@ export class Share {
   }
 
   async copyLink() {
-    const link = this.lab.link() ?? "";
+    const link = this.lab.link(this.lab.films().map(({ fingerprint }) => fingerprint ?? "")) ?? "";
     try {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("The link is copied.");

@@ -21,7 +21,9 @@ export class Story {
     this.doubt = h("p", { class: "hint", hidden: true });
     this.list = h("ol", { class: "story-list" });
     this.heading = h("h2", {}, "What happens");
-    this.fingerprint = h("p", { class: "hint fingerprint" });
+    this.signature = h("span", {});
+    this.compared = h("span", {});
+    this.fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
     this.live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
     this.element = h(
       "section",
@@ -40,8 +42,9 @@ export class Story {
    * @param {Film[]} films
    * @param {number} active
    * @param {Colors} colors
+   * @param {import("./sameness.js").Comparison[]} comparisons of its fingerprint with those of elsewhere
    */
-  draw(films, active, colors) {
+  draw(films, active, colors, comparisons) {
     this.film = films[active];
     say(this.heading, films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens");
     this.summary.replaceChildren(
@@ -69,6 +72,9 @@ export class Story {
     );
     this.list.replaceChildren(...this.items);
     this.sign();
+    this.compared.replaceChildren(
+      ...comparisons.flatMap(({ same, text }) => [" ", h("span", { class: same ? "same" : "differs" }, text)]),
+    );
     this.current = -1;
     this.cursor(this.clock.time);
   }
@@ -78,7 +84,7 @@ export class Story {
     const { fingerprint } = this.film;
     if (fingerprint === this.signed) return;
     this.signed = fingerprint;
-    this.fingerprint.replaceChildren(...fingerprintOf(fingerprint));
+    this.signature.replaceChildren(...fingerprintOf(fingerprint));
   }
 
   /**

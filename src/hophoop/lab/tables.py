@@ -23,6 +23,7 @@ from hophoop.lab.files import SAMPLES_PER_SECOND
 from hophoop.lab.film import SHOWN
 from hophoop.lab.limits import USUAL
 from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
+from hophoop.lab.presets import presets
 from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
@@ -34,6 +35,7 @@ from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
 from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside, Range
 from hophoop.scenario.texts import TEXTS
+from hophoop.simulation import simulate
 from hophoop.vocabulary import classes, colors, words
 from hophoop.vocabulary.labels import VARIABLES
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
@@ -57,6 +59,8 @@ def tables() -> dict[str, Any]:
     """
     found: dict[str, Any] = {
         "setup": setup(),
+        # of each preset, for the page to compare its own with
+        "fingerprints": {preset.key: _fingerprint(preset.scenario) for preset in presets()},
         "schema": SCHEMA,
         "scenario": _scenario(),
         "texts": TEXTS,
@@ -104,6 +108,12 @@ def tables() -> dict[str, Any]:
         "shown": SHOWN,
     }
     return found
+
+
+def _fingerprint(scenario: Scenario) -> str | None:
+    """Return the fingerprint of the motion; None where doubles do not decide it, as on the page."""
+    motion = simulate(scenario)
+    return motion.fingerprint if motion.doubt == math.inf else None
 
 
 def _scenario() -> dict[str, Any]:

@@ -1,4 +1,6 @@
-"""The fingerprint of the motion on the page: that of Python, or none where the page does not decide the motion."""
+"""The fingerprint of the motion on the page: that of Python, or none where the page does not decide it; and comparisons."""
+
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -7,6 +9,8 @@ from lab_page_tools import wait_for
 
 # The speed at which the contact force is zero at the start: its double may lie on either side.
 UNDECIDED = "start.speed=3.616628264005025"
+AS_IN_PYTHON, AS_IN_LINK = "✓ Same bits as in Python", "✓ Same bits as where the link was made"
+PRESET = "duration=3"  # its query
 NONE = "No fingerprint: this motion depends on more digits than this page computes."
 
 
@@ -45,3 +49,88 @@ def test_a_motion_that_doubles_do_not_decide(visit, address, site_address):
         assert page.locator(".fingerprint code").count() == 0
     else:
         assert page.locator(".fingerprint code").inner_text() == hh.simulate(hh.Scenario.from_query(UNDECIDED)).fingerprint
+
+
+def said(page, kind):
+    return page.locator(f".fingerprint .{kind}").all_inner_texts()
+
+
+def link_of(page, address):
+    """What the page copies as its link, after the address."""
+    page.locator("summary", has_text="Keep").click()
+    page.get_by_role("button", name="Copy the link").click()
+    page.locator(".toast", has_text="The link is copied.").wait_for()
+    return page.evaluate("navigator.clipboard.readText()").removeprefix(address)
+
+
+def test_a_preset_has_the_bits_of_python_while_it_is_unchanged(visit):
+    page = visit(f"?{PRESET}")
+    page.locator(".fingerprint .same").wait_for()
+    assert said(page, "same") == [AS_IN_PYTHON]
+    page.locator("input[data-path='start.speed']").fill("2.9")
+    page.locator(".fingerprint .same").wait_for(state="detached")
+    page.locator(".presets").select_option("moon")
+    page.locator(".fingerprint .same").wait_for()
+    assert said(page, "same") == [AS_IN_PYTHON]
+    assert said(page, "differs") == []
+
+
+def test_where_the_bits_of_a_preset_differ_both_are_named(visit):
+    page = visit(f"?{PRESET}")
+    page.evaluate("""() => {
+      hophoopLab.sameness.python.set(hophoopLab.film().query, "0123456789abcdef");
+      hophoopLab.show();
+    }""")
+    page.locator(".fingerprint .differs").wait_for()
+    own = page.locator(".fingerprint code").inner_text()
+    assert said(page, "differs") == [f"The bits differ: {own} here, 0123456789abcdef in Python."]
+    assert said(page, "same") == []
+
+
+def test_a_copied_link_carries_the_fingerprint(visit, address):
+    page = visit("?start.speed=2.9", permissions=["clipboard-read", "clipboard-write"])
+    page.locator(".fingerprint code").wait_for()
+    assert "fingerprint" not in page.url  # it is of here, and says nothing until it is elsewhere
+    link = link_of(page, address)
+    assert f"fingerprint={page.locator('.fingerprint code').inner_text()}" in urlsplit(link).fragment.split("&")
+    other = visit(link)
+    other.locator(".fingerprint .same").wait_for()
+    assert said(other, "same") == [AS_IN_LINK]
+    other.locator("input[data-path='start.speed']").fill("2.8")
+    other.locator(".fingerprint .same").wait_for(state="detached")
+    wait_for(other, "!location.hash.includes('fingerprint')")
+
+
+def test_a_link_with_other_bits_says_so_also_after_a_reload(visit):
+    page = visit("?start.speed=2.9#fingerprint=0123456789ABCDEF")
+    for _ in range(2):
+        page.locator(".fingerprint .differs").wait_for()
+        own = page.locator(".fingerprint code").inner_text()
+        (sentence,) = said(page, "differs")
+        assert sentence.startswith(f"The bits differ: {own} here, 0123456789abcdef where the link was made")
+        wait_for(page, "location.hash.includes('fingerprint=0123456789abcdef')")
+        page.reload()
+
+
+@pytest.mark.parametrize("text", ["", "0123", "0123456789abcdeg", "0123456789abcdef0"])
+def test_what_is_no_fingerprint_in_a_link_is_left_out(visit, text):
+    page = visit(f"?start.speed=2.9#fingerprint={text}")
+    page.locator(".fingerprint code").wait_for()
+    assert said(page, "same") + said(page, "differs") == []
+    wait_for(page, "!location.hash.includes('fingerprint')")
+
+
+def test_each_of_two_hoops_has_its_own(visit, address):
+    page = visit("?start.speed=2.9", permissions=["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="Compare two hoops").click()
+    page.locator("input[data-path='plane.mu']").fill("0.5")
+    wait_for(page, "lab.films().length === 2 && lab.motions.history.past.length === 2")
+    link = link_of(page, address)
+    found = page.evaluate("hophoopLab.films().map((film) => film.fingerprint)")
+    assert link.endswith(f"&fingerprint={','.join(found)}")
+    other = visit(link.replace(found[1], "0123456789abcdef"))
+    other.locator(".fingerprint .same").wait_for()
+    wait_for(other, "lab.films().length === 2")
+    other.evaluate("hophoopLab.motions.choose(1)")
+    other.locator(".fingerprint .differs").wait_for()
+    assert found[1] in said(other, "differs")[0]
