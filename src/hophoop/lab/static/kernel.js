@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 5632d25e47a625fd2c529b77cdfa8108 */
-var c={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 91f39791c4912adb69e12993297969e7 */
+var c={sources:"013f7de3f4c2a3b8b410ceaad9dbaa58",module:"1dc43d2f6c55e1f6",derivatives:"bb91b7f397d77580",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -35,9 +35,9 @@ min(Math.max(u,0),i)),l=Math.min(Math.max(Math.ceil((a-r)*at),ct),lt),h=c.events
 for(let u=0;u<o;u++){let g=Math.min(n[u*h+m.t],i);g>=r&&g<=a&&f.add(g)}for(let u of f)d.add(u);let p=Float64Array.from(d).sort(),x=Float64Array.from(f).filter(u=>u>
 0).sort(),_=s.states(t,p,!1),b=s.states(t,x,!0);return ht(p,_,x,b)}function ht(s,t,e,n){let o=s.length+e.length,i=c.samples.length,r=new Float64Array(o),a=new Float64Array(
 o*i),l=0,h=0;for(let f=0;f<s.length;f++)h<e.length&&e[h]<=s[f]&&(r[l]=e[h],a.set(n.subarray(h*i,(h+1)*i),l*i),l++,h++),r[l]=s[f],a.set(t.subarray(f*i,(f+1)*i),l*
-i),l++;let d={t:r};for(let[f,p]of Object.entries(ft)){let x=new Float64Array(o);for(let _ of p)for(let b=0;b<o;b++)x[b]+=a[b*i+O[_]];d[f]=x}return d.mode=dt(a,o,
-d.omega),d}function dt(s,t,e){let n=c.samples.length,o=new Float64Array(t),i=0;for(let r=t-1;r>=0&&!i;r--)i=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){i=Math.sign(
-e[r])||i;let a=s[r*n+O.mode],l=a===I?-1:a===$?1:0;o[r]=l===0?a:l*i<0?I:$}return o}var ut=s=>s/2**32|0,mt=s=>s>>>0;function W(s,t,e,n){let o=ut(e),i=mt(e);s.setUint32(t,n?i:o,n),s.setUint32(t+4,n?o:i,n)}function z(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var N=s=>s?
+i),l++;let d={t:r};for(let[f,p]of Object.entries(ft)){let x=new Float64Array(o).fill(-0);for(let _ of p)for(let b=0;b<o;b++)x[b]+=a[b*i+O[_]];d[f]=x}return d.mode=
+dt(a,o,d.omega),d}function dt(s,t,e){let n=c.samples.length,o=new Float64Array(t),i=0;for(let r=t-1;r>=0&&!i;r--)i=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){i=
+Math.sign(e[r])||i;let a=s[r*n+O.mode],l=a===I?-1:a===$?1:0;o[r]=l===0?a:l*i<0?I:$}return o}var ut=s=>s/2**32|0,mt=s=>s>>>0;function W(s,t,e,n){let o=ut(e),i=mt(e);s.setUint32(t,n?i:o,n),s.setUint32(t+4,n?o:i,n)}function z(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var N=s=>s?
 `"${s}" `:"";function pt(s,t=""){if(typeof s!="number")throw new TypeError(N(t)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
 N(t)+"expected integer >= 0, got "+s);return s}function U(s,t,e=""){if(z(s)&&(t===void 0||s.length===t))return s;t!==void 0&&pt(t,"length");let n=z(s),o=t!==void 0?` of length ${t}`:"",i=n?`length=${s.length}`:
 `type=${typeof s}`,r=N(e)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(r):new TypeError(r)}var xt=(s,t)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((t==="object"?"":`"${t}" `)+"expected object, got type="+typeof s)},P=(s,t)=>{

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 5632d25e47a625fd2c529b77cdfa8108 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 91f39791c4912adb69e12993297969e7 */
 var jl=Object.create;var ao=Object.defineProperty;var Bl=Object.getOwnPropertyDescriptor;var Wl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,$l=Object.prototype.hasOwnProperty;var Hl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Gl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Wl(e))!$l.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Bl(e,i))||n.enumerable});
 return s};var Ul=(s,e,t)=>(t=s!=null?jl(Fl(s)):{},Gl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Hl(Cs=>{"use strict";Object.defineProperty(Cs,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1747,7 +1747,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,Mt=s=>s==="inf"?1/0:s;var _={sources:"c0fa79aaac480a8f2c68c98c9184ac4f",module:"65e4c4697ce8a3e5",derivatives:"d16ee3949ca73fc6",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,Mt=s=>s==="inf"?1/0:s;var _={sources:"013f7de3f4c2a3b8b410ceaad9dbaa58",module:"1dc43d2f6c55e1f6",derivatives:"bb91b7f397d77580",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -2179,25 +2179,26 @@ let[i,o]=n.split(".");return this.film.values[n]??this.film.scenario[i]?.[o]},t=
 y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Pa(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
 this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Rs=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
 null||As(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
-i),this.past.length>500&&this.past.shift(),"step")}holds(e){return this.now!==null&&As(this.now,e)}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){
-let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}arrive(e){if(!(this.now&&As(this.
-now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,i=n.length-n.findLastIndex(o=>As(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.
-assign(this,{past:[],future:[],now:e,what:""})}}},As=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var zs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Rs,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+i),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&As(this.now,e)}next(e){
+return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.
+now=i,this.what="")}arrive(e){if(!(this.now&&As(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,i=n.length-n.findLastIndex(o=>As(o,e));if(!(i>
+n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},As=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var zs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Rs,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
 1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Ne(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
-all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.since??=performance.now(),n.pending=[...(n.pending??[]).filter(([
-i])=>!e.some(([o])=>o===i)),...e],n.commit||=t,n.what=e.map(([i])=>i).join(),this.pump(n)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
-e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new Ne(await this.backend.call("film",{scenario:e.film.
-scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(i){this.lanes.includes(e)&&this.listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){
-for(let n of this.lanes){let{film:i}=n,o=n.refining||n.coarse===i?null:i.wanted(e,t);o&&(n.refining=!0,this.backend.call("samples",{scenario:i.scenario,window:o}).
-then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{n.coarse=i}).finally(()=>{n.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
-settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new Ne(
-e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
-travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),
-this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){
-this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
-this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
-Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var jc=6e3,Ls=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
+all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.moved=performance.now(),n.since??=n.moved,n.pending=[...(n.pending??
+[]).filter(([i])=>!e.some(([o])=>o===i)),...e],n.commit||=t,n.what=e.map(([i])=>i).join(),t&&this.history.touch(n.what,n.moved),this.pump(n)}async pump(e){if(e.
+busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
+new Ne(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(i){this.lanes.includes(e)&&this.
+listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let n of this.lanes){let{film:i}=n,o=n.refining||n.coarse===i?null:i.wanted(e,t);o&&(n.refining=
+!0,this.backend.call("samples",{scenario:i.scenario,window:o}).then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{n.coarse=i}).finally(()=>{n.
+refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(
+this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Ne(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
+let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){
+return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.
+going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
+active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
+"same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
+0).query,n&&`#${n}`)}};var jc=6e3,Ls=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){z(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
 ole",t?"presentation":"status"),z(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},jc)}};var I=52,Ee=10,L=8,Ps=30;function Na(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
@@ -2638,9 +2639,9 @@ min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Xc),Qc),eu),c=_.events
 for(let b=0;b<i;b++){let w=Math.min(n[b*c+H.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
 0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return su(d,g,p,f)}function su(s,e,t,n){let i=s.length+t.length,o=_.samples.length,a=new Float64Array(i),r=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=s[h],r.set(e.subarray(h*o,(h+1)*o),l*
-o),l++;let u={t:a};for(let[h,d]of Object.entries(tu)){let p=new Float64Array(i);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ln[g]];u[h]=p}return u.mode=nu(r,
-i,u.omega),u}function nu(s,e,t){let n=_.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=Math.
-sign(t[a])||o;let r=s[a*n+Ln.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var iu=s=>s/2**32|0,ou=s=>s>>>0;function dr(s,e,t,n){let i=iu(t),o=ou(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
+o),l++;let u={t:a};for(let[h,d]of Object.entries(tu)){let p=new Float64Array(i).fill(-0);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ln[g]];u[h]=p}return u.mode=
+nu(r,i,u.omega),u}function nu(s,e,t){let n=_.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
+Math.sign(t[a])||o;let r=s[a*n+Ln.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var iu=s=>s/2**32|0,ou=s=>s>>>0;function dr(s,e,t,n){let i=iu(t),o=ou(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
 `"${s}" `:"";function au(s,e=""){if(typeof s!="number")throw new TypeError(oi(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
 oi(e)+"expected integer >= 0, got "+s);return s}function ai(s,e,t=""){if(mr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&au(e,"length");let n=mr(s),i=e!==void 0?` of length ${e}`:"",o=n?`length=${s.length}`:
 `type=${typeof s}`,a=oi(t)+"expected Uint8Array"+i+", got "+o;throw n?new RangeError(a):new TypeError(a)}var ru=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},pr=(s,e)=>{
@@ -2799,11 +2800,11 @@ O("too_many_parts",{parts:i,most:se.parts}));let o=tl(el(s));if(o>se.turns)throw
 pliant"){let a=Vu(s,o);if(a>se.steps)throw new Q(O("too_stiff",{steps:a,most:se.steps}))}return n.max_events<=se.events?s:{...s,contact:{...n,max_events:se.events}}}
 function el({duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:i}){let{height:o,vx:a,vy:r,omega:l}=qe(i,e);return{duration:s,radius:e,gravity:t,slope:n,
 height:o,vx:a,vy:r,omega:l}}function tl({duration:s,radius:e,gravity:t,slope:n,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
-sqrt(t*(e+i)))+.5*t*Math.abs(Math.sin(n))*s)*s/(2*Math.PI*e)}function Vu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
+sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Vu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
 Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function Ti(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new P(O("rigid_maps"));
 let{contact:i,...o}=Me(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,Hu)}};Zu(a,e,t,Uu[n].span);let r=Wt([t.path,e.path]);if(r)throw new P(O("two_ax\
 es",{one:r[0],other:r[1]}));return a}function Zu(s,e,t,n){let i=el(s),o=n==="first_revolution",a=Ft(e).filter(h=>Qr(e.path,h)),r=Ft(t).filter(h=>Qr(t.path,h)),[
-l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx**2/(10*i.gravity*i.radius+Ku),Gu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
+l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Ku),Gu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
 c>se.turns)throw new Q(O("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_turns)return;let u=a.length*r.length;throw new Q(O("map_turns",{cells:u,turns:l,most:se.
 map_turns}))}function Xr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
 s}var Ft=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=$u[s.startsWith("plane.mu")?"plane.mu":s];return!t||Be(
