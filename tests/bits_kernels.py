@@ -31,8 +31,7 @@ from hophoop.physics.body import Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.records.layout import EVENT, SEGMENT
 from module.host import Host
-from module.module_tools import cell_of
-from module.test_page_kernel import given_of
+from module.module_tools import cell_of, given_of
 
 # Processor → how LLVM and zig call it.
 PROCESSORS = {

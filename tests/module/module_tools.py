@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,32 @@ def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
         for i, name in enumerate(CELL):
             rates[i, k] = change.start.get(name, 0.0) if name in change.start else getattr(change, name, 0.0)
     return rates
+
+
+def given_of(scenario: hh.Scenario) -> dict[str, Any]:
+    """A scenario as the page hands it to the kernel (`Given` of web/types.d.ts)."""
+    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+    state = start.state(hoop)
+    return {
+        "radius": hoop.radius, "mass": hoop.mass, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
+        "ideal": hoop.load_fraction is not None, "gravity": plane.gravity, "slope": plane.slope,
+        "rolling_resistance": plane.rolling_resistance,
+        "mu_static": plane.mu_static if math.isfinite(plane.mu_static) else "inf",
+        "mu_kinetic": plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else "inf",
+        "restitution": plane.restitution, "impact_law": plane.impact_law, "painleve": plane.painleve,
+        "x": state.x, "height": state.height, "angle": state.angle, "vx": state.vx, "vy": state.vy, "omega": state.omega,
+        "slip": state.slip, "rolling": start.speed is not None, "duration": scenario.duration,
+        "max_events": scenario.contact.max_events, "contact": contact_of(scenario.contact),
+    }  # fmt: skip
+
+
+def contact_of(contact: hh.Rigid | hh.Compliant) -> dict[str, Any] | None:
+    if isinstance(contact, hh.Rigid):
+        return None
+    names = (
+        "stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol",
+    )  # fmt: skip
+    return {name: getattr(contact, name) for name in names}
 
 
 def drawn(count: int, first: int = 0) -> list[hh.Scenario]:

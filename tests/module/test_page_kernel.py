@@ -20,37 +20,11 @@ from hophoop.module.layout import EVENT_COLUMNS
 from hophoop.module.stamp import HERE, MODULE
 from hophoop.physics.body import EVENT_NAMES
 from module.host import Host
-from module.module_tools import cell_of, drawn
+from module.module_tools import cell_of, drawn, given_of
 
 KERNEL = HERE.parent / "lab" / "static" / "kernel.js"
 
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's kernel here")
-
-
-def given_of(scenario: hh.Scenario) -> dict[str, Any]:
-    """A scenario as the page hands it to the kernel (`Given` of web/types.d.ts)."""
-    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
-    state = start.state(hoop)
-    return {
-        "radius": hoop.radius, "mass": hoop.mass, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
-        "ideal": hoop.load_fraction is not None, "gravity": plane.gravity, "slope": plane.slope,
-        "rolling_resistance": plane.rolling_resistance,
-        "mu_static": plane.mu_static if math.isfinite(plane.mu_static) else "inf",
-        "mu_kinetic": plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else "inf",
-        "restitution": plane.restitution, "impact_law": plane.impact_law, "painleve": plane.painleve,
-        "x": state.x, "height": state.height, "angle": state.angle, "vx": state.vx, "vy": state.vy, "omega": state.omega,
-        "slip": state.slip, "rolling": start.speed is not None, "duration": scenario.duration,
-        "max_events": scenario.contact.max_events, "contact": contact_of(scenario.contact),
-    }  # fmt: skip
-
-
-def contact_of(contact: hh.Rigid | hh.Compliant) -> dict[str, Any] | None:
-    if isinstance(contact, hh.Rigid):
-        return None
-    names = (
-        "stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol",
-    )  # fmt: skip
-    return {name: getattr(contact, name) for name in names}
 
 
 def compliant() -> list[hh.Scenario]:

@@ -171,8 +171,8 @@ def test_chromium_gives_the_same_bits_as_wasmtime(visit):
     pytest.importorskip("wasmtime")
     from hophoop.module.stamp import HERE, MODULE
     from module.host import Host
-    from module.module_tools import cell_of
-    from module.test_page_kernel import given_of, scenarios
+    from module.module_tools import cell_of, given_of
+    from module.test_page_kernel import scenarios
 
     host = Host(HERE / MODULE)
     digest = hashlib.sha256()
