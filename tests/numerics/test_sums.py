@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from hophoop.numerics.powers import integer_power, unit_size
+from hophoop.numerics.powers import integer_power
 from hophoop.numerics.sums import matrix_product, weighted_sum
 
 
@@ -33,7 +33,3 @@ def test_a_weighted_sum_broadcasts_and_keeps_its_order():
 @pytest.mark.parametrize("base", [0.3, 1.7, 1e-5])
 def test_integer_powers(base, exponent):
     assert integer_power(base, exponent) == pytest.approx(float(Fraction(base) ** exponent), rel=1e-15)
-
-
-def test_the_size_of_a_unit():
-    assert unit_size(2.0, 4.0, 8.0, (2, -2, 1)) == 2.0  # an energy
