@@ -157,7 +157,7 @@ interface Backend {
   link(query: string, hash: string): string | null;
   files?: string[]; // which files it makes; all where it does not say
   /** What a little more of a parameter does, where the page computes by itself. */
-  changes?(scenario: any, path: string, value: number, signal?: AbortSignal): Promise<SidedChanges | null>;
+  changes?(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null>;
 }
 
 // What is drawn of the hoop.

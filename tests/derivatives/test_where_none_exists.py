@@ -87,6 +87,36 @@ def test_the_edge_of_what_is_allowed():
     assert result.larger[0, 2] == 0.0  # the take-off is before any impact
 
 
+@pytest.mark.parametrize(
+    ("query", "paths"),
+    [
+        # neither coefficient can be another one alone
+        ("plane.mu=0&start.speed=1&duration=0.4", ["plane.mu_kinetic"]),
+        # the massless hoop has its load at the rim, and rolls on a level plane only
+        ("hoop.load_fraction=1&start.speed=1&duration=0.2", ["hoop.eccentricity", "plane.slope"]),
+    ],
+)
+def test_what_can_be_no_other_is_at_the_edge_of_what_is_allowed(query, paths):
+    result = hh.sensitivity(hh.Scenario.from_query(query), ["end.x", "end.angle"], paths)
+    assert np.isnan([result.derivatives, result.smaller, result.larger]).all()
+    assert result.reasons == ((EDGE,) * len(paths),) * 2
+
+
+@pytest.mark.parametrize(
+    ("query", "path", "sides"),
+    [
+        ("start.speed=1e6&duration=1e-9", "start.speed", (True, False)),
+        ("plane.slope=-1.57&duration=1e-3", "plane.slope", (False, True)),
+        ("plane.gravity=0&duration=1e-3", "plane.gravity", (False, True)),
+        ("plane.mu=1e6&duration=1e-3", "plane.mu", (True, False)),
+    ],
+)
+def test_the_edge_is_that_of_the_ranges(query, path, sides):
+    result = hh.sensitivity(hh.Scenario.from_query(query), "end.x", path)
+    assert (math.isfinite(result.smaller[0, 0]), math.isfinite(result.larger[0, 0])) == sides
+    assert result.reasons == ((EDGE,),)
+
+
 def reason_of(scenario, of, wrt):
     result = hh.sensitivity(scenario, of, wrt)
     assert np.isnan(result.derivatives).all()

@@ -1,4 +1,5 @@
-// Reads requests, one JSON a line, and answers each as the page would: `node answer.mjs kernel.js module < asked > answered`.
+// Reads requests, one JSON a line, and answers each as the page would:
+// `node answer.mjs kernel.js module derivatives < asked > answered`.
 
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
@@ -7,10 +8,14 @@ import { closest } from "../../web/model/close.js";
 import * as model from "../../web/model/index.js";
 import { fill, floatOf, jsonText, plain, pythonText, shortened } from "../../web/model/text.js";
 
-const [script, binary] = process.argv.slice(2);
+const [script, binary, derivatives] = process.argv.slice(2);
 const { HoopModule } = await import(script);
-// the module answers at once what a page has answered by workers
-const mechanics = new HoopModule(new WebAssembly.Module(readFileSync(binary)));
+// the modules answer at once what a page has answered by workers
+const opened = (name) => new HoopModule(new WebAssembly.Module(readFileSync(name)));
+const mechanics = opened(binary);
+
+/** Every bit of doubles, which JSON has not. */
+const bits = (doubles) => Buffer.from(doubles.buffer, doubles.byteOffset, doubles.byteLength).toString("hex");
 
 const infinite = (key, value) => (value === Infinity ? "inf" : Number.isNaN(value) ? "nan" : value);
 
@@ -45,11 +50,18 @@ const CALLS = {
     else if (name === "film" || name === "samples") model.within(checked);
     return options;
   },
+  rates({ scenario, path }) {
+    const found = model.ratesOf(model.fromDict(scenario, mechanics), path);
+    return found && { ...found, rates: bits(found.rates) };
+  },
 };
 
 const kernel = Object.assign(Object.create(mechanics), {
   columns: (given, signal, window) => mechanics.columns(given, window),
+  changes: (given, rates) => rated().changes(given, rates),
 });
+let carrying = null;
+const rated = () => (carrying ??= opened(derivatives));
 const local = new LocalBackend(kernel, mechanics);
 CALLS.local = async ({ name, body }) => {
   const { header, arrays } = await local.call(name, body);
@@ -63,6 +75,11 @@ const server = {
 const served = new LocalBackend(kernel, mechanics, { server });
 CALLS.served = async ({ name, body }) => (await served.call(name, body)).header;
 CALLS.servedFile = async ({ name, query }) => (await served.file(name, query)).text();
+CALLS.changes = async ({ scenario, path }) => {
+  const found = await local.changes(scenario, path);
+  const side = (one) => one && bits(one.rates);
+  return found && { count: found.count, larger: side(found.larger), smaller: side(found.smaller) };
+};
 CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
 
 for await (const line of createInterface({ input: process.stdin })) {

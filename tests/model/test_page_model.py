@@ -19,14 +19,15 @@ import random_scenarios
 from hophoop import theory
 from hophoop.lab import calls, presets, tables, thresholds, words
 from hophoop.lab.python_code import python_code
+from hophoop.module.stamp import DERIVATIVES, MODULE
 from hophoop.module.stamp import HERE as MODULE_FOLDER
-from hophoop.module.stamp import MODULE
 from hophoop.scenario import InputError, sentences
 from model.requests_drawn import NUMBERS, given_of, request
 
 HERE = Path(__file__).parent
 KERNEL = tables.FILE.parent / "kernel.js"
 MODULE_FILE = MODULE_FOLDER / MODULE
+DERIVATIVES_FILE = MODULE_FOLDER / DERIVATIVES
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
 
 
@@ -34,7 +35,7 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
     """What the page's code makes of bodies, in one process."""
     asked = "".join(json.dumps({"call": call, "body": body}) + "\n" for body in bodies)
     done = subprocess.run(
-        ["node", "--no-warnings", HERE / "answer.mjs", KERNEL, MODULE_FILE],
+        ["node", "--no-warnings", HERE / "answer.mjs", KERNEL, MODULE_FILE, DERIVATIVES_FILE],
         input=asked,
         capture_output=True,
         text=True,

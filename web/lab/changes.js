@@ -74,7 +74,7 @@ export class Changes {
   hops() {
     return hopsOf(this.events.slice(0, this.count)).map(({ begin, top, end }) => {
       const between = (/** @type {string} */ name) =>
-        end < 0 ? Number.NaN : this.of(end, name) - this.of(begin, name);
+        end < 0 ? Number.NaN : this.step * (this.rate(end, name) - this.rate(begin, name));
       return {
         begin,
         end,

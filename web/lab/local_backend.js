@@ -100,15 +100,15 @@ export class LocalBackend {
    * What a little more of a parameter does to each event.
    * @param {any} scenario
    * @param {string} path
-   * @param {number} value of the parameter
    * @param {AbortSignal} [signal]
    * @returns {Promise<SidedChanges | null>} null where the parameter can be no other
    */
-  async changes(scenario, path, value, signal) {
+  async changes(scenario, path, signal) {
     if (!this.kernel.changes) throw new TypeError("This kernel has no derivatives.");
-    const given = model.given(model.within(model.asked({ scenario }, this.mechanics)));
+    const checked = model.within(model.asked({ scenario }, this.mechanics));
+    const given = model.given(checked);
     if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
-    const found = model.ratesOf(scenario, path, value, this.mechanics);
+    const found = model.ratesOf(checked, path);
     if (!found) return null;
     const { rates, smaller, larger } = found;
     const sides = await this.kernel.changes(given, rates, signal);

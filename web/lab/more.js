@@ -209,7 +209,7 @@ export class More {
     if (!found || !Number.isFinite(found.value)) return this.refuse("It is infinite: there is no more of it.");
     if (!lab.backend.changes) return this.refuse("This needs a browser that runs WebAssembly.");
     try {
-      const sides = await lab.backend.changes(film.scenario, path, found.value, signal);
+      const sides = await lab.backend.changes(film.scenario, path, signal);
       if (signal.aborted || lab.film() !== film) return undefined;
       if (!sides) return this.refuse(REASONS.edge);
       this.changes = new Changes(film, sides, found.step);

@@ -1,74 +1,91 @@
-// How the kernel's numbers of a scenario change with one parameter, whatever else moves with it: a rolling start goes on
-// rolling, the ideal hoop stays ideal. All of them are of second degree in the parameter but for the radius in a speed of
-// rotation, so that differences over four steps are their rates to rounding.
+// How the numbers of a cell of the kernel change with one parameter, whatever else moves with it – a rolling start goes on
+// rolling, the ideal hoop stays ideal –, in Python's order of operations: derivatives/parameters.py.
 
-import { cellOf } from "../kernel/layout.js";
-import { InputError, TooMuch } from "./check.js";
-import { given } from "./given.js";
-import { within } from "./limits.js";
-import { asked } from "./request.js";
+import { CELL, layout } from "../kernel/layout.js";
+import { stateOf } from "./given.js";
+import { number, tables } from "./tables.js";
 
-/** How far, and the weight of the difference there. @typedef {[number, number][]} Stencil */
-/** @type {Stencil} */
-const AROUND = [
-  [-2, 1 / 12],
-  [-1, -2 / 3],
-  [1, 2 / 3],
-  [2, -1 / 12],
-];
-/** @type {Stencil} */
-const UPWARD = [
-  [1, 4],
-  [2, -3],
-  [3, 4 / 3],
-  [4, -1 / 4],
-];
-/** @type {Stencil} */
-const DOWNWARD = UPWARD.map(([far, weight]) => [-far, -weight]);
-const RELATIVE = 1e-3;
-const LEAST = 1e-6;
+/** Of the cell's numbers, by name; of those that are left out they are 0. @typedef {Record<string, number>} Rates */
+
+/** Of the massless hoop: it has its load at the rim, and rolls on a level plane only. */
+const FIXED = ["hoop.eccentricity", "plane.slope"];
 
 /**
- * @param {any} scenario
- * @param {string} path of the parameter
- * @param {number} value that it has
- * @param {Mechanics} mechanics
- * @returns {{ rates: Float64Array, smaller: boolean, larger: boolean } | null} the rates of a cell, and to which sides the
- *   parameter may go; null where it may go to neither
+ * What changes with a parameter; null where the scenario is not given by it, or it is infinite or can be no other.
+ * @type {Record<string, (checked: Checked) => Rates | null>}
  */
-export function ratesOf(scenario, path, value, mechanics) {
-  const at = (/** @type {number} */ other) => {
-    try {
-      return cellOf(given(within(asked({ scenario, changes: [[path, other]] }, mechanics))));
-    } catch (error) {
-      if (error instanceof InputError || error instanceof TooMuch) return null;
-      throw error;
-    }
-  };
-  for (let step = RELATIVE * Math.max(Math.abs(value), 1); step > LEAST * RELATIVE; step *= 0.1) {
-    const [smaller, larger] = [-1, 1].map((side) => at(value + side * LEAST * step) !== null);
-    for (const stencil of [AROUND, UPWARD, DOWNWARD]) {
-      const cells = stencil.map(([far]) => at(value + far * step));
-      if (cells.some((cell) => cell === null)) continue;
-      return { rates: summed(/** @type {Float64Array[]} */ (cells), stencil, step, at(value)), smaller, larger };
-    }
-  }
-  return null;
+const CHANGES = {
+  "hoop.radius": ofRadius,
+  "hoop.mass": ({ hoop }) => (hoop.parts ? null : { mass: 1 }),
+  "hoop.load_fraction": ({ hoop: { load_fraction } }) =>
+    load_fraction === null ? null : { eccentricity: 1, inertia_ratio: -2 * load_fraction },
+  "hoop.eccentricity": () => ({ eccentricity: 1 }),
+  "hoop.inertia_ratio": () => ({ inertia_ratio: 1 }),
+  "plane.gravity": () => ({ gravity: 1 }),
+  "plane.slope": () => ({ slope: 1 }),
+  "plane.mu": ({ plane: { mu } }) => (mu === null || mu === Infinity ? null : { mu_static: 1, mu_kinetic: 1 }),
+  "plane.mu_static": ({ plane }) => (plane.mu_static === Infinity ? null : { mu_static: 1 }),
+  "plane.mu_kinetic": ({ plane }) => (plane.mu_kinetic === Infinity ? null : { mu_kinetic: 1 }),
+  "plane.restitution": () => ({ restitution: 1 }),
+  "plane.rolling_resistance": ({ hoop }) => (hoop.inertia_ratio === 0 ? null : { rolling_resistance: 1 }),
+  "start.x": () => ({ x: 1 }),
+  "start.height": () => ({ height: 1 }),
+  "start.angle": () => ({ angle: 1 }),
+  "start.speed": ({ hoop, start }) => (start.speed === null ? null : { omega: 1 / hoop.radius }),
+  "start.vx": () => ({ slip: 1 }),
+  "start.vy": () => ({ vy: 1 }),
+  "start.omega": ({ hoop }) => ({ omega: 1, slip: -hoop.radius }),
+  duration: () => ({ duration: 1 }),
+};
+
+/** @param {Checked} checked */
+function ofRadius({ hoop: { radius, parts, eccentricity, inertia_ratio }, start: { speed, omega } }) {
+  /** @type {Rates} */
+  const rates = { radius: 1 };
+  if (speed === null) rates.slip = -(omega || 0);
+  else rates.omega = -speed / (radius * radius);
+  if (!parts) return rates;
+  return { ...rates, eccentricity: -eccentricity / radius, inertia_ratio: (-2 * inertia_ratio) / radius };
 }
 
 /**
- * @param {Float64Array[]} cells
- * @param {Stencil} stencil
- * @param {number} step
- * @param {Float64Array | null} base
+ * @param {Checked} checked
+ * @param {string} path of the parameter
+ * @returns {{ rates: Float64Array, smaller: boolean, larger: boolean } | null} the rates of a cell, and to which sides the
+ *   parameter may go; null where it may go to neither
  */
-function summed(cells, stencil, step, base) {
-  return Float64Array.from(cells[0], (_, field) => {
-    const here = base ? base[field] : cells[0][field];
-    // infinite friction stays so
-    return (
-      cells.reduce((sum, cell, k) => (cell[field] === here ? sum : sum + stencil[k][1] * (cell[field] - here)), 0) /
-      step
-    );
-  });
+export function ratesOf(checked, path) {
+  const changes = CHANGES[path](checked);
+  const { smaller, larger } = allowedSides(checked, path);
+  if (!changes || !(smaller || larger)) return null;
+  const rates = new Float64Array(layout.cell.length);
+  for (const [name, rate] of Object.entries(changes)) rates[CELL[name]] = rate;
+  return { rates, smaller, larger };
+}
+
+/**
+ * Whether a parameter may be smaller, and whether it may be larger, than it is: Python's `allowed_sides`.
+ * @param {Checked} checked
+ * @param {string} path
+ */
+function allowedSides(checked, path) {
+  const { mu_static, mu_kinetic } = checked.plane;
+  const value = numberAt(checked, path);
+  const { least, most, also = [] } = tables.map.allowed[path.startsWith("plane.mu") ? "plane.mu" : path];
+  const apart = mu_static !== mu_kinetic;
+  const fixed = checked.hoop.inertia_ratio === 0 && FIXED.includes(path);
+  return {
+    smaller: !fixed && value > Math.min(least, ...also.map(number)) && (apart || path !== "plane.mu_static"),
+    larger: !fixed && value < most && (apart || path !== "plane.mu_kinetic"),
+  };
+}
+
+/**
+ * @param {Checked} checked
+ * @param {string} path
+ * @returns {number}
+ */
+function numberAt(checked, path) {
+  if (path === "start.omega") return stateOf(checked.start, checked.hoop.radius).omega;
+  return path.split(".").reduce((node, step) => /** @type {any} */ (node)[step], /** @type {any} */ (checked));
 }

@@ -13,6 +13,7 @@ from hophoop._jit import interpreted
 from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
+from hophoop.scenario.ranges import RANGES, Range
 
 Floats = NDArray[np.float64]
 STATE = NUMBERS[NUMBERS.index("x") :]
@@ -211,18 +212,9 @@ def value_of(scenario: Scenario, path: str) -> float:
     return float(node)  # type: ignore[arg-type]
 
 
-_LOWEST = {
-    "hoop.load_fraction": 0.0,
-    "hoop.eccentricity": 0.0,
-    "hoop.inertia_ratio": 0.0,
-    "plane.gravity": 0.0,
-    "plane.restitution": 0.0,
-    "plane.rolling_resistance": 0.0,
-    "plane.mu": 0.0,
-    "plane.mu_kinetic": 0.0,
-    "start.height": 0.0,
-}
-_HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0, "plane.rolling_resistance": 1.0}
+# Of the massless hoop: it has its load at the rim, and rolls on a level plane only.
+_FIXED = ("hoop.eccentricity", "plane.slope")
+_ANY = Range(-math.inf, math.inf)
 
 
 def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bool]:
@@ -239,9 +231,12 @@ def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bo
     -------
     smaller, larger : bool
     """
-    smaller = not value <= _LOWEST.get(path, -math.inf)
-    larger = not value >= _HIGHEST.get(path, math.inf)
-    plane = scenario.plane
+    allowed = RANGES.get("plane.mu" if path in _FRICTION else path, _ANY)
+    smaller = value > min((allowed.least, *allowed.also))
+    larger = value < allowed.most
+    hoop, plane = scenario.hoop, scenario.plane
+    if hoop.massless and path in _FIXED:
+        return False, False
     if plane.mu_static == plane.mu_kinetic:
         smaller = smaller and path != "plane.mu_static"
         larger = larger and path != "plane.mu_kinetic"

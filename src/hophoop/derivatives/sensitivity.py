@@ -209,10 +209,10 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
     reasons = [[""] * len(paths) for _ in quantities]
     for k in np.flatnonzero(~same.all(axis=0)).tolist():
         own = _reason(larger, k)
-        at_edge = not all(sided[k])
+        at_edge, fixed = not all(sided[k]), not any(sided[k])
         for i in np.flatnonzero(~same[:, k]).tolist():
             both = own == REASONS[Reason.CONTACT] and np.isfinite(upward[i, k]) and np.isfinite(downward[i, k])
-            reasons[i][k] = EDGE if at_edge and not neither[i][k] else SIDED if both else own
+            reasons[i][k] = EDGE if fixed or (at_edge and not neither[i][k]) else SIDED if both else own
     return Sensitivity(
         motion.scenario, quantities, paths, values, np.array(at),
         derivatives, downward, upward, tuple(map(tuple, reasons)),

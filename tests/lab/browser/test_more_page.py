@@ -1,4 +1,4 @@
-"""What a little more would do, on the page that computes by itself: its numbers are those of `hh.sensitivity`."""
+"""What a little more would do, on the page that computes by itself: its numbers are those of `hh.sensitivity`, to the bit."""
 
 import math
 import os
@@ -85,7 +85,7 @@ def test_every_hop_is_that_of_the_library(visit):
     ended = [k for k, (_, _, end) in enumerate(found) if end >= 0]
     for field in ("height", "distance", "duration"):
         result = hh.sensitivity(scenario, of=[f"hop[{k}].{field}" for k in ended], wrt="plane.mu")
-        assert [hops[k][field] for k in ended] == pytest.approx(0.01 * result.larger[:, 0], rel=1e-6, abs=1e-11)
+        assert [hops[k][field] for k in ended] == (0.01 * result.larger[:, 0]).tolist()
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
@@ -102,10 +102,7 @@ def test_every_number_is_that_of_the_library(visit, name):
         theirs = hh.sensitivity(motion.scenario, of=of, wrt=path).larger[:, 0]
         mine = [float(rate) for row in rows for rate in row]
         for quantity, found, expected in zip(of, mine, theirs, strict=True):
-            if math.isnan(expected):
-                assert math.isnan(found), (path, quantity)
-            else:
-                assert found == pytest.approx(expected, rel=1e-6, abs=1e-9), (path, quantity)
+            assert found == expected or (math.isnan(found) and math.isnan(expected)), (path, quantity)
 
 
 def test_the_sentence_says_what_the_library_says(visit):
@@ -185,7 +182,7 @@ def test_arrows_lead_to_where_it_would_be(visit):
     arrows = page.evaluate("hophoopLab.extras.more.arrows")
     landing = next(arrow for arrow in arrows if arrow["kind"] == "impact")
     apex = next(arrow for arrow in arrows if arrow["kind"] == "apex")
-    assert [landing["dx"], apex["dy"]] == pytest.approx(0.01 * result.derivatives[:, 0], rel=1e-6)
+    assert [landing["dx"], apex["dy"]] == (0.01 * result.derivatives[:, 0]).tolist()
     assert landing["dy"] == pytest.approx(0.0, abs=1e-12)
     factor = page.evaluate("hophoopLab.extras.more.factor")
     assert f"{factor:g} times as long" in page.locator(".more > .hint").inner_text().replace(",", "")
