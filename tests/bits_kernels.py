@@ -80,13 +80,14 @@ def short_hash(*words: str) -> str:
 
 def own_build() -> ModuleType:
     """`hophoop.module.build` of this checkout, whatever version computes: benchmarks/bits.py compares older ones."""
-    spec = spec_from_file_location("own_build", Path(__file__).parents[1] / "src" / "hophoop" / "module" / "build.py")
-    if (
-        spec is None or spec.loader is None or not Path(str(spec.origin)).exists()
-    ):  # the sources are elsewhere: an installed wheel
+    file = Path(__file__).parents[1] / "src" / "hophoop" / "module" / "build.py"
+    if not file.exists():  # the tests of an installed wheel
         from hophoop.module import build
 
         return build
+    spec = spec_from_file_location("own_build", file)
+    assert spec is not None
+    assert spec.loader is not None
     made = module_from_spec(spec)
     spec.loader.exec_module(made)
     return made
