@@ -178,11 +178,11 @@ def difference(first: Path, second: Path) -> Difference:
 def cells(found: Difference | str) -> str:
     """A row's last columns."""
     if isinstance(found, str):
-        return f"| {found} | | |"
+        return f"{found} | | "
     said = f"{found.largest:.1e}" if found.largest else "0"
     if found.other:
         said += f"; {found.other} with other events"
-    return f"| {found.events} | {found.anything} | {said} |"
+    return f"{found.events} | {found.anything} | {said}"
 
 
 def run(source: Path, chosen: Sequence[Surrounding], folder: Path, every: int) -> dict[str, Difference | str]:
@@ -218,7 +218,7 @@ def table(results: Sequence[tuple[str, dict[str, Difference | str]]]) -> str:
         if name == GIVEN:
             continue
         motions = "" if isinstance(told, str) else f"{told.motions:,}"
-        lines.append(f"| {name} | {motions} " + " ".join(cells(found[name])[:-1] for _, found in results) + "|")
+        lines.append(f"| {name} | {motions} | " + " | ".join(cells(found[name]) for _, found in results) + " |")
     return "\n".join(lines) + "\n"
 
 
