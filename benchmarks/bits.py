@@ -149,6 +149,7 @@ class Difference(NamedTuple):
     anything: int  # motions with another number anywhere
     other: int  # motions with other kinds of events, or another number of them
     largest: float  # difference of an event's time, over the duration
+    worst: int  # the motion that has it, or −1
 
 
 def difference(first: Path, second: Path) -> Difference:
@@ -156,7 +157,7 @@ def difference(first: Path, second: Path) -> Difference:
     one, other = np.load(first), np.load(second)
     indices = sorted({int(name.partition("-")[0]) for name in other.files})
     counts = {"events": 0, "anything": 0, "other": 0}
-    largest = 0.0
+    largest, worst = 0.0, -1
     for index in indices:
         tables = [(one[f"{index}-{name}"], other[f"{index}-{name}"]) for name in ("events", "samples", "ledger")]
         differ = [a.shape != b.shape or a.tobytes() != b.tobytes() for a, b in tables]
@@ -168,8 +169,10 @@ def difference(first: Path, second: Path) -> Difference:
         if a.shape != b.shape or (a[:, 1] != b[:, 1]).any():  # the column of kinds
             counts["other"] += 1
         else:
-            largest = max(largest, float(np.max(np.abs(a[:, 0] - b[:, 0]))) / max(float(a[-1, 0]), 1e-300))
-    return Difference(len(indices), largest=largest, **counts)
+            far = float(np.max(np.abs(a[:, 0] - b[:, 0]))) / max(float(a[-1, 0]), 1e-300)
+            if far > largest:
+                largest, worst = far, index
+    return Difference(len(indices), largest=largest, worst=worst, **counts)
 
 
 def cells(found: Difference | str) -> str:
@@ -198,6 +201,8 @@ def run(source: Path, chosen: Sequence[Surrounding], folder: Path, every: int) -
             if isinstance(told, str)
             else f"{told.motions} motions, {told.events} with other events, {told.anything} differ"
         )
+        if not isinstance(told, str) and told.largest > 0.0:
+            said += f", by up to {told.largest:.1e} (motion {told.worst})"
         print(f"{place + 1} of {len(chosen)}  {each.name}: {said} ({time.perf_counter() - begin:.0f} s)", flush=True)
     return found
 
