@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 91f39791c4912adb69e12993297969e7 */
-var c={sources:"013f7de3f4c2a3b8b410ceaad9dbaa58",module:"1dc43d2f6c55e1f6",derivatives:"bb91b7f397d77580",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 00c878fed76d7e689bb889d602bb4cc3 */
+var c={sources:"a01f71b36ad107b38b730ffb8d5644f4",module:"1dc43d2f6c55e1f6",derivatives:"bb91b7f397d77580",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
