@@ -178,11 +178,11 @@ def difference(first: Path, second: Path) -> Difference:
 def cells(found: Difference | str) -> str:
     """A row's last columns."""
     if isinstance(found, str):
-        return f"{found} | | "
+        return f"{found} | "
     said = f"{found.largest:.1e}" if found.largest else "0"
     if found.other:
         said += f"; {found.other} with other events"
-    return f"{found.events} | {found.anything} | {said}"
+    return f"{found.anything} | {said}"
 
 
 def run(source: Path, chosen: Sequence[Surrounding], folder: Path, every: int) -> dict[str, Difference | str]:
@@ -212,8 +212,8 @@ def table(results: Sequence[tuple[str, dict[str, Difference | str]]]) -> str:
     head = "| surroundings | motions |"
     for name, _ in results:
         prefix = f"{name}: " if name else ""
-        head += f" {prefix}other events | other bits anywhere | largest difference of a time, over the duration |"
-    lines = [head, "| --- | --- |" + " --- | --- | --- |" * len(results)]
+        head += f" {prefix}other bits | {prefix}largest Δt/duration |"
+    lines = [head, "| --- | --- |" + " --- | --- |" * len(results)]
     for name, told in results[0][1].items():
         if name == GIVEN:
             continue
