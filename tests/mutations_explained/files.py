@@ -5,8 +5,8 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "how many times something is tried, or how many digits a name has, is a choice": (
         ("io", "", "MOST_READS = 100", "MOST_READS = 101"),
         ("io", "", "MOST_READS = 100", "MOST_READS = 99"),
-        ("_files", "replacing", "temporary = target.with_name(f\".{uuid.uuid4().hex[:12]}.{target.name}\")", "temporary = target.with_name(f\".{uuid.uuid4().hex[: 13]}.{target.name}\")"),
-        ("_files", "replacing", "temporary = target.with_name(f\".{uuid.uuid4().hex[:12]}.{target.name}\")", "temporary = target.with_name(f\".{uuid.uuid4().hex[: 11]}.{target.name}\")"),
+        ("_files", "replacing", "temporary = Path(folder) / f\".{uuid.uuid4().hex[:12]}.{target.name}\"", "temporary = Path(folder) / f\".{uuid.uuid4().hex[: 13]}.{target.name}\""),
+        ("_files", "replacing", "temporary = Path(folder) / f\".{uuid.uuid4().hex[:12]}.{target.name}\"", "temporary = Path(folder) / f\".{uuid.uuid4().hex[: 11]}.{target.name}\""),
         ("_files", "_put_folder", "old = target.with_name(f\".{uuid.uuid4().hex[:12]}.old\")", "old = target.with_name(f\".{uuid.uuid4().hex[: 13]}.old\")"),
         ("_files", "_put_folder", "old = target.with_name(f\".{uuid.uuid4().hex[:12]}.old\")", "old = target.with_name(f\".{uuid.uuid4().hex[: 11]}.old\")"),
         ("_files", "_put_folder", "for _ in range(1000):", "for _ in range( 1001):"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import stat
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -23,22 +24,68 @@ HERE = Path(__file__).parent  # what decides how a kernel is compiled, beside it
 
 @cache
 def root_folder() -> Path:
-    """A writable folder for compiled code, also when the package itself is installed read-only."""
+    """A writable folder for compiled code, also when the package itself is installed read-only.
+
+    What is in it is run. The folder of NUMBA_CACHE_DIR is trusted; any other one in a place that all users share is used
+    only where nobody else can have put anything into it.
+    """
     wanted = os.environ.get("NUMBA_CACHE_DIR")
-    candidates = [Path(wanted)] if wanted else []
+    if wanted and _is_writable(Path(wanted), 0o777):
+        return Path(wanted)
     home = os.environ.get("XDG_CACHE_HOME")
+    candidates = []
     with contextlib.suppress(RuntimeError):  # no home directory
         candidates.append((Path(home) if home else Path.home() / ".cache") / "hophoop")
     user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
-    candidates.append(Path(tempfile.gettempdir()) / f"hophoop-{user}")
-    for candidate in candidates:
-        try:
-            candidate.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryFile(dir=candidate):
-                return candidate
-        except OSError:
-            continue
+    temporary = Path(tempfile.gettempdir()) / f"hophoop-{user}"
+    for candidate in (*candidates, temporary):
+        if _is_writable(candidate, 0o700) and (is_private(candidate) or (candidate != temporary and not is_shared(candidate))):
+            return candidate
     return Path(tempfile.mkdtemp(prefix="hophoop-"))
+
+
+def _is_writable(folder: Path, mode: int) -> bool:
+    """Whether files can be made in a folder, which is itself made where it is not there."""
+    try:
+        folder.mkdir(mode, parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return True
+    except OSError:
+        return False
+
+
+def is_private(folder: Path) -> bool:
+    """Whether only this user can have put files into a folder, or the folder itself into its place."""
+    if not hasattr(os, "getuid"):  # Windows: the temporary folder is of the user
+        return True
+    try:
+        there = folder.lstat()
+        if not stat.S_ISDIR(there.st_mode) or there.st_uid != os.getuid() or there.st_mode & 0o022:
+            return False
+        for above in folder.resolve().parents:
+            there = above.stat()
+            if there.st_uid not in (0, os.getuid()):
+                return False
+            if there.st_mode & 0o002:
+                # in a shared folder with the sticky bit only its owner takes away what is another's
+                return bool(there.st_mode & stat.S_ISVTX)
+            if there.st_mode & 0o020:
+                return False
+    except OSError:
+        return False
+    return True
+
+
+def is_shared(folder: Path) -> bool:
+    """Whether a folder is in a place that all users can write to, such as that for temporary files."""
+    if not hasattr(os, "getuid"):
+        return False
+    try:
+        # the name may be a link out of a shared place, or into one
+        around = {*folder.absolute().parents, folder.resolve(), *folder.resolve().parents}
+        return any(above.stat().st_mode & 0o002 for above in around)
+    except OSError:
+        return True
 
 
 def folder_of(kernel: Source) -> Path:

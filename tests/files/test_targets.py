@@ -1,0 +1,232 @@
+"""What an output is written over: links are followed, the mode is kept, devices and pipes are never replaced."""
+
+from __future__ import annotations
+
+import errno
+import os
+import socket
+import stat
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from hophoop import _files
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links, pipes and modes of POSIX systems")
+SOURCE = Path(_files.__file__).parents[1]
+
+
+def write(target, text="new"):
+    with _files.replacing(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def kind(path):
+    return stat.S_IFMT(path.lstat().st_mode)
+
+
+def node(path, mode, major, minor):
+    try:
+        os.mknod(path, mode | 0o666, os.makedev(major, minor))
+    except OSError:
+        pytest.skip("only root makes devices")
+    return path
+
+
+def test_a_pipe_is_written_through(tmp_path):
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    read = []
+    reader = threading.Thread(target=lambda: read.append(pipe.read_text(encoding="utf-8")), daemon=True)
+    reader.start()
+    write(pipe)
+    reader.join(timeout=10)
+    assert read == ["new"]
+    assert kind(pipe) == stat.S_IFIFO
+    assert os.listdir(tmp_path) == ["pipe.csv"]
+
+
+def test_a_pipe_gets_nothing_of_what_failed(tmp_path):
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    with pytest.raises(UnicodeEncodeError), _files.replacing(pipe) as temporary:
+        temporary.write_text("half κ", encoding="ascii")
+    assert kind(pipe) == stat.S_IFIFO
+    assert os.listdir(tmp_path) == ["pipe.csv"]
+
+
+def test_a_folder_does_not_go_into_a_pipe(tmp_path):
+    pipe = tmp_path / "hop.zarr"
+    os.mkfifo(pipe)
+    with pytest.raises(NotADirectoryError) as refusal, _files.replacing(pipe) as temporary:
+        temporary.mkdir()
+    assert refusal.value.filename == str(pipe)
+    assert kind(pipe) == stat.S_IFIFO
+
+
+def test_a_device_is_written_through(tmp_path):
+    null = node(tmp_path / "null.csv", stat.S_IFCHR, 1, 3)
+    write(null)
+    assert kind(null) == stat.S_IFCHR
+    link = tmp_path / "link.csv"
+    link.symlink_to(null)
+    write(link)
+    assert (kind(link), kind(null)) == (stat.S_IFLNK, stat.S_IFCHR)
+    full = node(tmp_path / "full.csv", stat.S_IFCHR, 1, 7)
+    with pytest.raises(OSError, match="full") as refusal:
+        write(full)
+    assert refusal.value.errno == errno.ENOSPC
+    assert sorted(os.listdir(tmp_path)) == ["full.csv", "link.csv", "null.csv"]
+
+
+def test_a_disk_is_refused(tmp_path):
+    disk = node(tmp_path / "disk.csv", stat.S_IFBLK, 7, 200)
+    with pytest.raises(PermissionError) as refusal:
+        write(disk)
+    assert refusal.value.filename == str(disk)
+    assert kind(disk) == stat.S_IFBLK
+
+
+def test_a_socket_is_refused(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # the address of a socket is short
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind("s.csv")
+        with pytest.raises(PermissionError) as refusal:
+            write(Path("s.csv"))
+    assert refusal.value.filename == "s.csv"
+    assert kind(Path("s.csv")) == stat.S_IFSOCK
+
+
+def test_a_link_stays_and_its_file_is_replaced(tmp_path, monkeypatch):
+    (tmp_path / "data").mkdir()
+    real = tmp_path / "data" / "real.txt"
+    real.write_text("old", encoding="utf-8")
+    for link, to in (("direct.csv", "data/real.txt"), ("chain.csv", "direct.csv")):
+        (tmp_path / link).symlink_to(to)
+        with _files.replacing(tmp_path / link) as temporary:
+            assert temporary.suffix == ".csv"  # libraries choose the format by the name that was given
+            temporary.write_text(link, encoding="utf-8")
+        assert os.readlink(tmp_path / link) == to
+        assert real.read_text(encoding="utf-8") == link
+    monkeypatch.chdir(tmp_path)
+    write(Path("chain.csv"), "relative")
+    assert real.read_text(encoding="utf-8") == "relative"
+    assert os.listdir(tmp_path / "data") == ["real.txt"]
+
+
+def test_a_link_to_nothing_gets_its_file(tmp_path):
+    link = tmp_path / "link.csv"
+    link.symlink_to("made.csv")
+    write(link)
+    assert os.readlink(link) == "made.csv"
+    assert (tmp_path / "made.csv").read_text(encoding="utf-8") == "new"
+    astray = tmp_path / "astray.csv"
+    astray.symlink_to("nowhere/made.csv")
+    with pytest.raises(FileNotFoundError) as refusal:
+        write(astray)
+    assert refusal.value.filename == str(astray)
+    ring = tmp_path / "ring.csv"
+    ring.symlink_to("ring.csv")
+    with pytest.raises(OSError, match="ring") as refusal:
+        write(ring)
+    assert refusal.value.errno == errno.ELOOP
+    assert ring.is_symlink()
+
+
+def test_a_link_to_a_store_stays(tmp_path):
+    store = tmp_path / "store.zarr"
+    store.mkdir()
+    (store / "zarr.json").write_text("old", encoding="utf-8")
+    link = tmp_path / "link.zarr"
+    link.symlink_to("store.zarr")
+    with _files.replacing(link) as temporary:
+        temporary.mkdir()
+        (temporary / "zarr.json").write_text("new", encoding="utf-8")
+    assert link.is_symlink()
+    assert not store.is_symlink()
+    assert (store / "zarr.json").read_text(encoding="utf-8") == "new"
+    assert sorted(os.listdir(tmp_path)) == ["link.zarr", "store.zarr"]
+
+
+@pytest.mark.parametrize("mode", [0o604, 0o600, 0o444, 0o666])
+def test_the_mode_stays(tmp_path, mode):
+    target = tmp_path / "hop.csv"
+    target.write_text("old", encoding="utf-8")
+    target.chmod(mode)
+    write(target)
+    assert stat.S_IMODE(target.stat().st_mode) == mode
+    assert target.read_text(encoding="utf-8") == "new"
+
+
+def test_the_owner_stays_where_that_is_allowed(tmp_path, monkeypatch):
+    target = tmp_path / "hop.csv"
+    target.write_text("old", encoding="utf-8")
+    there = target.stat()
+    asked = []
+    monkeypatch.setattr(os, "chown", lambda path, user, group: asked.append((user, group)))
+    write(target)
+    assert asked == [(there.st_uid, there.st_gid)]
+
+    def refused(*_):
+        raise PermissionError(errno.EPERM, "Operation not permitted")
+
+    monkeypatch.setattr(os, "chown", refused)
+    write(target, "newer")
+    assert target.read_text(encoding="utf-8") == "newer"
+    assert os.listdir(tmp_path) == ["hop.csv"]
+    for before, after in ((0o664, 0o644), (0o640, 0o600), (0o604, 0o604), (0o666, 0o666)):
+        values = list(there[:10])
+        values[0], values[5] = stat.S_IFREG | before, there.st_gid + 1
+        _files._keep(os.stat_result(values), target)
+        # the group is another one, which gets no more than all others had
+        assert stat.S_IMODE(target.stat().st_mode) == after
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives files away")
+def test_root_leaves_a_file_its_owner(tmp_path):
+    target = tmp_path / "hop.csv"
+    target.write_text("old", encoding="utf-8")
+    os.chown(target, 12345, 54321)
+    target.chmod(0o640)
+    write(target)
+    there = target.stat()
+    assert (there.st_uid, there.st_gid, stat.S_IMODE(there.st_mode)) == (12345, 54321, 0o640)
+
+
+def test_other_names_of_a_file_keep_what_was_there(tmp_path):
+    # writing in place could stop half way, and would change copies that a backup made of links
+    target, other = tmp_path / "hop.csv", tmp_path / "other.csv"
+    target.write_text("old", encoding="utf-8")
+    other.hardlink_to(target)
+    write(target)
+    assert (target.read_text(encoding="utf-8"), other.read_text(encoding="utf-8")) == ("new", "old")
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="open files have names there")
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"])
+@pytest.mark.parametrize("piped", [True, False])
+def test_standard_output_is_written_through(tmp_path, name, piped):
+    if not os.path.islink("/dev/stdout"):
+        pytest.skip("standard output has no such name here")
+    code = (
+        "import pathlib, sys; from hophoop._files import replacing\n"
+        "print('first', flush=True)\n"
+        "with replacing(pathlib.Path(sys.argv[1])) as fresh: fresh.write_text('second\\n')\n"
+        "print('third')"
+    )
+    link = tmp_path / "own.csv"  # no name of the system's is put at risk by a failing test
+    link.symlink_to(name)
+    words = [sys.executable, "-c", code, str(link)]
+    environment = os.environ | {"PYTHONPATH": str(SOURCE)}
+    out = tmp_path / "out.csv"
+    if piped:
+        said = subprocess.run(words, env=environment, stdout=subprocess.PIPE, text=True, check=True).stdout
+    else:
+        with out.open("w") as stream:
+            subprocess.run(words, env=environment, stdout=stream, check=True)
+        said = out.read_text()
+    assert said == "first\nsecond\nthird\n"
+    assert link.is_symlink()
