@@ -29,13 +29,27 @@ def test_it_prints_enclosures_and_writes_a_certificate_that_is_accepted(tmp_path
     assert "phases  RKRSHR\nverdict proved" in done.stdout
     checked = run("--check", path)
     assert checked.exit_code == 0
-    assert checked.stdout == "accepted  RKRSHR, completed: 8 events verified\n"
+    first, *conventions = checked.stdout.splitlines()
+    assert first == "accepted  RKRSHR, completed: 8 events verified"
+    assert conventions[2].strip() == "bounces are closed when what is left of them takes less than 1e-12 of the time so far"
+    assert len(conventions) == 5
 
 
 def test_json_is_the_certificate_and_nothing_else():
     done = run(*HOP, "--json")
     assert done.exit_code == 0
     assert json.loads(done.stdout)["schema"] == "hophoop-proof/1"
+
+
+def test_a_certificate_that_closes_its_bounces_earlier_is_refused_in_one_sentence(tmp_path):
+    path = tmp_path / "hop.json"
+    certificate = json.loads(run(*HOP, "--json").stdout) | {"closing": "0.3"}
+    path.write_text(json.dumps(certificate), encoding="utf-8")
+    done = run("--check", path)
+    assert done.exit_code == 1
+    assert done.stderr == (
+        "Refused after 0 events: it cannot be shown that bounces are closed at 1e-12 of the time so far, as the model has it.\n"
+    )
 
 
 def test_a_false_certificate_is_refused(tmp_path):

@@ -131,6 +131,8 @@ def _verify(path: Path) -> None:
     verdict = check(certificate)
     if verdict.accepted:
         typer.echo(f"accepted  {certificate['sequence']}, {certificate['status']}: {verdict.events} events verified")
+        for line in verdict.conventions:
+            typer.echo(f"          {line}")
         return
     say(f"Refused after {verdict.events} events: it cannot be shown that {verdict.why}.")
     raise typer.Exit(NO_ANSWER)

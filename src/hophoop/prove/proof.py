@@ -18,7 +18,7 @@ from hophoop.prove._flint import Ball, precision
 from hophoop.prove.checker import Verdict, check
 from hophoop.prove.model import Model
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
-from hophoop.scenario import InputError, Scenario
+from hophoop.scenario import InputError, Rigid, Scenario
 
 SCHEMA = "hophoop-proof/1"
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
@@ -181,7 +181,7 @@ def prove(
     until : str, default 'duration'
         'duration' of the scenario, or 'revolution': the first of a whole turn, a turning point and a take-off.
     max_events : int, default 4000
-        More events are not looked at [1].
+        More events are not looked at, nor more than the scenario's own limit [1].
     seconds : float, optional
         The motion stays undecided if it is not proved after this time [s].
 
@@ -199,12 +199,13 @@ def prove(
     check_digits(digits)
     if until not in (DURATION, REVOLUTION):
         raise InputError(f"until = {until!r} must be {DURATION} or {REVOLUTION}.")
-    if scenario.contact.model != "rigid":
+    if not isinstance(scenario.contact, Rigid):
         raise InputError("A proof needs rigid contact; this scenario has a compliant one.")
     if seconds is not None and not seconds > 0:
         raise InputError(f"seconds = {seconds!r} must be above 0.")
     deadline = None if seconds is None else time.monotonic() + seconds
     problem = Problem.of(scenario)
+    max_events = min(max_events, scenario.contact.max_events)
     bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
     best: Proof | None = None
     reached: list[int] = []  # how many events, attempt by attempt
@@ -324,6 +325,7 @@ def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int) -> 
             "closing": CLOSING,
             "bits": bits + CHECKER_GUARD,
             "digits": right,
+            "max_events": run.max_events,
             "sequence": sequence,
             "status": status,
             "ending": run.ending,

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from decimal import Decimal, InvalidOperation
-from fractions import Fraction
+from decimal import InvalidOperation
 from typing import Any
 
-from hophoop.prove._flint import Ball, Jet, arb, pi, precision, rational
+from hophoop.prove._flint import Ball, Jet, arb, pi, precision
+from hophoop.prove.checker.conventions import CLOSING, Conventions
 from hophoop.prove.checker.equations import Equations, Refused, State
-from hophoop.prove.checker.flight import flown, gap, skims
+from hophoop.prove.checker.flight import flown, gap, no_top, skims, without_apex
 from hophoop.prove.checker.intervals import positive, require, root
 from hophoop.prove.checker.panelled import panelled
 from hophoop.prove.checker.pieces import Turn
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
-
-SCHEMA = "hophoop-proof/1"
-MOST_BITS = 20_000
 
 
 @dataclass(frozen=True)
@@ -32,11 +29,14 @@ class Verdict:
         What could not be verified, as a clause; empty where all is.
     events : int
         How many events are verified [1].
+    conventions : tuple of str
+        What the statement rests on beside the equations, as sentences without a capital; empty where it is refused.
     """
 
     accepted: bool
     why: str
     events: int
+    conventions: tuple[str, ...] = ()
 
 
 def check(certificate: dict[str, Any]) -> Verdict:
@@ -58,17 +58,15 @@ def check(certificate: dict[str, Any]) -> Verdict:
     """
     walk: Walk | None = None
     try:
-        require(certificate.get("schema") == SCHEMA, f"the schema is {SCHEMA}")
-        bits = int(certificate["bits"])
-        require(30 <= bits <= MOST_BITS, "the working precision is sensible")
-        with precision(bits):
-            walk = Walk(certificate)
+        conventions = Conventions.of(certificate)
+        with precision(conventions.bits):
+            walk = Walk(certificate, conventions)
             walk.run()
     except Refused as reason:
         return Verdict(False, str(reason), walk.seen if walk else 0)
     except (ArithmeticError, ValueError, KeyError, TypeError, IndexError, AttributeError, InvalidOperation) as error:
         return Verdict(False, f"the certificate cannot be read or evaluated ({error!r})", walk.seen if walk else 0)
-    return Verdict(True, "", walk.seen)
+    return Verdict(True, "", walk.seen, conventions.lines())
 
 
 class Stopped(Exception):
@@ -81,16 +79,15 @@ class Walk:
     Parameters
     ----------
     certificate : dict
+    conventions : Conventions
+        Of the certificate.
     """
 
-    def __init__(self, certificate: dict[str, Any]) -> None:
+    def __init__(self, certificate: dict[str, Any], conventions: Conventions) -> None:
         self.events: list[dict[str, Any]] = certificate["events"]
         self.phases: list[dict[str, Any]] = list(certificate["phases"])
-        self.until: str = certificate["until"]
-        self.claim = certificate
-        self.closing = arb(certificate["closing"])
-        require(self.until in ("duration", "revolution"), "until is duration or revolution")
-        self.equations = Equations(certificate["scenario"])
+        self.claim, self.conventions, self.until = certificate, conventions, conventions.until
+        self.equations = Equations(conventions.scenario)
         require(bool(self.equations.kap > 0), "the ring has mass")
         self.state = self.equations.start
         self.origin = self.state.th
@@ -115,11 +112,14 @@ class Walk:
         )
         model, state = self.equations, self.state
         values = {
-            "t": state.t * model.time, "x": state.x * model.length, "height": state.y * model.length, "angle": state.th,
-            "vx": (state.vt + state.om) * model.speed, "vy": state.vn * model.speed, "omega": state.om / model.time,
+            "t": (state.t * model.time, model.time), "x": (state.x * model.length, model.length),
+            "height": (state.y * model.length, model.length), "angle": (state.th, arb(1)),
+            "vx": ((state.vt + state.om) * model.speed, model.speed), "vy": (state.vn * model.speed, model.speed),
+            "omega": (state.om / model.time, 1 / model.time),
         }  # fmt: skip
-        for name, value in values.items():
-            require(_encloses(one[name], value), f"{name} of event {self.seen} ({kind}) is where it is said to be")
+        for name, (value, unit) in values.items():
+            known = self.conventions.encloses(one[name], value, unit)
+            require(known, f"{name} of event {self.seen} ({kind}) is where it is said to be")
         if kind not in ("apex", "turn", "kane_gain", "rest"):
             self.letters.append((after, state.t))
         self.seen += 1
@@ -293,6 +293,7 @@ class Walk:
         if what == "turn":
             self.turn(was)
         elif what in ("limit", "span"):
+            require((what == "limit") == (self.until == "duration"), "the motion ends where it is followed to")
             self.end("completed", "duration" if what == "limit" else "revolutions")
         elif what == "lift":
             self.event("takeoff", was, "H")
@@ -359,9 +360,14 @@ class Walk:
 
             top = root(rates, 0, low, high, "the rim is highest")
             require(bool(top > 0) and bool(top < tau), "the apex is in the flight")
+            height = gap(self.equations, self.state, top, 1)[0]
+            no_top(self.equations, self.state, arb(0), low, self.zeros, height)
+            no_top(self.equations, self.state, high, tau, 0, height)
             begin, self.state = self.state, replace(flown(self.equations, self.state, top), vn=arb(0))
             self.event("apex", "H", "H")
             self.state = begin
+        elif not without_apex(self.equations, self.state, tau, self.zeros):
+            no_top(self.equations, self.state, arb(0), tau, self.zeros, None)
         self.state = landed
         if not lands:
             self.end("completed", "duration")
@@ -370,7 +376,7 @@ class Walk:
         self.land()
 
     def land(self) -> None:
-        """An impact, or the one that closes endless bounces by the rule that the certificate names."""
+        """An impact, or the one that closes endless bounces by the rule of the model."""
         before = self.state
         self.state, gains = collide(self.equations, before, self.equations.rest)
         kind = "impact"
@@ -390,12 +396,6 @@ class Walk:
         if not state.vn < last:
             return False
         left = 2 * state.vn / (fall * (1 - state.vn / last))
-        most = self.closing * before.t.max(arb(1))
+        most = arb(CLOSING) * before.t.max(arb(1))
         require(bool(left < most) or bool(most <= left), "whether bounces are closed is certain")
         return bool(left < most)
-
-
-def _encloses(claim: list[str], value: Ball) -> bool:
-    """Whether [middle − radius, middle + radius] holds all of a ball; both are decimal numbers."""
-    middle, radius = (rational(Fraction(Decimal(text))) for text in claim)
-    return bool(abs(value - middle) <= radius) or bool(radius.is_zero() and (value - middle).is_zero())

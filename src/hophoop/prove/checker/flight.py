@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from hophoop.prove._flint import Ball, Jet
+from hophoop.prove._flint import Ball, Jet, pi
 from hophoop.prove.checker.equations import Equations, State
+from hophoop.prove.checker.intervals import require
+
+MOST_PARTS = 40_000
 
 
 def gap(equations: Equations, state: State, tau: Ball, terms: int) -> Jet:
@@ -37,3 +40,49 @@ def skims(equations: Equations, state: State) -> bool:
     still = (state.vn - eps * state.om * state.th.sin()).is_zero() and equations.gn.is_zero()
     least = state.y + eps * (state.th.cos() - 1)
     return bool(still and (least.is_zero() or least > 0))
+
+
+def without_apex(equations: Equations, state: State, tau: Ball, zeros: int) -> bool:
+    """Whether a flight without gravity is one of those with grazes that have no apex by their form.
+
+    Lift-off with N = 0 is at cos θ = 0 there, so that ẏ = ε θ̇ (sin θ ∓ 1) keeps its sign; a hoop that
+    hovers has no top; and where G stays at a constant height, all tops are equal, so that of two or more none is the highest.
+    """
+    if not equations.gn.is_zero():
+        return False
+    hovers = state.vn.is_zero() and (state.om.is_zero() or equations.eps.is_zero())
+    if zeros >= 3 or hovers:
+        return True
+    still = (state.vn - equations.eps * state.om * state.th.sin()).is_zero()
+    first, last = (((th - pi()) / (2 * pi())).floor() for th in (state.th, state.th + state.om * tau))
+    return bool(still and abs(last - first) > 1)
+
+
+def no_top(equations: Equations, state: State, begin: Ball, end: Ball, zeros: int, height: Ball | None) -> None:
+    """Refuse unless the gap has no top from one time to another, or only such as are lower than a height.
+
+    On each part the gap rises, or falls, or is convex, or is lower. `zeros` counts the derivatives of the gap that vanish
+    at the begin, its value included: there the first that does not says which way it goes.
+    """
+    low, high = begin.lower(), end.upper()
+    work = [(low, high, True)] if low < high else []
+    for _ in range(MOST_PARTS):
+        if not work:
+            return
+        a, b, starts = work.pop()
+        jet = gap(equations, state, a.union(b), 4)
+        moves = bool(jet[1] > 0) or bool(jet[1] < 0) or bool(jet[2] > 0)
+        if starts and not moves:
+            moves = _from_rest(state, jet, zeros)
+        if not (moves or (height is not None and bool(jet[0] < height))):
+            middle = ((a + b) / 2).mid()
+            require(bool(a < middle) and bool(middle < b), "the flight has no other apex than is said")
+            work += [(middle, b, False), (a, middle, starts)]
+    require(not work, "the flight has no other apex than is said")
+
+
+def _from_rest(state: State, jet: Jet, zeros: int) -> bool:
+    """Whether a flight that begins with ẏ = 0 goes one way on a part that begins there."""
+    if zeros >= 3:
+        return bool(jet[3] > 0)
+    return bool(state.vn.is_zero() and jet[2] < 0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb
+from hophoop.prove.checker.conventions import GAIN_FLOOR
 from hophoop.prove.checker.equations import Equations, Refused, State
 from hophoop.prove.checker.intervals import require
 
@@ -158,7 +159,7 @@ def collide(equations: Equations, state: State, rest: Ball) -> tuple[State, bool
     require(done, "an impact ends")
     lever, arm = equations.eps * s, 1 + equations.eps * c
     om = state.om + (lever * total_n - arm * total_t) / equations.kap
-    excess = work_n + work_t - arb("1e-14") * (abs(work_n) + abs(work_t) + state.vn * state.vn)
+    excess = work_n + work_t - arb(GAIN_FLOOR) * (abs(work_n) + abs(work_t) + state.vn * state.vn)
     gains = sign(excess, "the energy that an impact creates") > 0
     return State(state.t, state.x, arb(0), state.th, vt, vn, om), gains
 

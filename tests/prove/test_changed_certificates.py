@@ -1,0 +1,345 @@
+"""Certificates changed at random: what the checker still accepts must be true of the scenario that it then names.
+
+What decides is the prover: an accepted change is proved again from its scenario alone, to more digits.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import random
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import hophoop as hh
+from hophoop.prove import check, prove
+from hophoop.prove.checker import scenarios
+from hophoop.scenario.ranges import RANGES
+
+pytest.importorskip("flint")
+
+KEPT = Path(__file__).parent.parent / "data" / "proofs"
+NAMES = ("H-takeoff", "R-revolutions", "RKRSH-takeoff", "RKRSR-reversal", "RSKSR-revolutions", "RSRKRSRKR-revolutions")
+STATED = ("schema", "until", "closing", "digits", "max_events", "sequence", "status", "ending", "events", "scenario")
+NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
+WORDS = (
+    "completed", "at_rest", "event_limit", "undetermined", "duration", "revolution", "revolutions", "takeoff", "reversal",
+    "R", "S", "K", "H", "start", "slip_start", "stick", "impact", "bounce_limit", "apex", "turn", "end", "limit", "span",
+    "stop", "lift", "back", "ahead", "newton", "poisson", "stronge", "flight",
+)  # fmt: skip
+Certificate = dict[str, Any]
+
+
+def read_again(certificate: Any) -> Certificate:
+    found: Certificate = json.loads(json.dumps(certificate))
+    return found
+
+
+@cache
+def made() -> tuple[Certificate, ...]:
+    """Kept certificates, a hop with its apex, bounces that are closed, and a motion that its limit ends."""
+    kept = [json.loads((KEPT / f"{name}.json").read_text(encoding="utf-8")) for name in NAMES]
+    hop = prove(hh.Scenario(duration=2.0), 12).certificate
+    limited = prove(bouncing(), 8, max_events=5).certificate
+    return (*kept, read_again(hop), closed_bounces(), read_again(limited))
+
+
+def bouncing() -> hh.Scenario:
+    start = hh.Start(height=0.5, vx=1.0, omega=3.0, vy=2.0)
+    return hh.Scenario(plane=hh.Plane(restitution=0.3), start=start, duration=2.0)
+
+
+@cache
+def closed_bounces() -> Certificate:
+    return read_again(prove(bouncing(), 8).certificate)
+
+
+# --- what an attacker found ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("closing", ["0.3", "1e-11", "1e-13", "0", "-1", "nan", 0.3, None])
+def test_bounces_are_closed_as_the_model_says(closing):
+    certificate = closed_bounces() | {"closing": closing}
+    assert check(closed_bounces()).accepted
+    assert "bounces are closed at 1e-12" in check(certificate).why
+
+
+@pytest.mark.parametrize("digits", [9, 100, 201, -1, 8.0, "8", True])
+def test_digits_are_those_of_the_enclosures(digits):
+    assert "digits" in check(closed_bounces() | {"digits": digits}).why
+
+
+def test_an_apex_cannot_be_left_out():
+    certificate = copy.deepcopy(made()[len(NAMES)])
+    certificate["events"] = [event for event in certificate["events"] if event["kind"] != "apex"]
+    for phase in certificate["phases"]:
+        if phase["mode"] == "H":
+            phase["apex"] = None
+    assert check(certificate).why == "the flight has no other apex than is said"
+
+
+def test_an_apex_is_the_highest_top():
+    """A hoop that turns fast in flight has many tops; a lower one is not the apex."""
+    scenario = hh.Scenario(start=hh.Start(height=0.5, omega=60.0, vy=1.0), duration=0.3)
+    proof = prove(scenario, 8)
+    assert proof.proved
+    certificate = read_again(proof.certificate)
+    phase = next(phase for phase in certificate["phases"] if phase["mode"] == "H")
+    turn = Decimal(2 * math.pi / 60 * 9.81**0.5)  # in units of √(R/g), as the brackets of a flight are
+    low, high = (Decimal(end) + turn for end in phase["apex"])
+    phase["apex"] = [str(low - Decimal("0.002")), str(high + Decimal("0.002"))]
+    assert check(certificate).why == "the flight has no other apex than is said"
+
+
+@pytest.mark.parametrize(("omega", "apexes"), [(0.0, 0), (5.0, 1), (8.0, 1), (12.0, 0), (40.0, 0)])
+def test_tops_that_are_equal_are_no_apex(omega, apexes):
+    """Without gravity and with G at a constant height all tops are as high; a single one is the apex."""
+    scenario = hh.Scenario(plane=hh.Plane(gravity=0.0), start=hh.Start(height=3.0, omega=omega), duration=1.0)
+    proof = prove(scenario, 8)
+    assert proof.proved
+    assert sum(event.kind == "apex" for event in proof.events) == apexes
+
+
+@pytest.mark.parametrize("events", [1, 4, 20])
+def test_a_motion_cut_short_has_not_come_to_its_limit(events):
+    certificate = copy.deepcopy(closed_bounces())
+    certificate["events"] = certificate["events"][:events]
+    certificate["phases"] = certificate["phases"][: max(0, events - 2)]
+    certificate |= {"status": "event_limit", "ending": "event_limit", "sequence": "H"}
+    assert "limit of 4000 events" in check(certificate).why
+
+
+def test_a_limit_is_named_and_kept_to():
+    proof = prove(bouncing(), 8, max_events=5)
+    assert proof.status == "event_limit"
+    assert proof.certificate is not None
+    assert check(proof.certificate).accepted
+    assert "for 5 events at most" in check(proof.certificate).conventions[0]
+    assert not check(proof.certificate | {"max_events": 6}).accepted
+    assert "no more than 5 events" in check(closed_bounces() | {"max_events": 5}).why
+
+
+def test_the_limit_of_the_scenario_is_one_too():
+    scenario = bouncing().with_values({"contact.max_events": 7})
+    proof = prove(scenario, 8)
+    assert (proof.status, len(proof.events)) == ("event_limit", 7)
+    assert proof.certificate is not None
+    assert check(proof.certificate).accepted
+    certificate = copy.deepcopy(closed_bounces())
+    certificate["scenario"]["contact"]["max_events"] = 7
+    assert not check(certificate).accepted
+
+
+@pytest.mark.parametrize(
+    ("section", "name", "value"),
+    [
+        ("contact", "model", "compliant"), ("plane", "painleve", "none"), ("plane", "impact_law", "other"),
+        ("plane", "restitution", 1.5), ("plane", "mu", -1.0), ("plane", "wind", 1.0), ("start", "vx", 1.0),
+        ("hoop", "load_fraction", True), ("hoop", "eccentricity", 0.5),
+    ],
+)  # fmt: skip
+def test_a_scenario_with_what_is_not_read_is_refused(section, name, value):
+    certificate = copy.deepcopy(made()[0])
+    certificate["scenario"][section][name] = value
+    assert not check(certificate).accepted
+
+
+def test_what_is_not_checked_is_not_stated():
+    certificate = copy.deepcopy(made()[0])
+    certificate["energy"] = 3
+    assert "nothing but what is checked" in check(certificate).why
+    certificate = copy.deepcopy(made()[0])
+    certificate["events"][0]["energy"] = ["3", "0"]
+    assert "nothing but what is checked" in check(certificate).why
+
+
+def test_an_accepted_certificate_comes_with_its_conventions():
+    verdict = check(closed_bounces())
+    assert any("1e-12 of the time so far" in line for line in verdict.conventions)
+    assert any("8 digits" in line for line in verdict.conventions)
+    assert not check({}).conventions
+
+
+def test_the_ranges_are_those_of_a_scenario():
+    for path, ends in scenarios.NUMBERS.items():
+        if path in RANGES:
+            allowed = RANGES[path]
+            assert ends == (allowed.least, allowed.most, *allowed.also)
+
+
+# --- changes at random --------------------------------------------------------------------------
+
+
+def leaves(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    if isinstance(value, dict | list) and value:
+        pairs = value.items() if isinstance(value, dict) else enumerate(value)
+        return [found for key, one in pairs for found in leaves(one, (*path, key))]
+    return [path]
+
+
+def within(value: Any, path: tuple[Any, ...]) -> Any:
+    for key in path:
+        value = value[key]
+    return value
+
+
+def other_text(text: str, dice: random.Random) -> str:
+    words = text.split(" ")
+    if len(words) > 3:  # coefficients
+        place = dice.randrange(len(words))
+        words[place] = dice.choice(
+            ["0", words[place] + "0", words[place].lstrip("-")[:-1] or "1", "-" + words[place].lstrip("-")]
+        )
+        return " ".join(words)
+    try:
+        number = Decimal(text)
+    except ArithmeticError:
+        return dice.choice(WORDS)
+    if dice.random() < 0.3:
+        return str(-number)
+    return str(number + Decimal(dice.choice([-1, 1])) * Decimal(10).scaleb(dice.randint(-20, 1)))
+
+
+def other(value: Any, dice: random.Random) -> Any:
+    if isinstance(value, bool) or value is None:
+        return dice.choice([True, None, 1, "R", "0.5"])
+    if isinstance(value, int):
+        return value + dice.choice([-1000, -40, -5, -2, -1, 1, 2, 5, 40])
+    if isinstance(value, float):
+        return dice.choice([value * (1 + 10 ** dice.uniform(-15, 0)), -value, value / 2, 0.0, value + 1.0])
+    return other_text(value, dice) if isinstance(value, str) else []
+
+
+def change_a_leaf(section: Callable[[Certificate], Any]) -> Callable[[Certificate, random.Random], None]:
+    def change(certificate: Certificate, dice: random.Random) -> None:
+        part = section(certificate)
+        paths = [path for path in leaves(part) if path]
+        if paths:
+            path = dice.choice(paths)
+            holder = within(part, path[:-1])
+            holder[path[-1]] = other(holder[path[-1]], dice)
+
+    return change
+
+
+def change_a_convention(certificate: Certificate, dice: random.Random) -> None:
+    name = dice.choice(["closing", "digits", "max_events", "until", "status", "ending", "sequence", "bits", "schema"])
+    value = certificate.get(name, 4000)
+    if name == "sequence":
+        place = dice.randrange(len(value))
+        certificate[name] = value[:place] + dice.choice(["", *"RSKH"]) + value[place + dice.randint(0, 1) :]
+    else:
+        certificate[name] = other(value, dice)
+
+
+def leave_out(certificate: Certificate, dice: random.Random) -> None:
+    holder = certificate[dice.choice(["events", "phases"])]
+    if holder:
+        del holder[dice.randrange(len(holder))]
+
+
+def leave_out_together(certificate: Certificate, dice: random.Random) -> None:
+    """An apex from the events and from its phase."""
+    apexes = [k for k, event in enumerate(certificate["events"]) if event["kind"] == "apex"]
+    flights = [phase for phase in certificate["phases"] if phase["mode"] == "H" and phase["apex"] is not None]
+    if apexes:
+        k = dice.randrange(len(apexes))
+        del certificate["events"][apexes[k]]
+        flights[k]["apex"] = None
+    else:
+        leave_out(certificate, dice)
+
+
+def cut_short(certificate: Certificate, dice: random.Random) -> None:
+    count = dice.randrange(1, len(certificate["events"]) + 1)
+    del certificate["events"][count:]
+    del certificate["phases"][dice.randrange(len(certificate["phases"]) + 1) :]
+    certificate |= {"status": "event_limit", "ending": "event_limit"}
+    certificate["sequence"] = certificate["sequence"][: dice.randint(1, len(certificate["sequence"]))]
+
+
+def repeat_or_swap(certificate: Certificate, dice: random.Random) -> None:
+    holder = certificate["events" if dice.random() < 0.7 else "phases"]
+    if holder:
+        a, b = (dice.randrange(len(holder)) for _ in range(2))
+        if dice.random() < 0.5:
+            holder[a], holder[b] = holder[b], holder[a]
+        else:
+            holder.insert(a, copy.deepcopy(holder[b]))
+
+
+CHANGES: list[Callable[[Certificate, random.Random], None]] = [
+    change_a_leaf(lambda certificate: certificate["events"]), change_a_leaf(lambda certificate: certificate["events"]),
+    change_a_leaf(lambda certificate: certificate["scenario"]), change_a_leaf(lambda certificate: certificate["phases"]),
+    change_a_convention, change_a_convention, leave_out, leave_out_together, cut_short, repeat_or_swap,
+]  # fmt: skip
+
+
+def stated(certificate: Certificate) -> str:
+    return json.dumps([certificate.get(name) for name in STATED], sort_keys=True)
+
+
+def is_true(certificate: Certificate) -> bool:
+    """Whether the prover says the same of the scenario, in enclosures that lie in those of the certificate."""
+    if not 0 <= certificate["digits"] <= 200 or Decimal(certificate["closing"]) != Decimal("1e-12"):
+        return False
+    try:
+        scenario = hh.Scenario.from_dict(certificate["scenario"])
+    except ValueError:
+        return False
+    limit = certificate.get("max_events", 4000)
+    proof = prove(scenario, min(certificate["digits"] + 6, 40), certificate["until"], max_events=limit)
+    said = (certificate["sequence"], certificate["status"], certificate["ending"], len(certificate["events"]))
+    if not proof.proved or said != (proof.sequence, proof.status, proof.ending, len(proof.events)):
+        return False
+    radius, gravity = scenario.hoop.radius, scenario.plane.gravity or 1.0
+    time, speed = (radius / gravity) ** 0.5, (radius * gravity) ** 0.5
+    units = dict(zip(NUMBERS, (time, radius, radius, 1.0, speed, speed, 1 / time), strict=True))
+    for claim, event in zip(certificate["events"], proof.events, strict=True):
+        if (claim["kind"], claim["from"], claim["to"]) != (event.kind, event.from_mode, event.to_mode):
+            return False
+        for name in NUMBERS:
+            middle, reach = (Fraction(Decimal(text)) for text in claim[name])
+            one = getattr(event, name)
+            size = max(abs(float(middle)), units[name])
+            wide = certificate["digits"] and float(reach) > 4 * size / 10 ** certificate["digits"]
+            if wide or abs(Fraction(one.middle) - middle) + Fraction(one.radius) > reach:
+                return False
+    return True
+
+
+def untrue(count: int, seed: int) -> tuple[list[str], int]:
+    """(accepted changes that are not true, how many changes stated something else)."""
+    dice, found, others = random.Random(seed), [], 0
+    while others < count:
+        before = dice.choice(made())
+        after = copy.deepcopy(before)
+        change = dice.choice(CHANGES)
+        change(after, dice)
+        if stated(after) == stated(before):
+            if dice.random() < 0.8:
+                continue  # another certificate of the same statement
+            check(after)
+            continue
+        others += 1
+        if check(after).accepted and not is_true(after):
+            found.append(f"{before['sequence']}: {change.__name__}")
+    return found, others
+
+
+def test_no_change_that_states_something_else_passes():
+    assert untrue(120, 31)[0] == []
+
+
+@pytest.mark.long
+def test_none_of_a_thousand_changes_that_states_something_else_passes():
+    found, others = untrue(1000, 1000)
+    assert others == 1000
+    assert found == []
