@@ -219,3 +219,17 @@ def test_control_c_keeps_what_is_done(whole, tmp_path):
         assert pieces_done(path) >= 2
     make(path, resume=True)
     assert contents(path) == contents(whole)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+@pytest.mark.parametrize("ending", ["zarr", "nc"])
+def test_a_link_to_nothing_gets_its_map(tmp_path, ending):
+    (tmp_path / "data").mkdir()
+    link = tmp_path / f"link.{ending}"
+    link.symlink_to(f"data/map.{ending}")
+    axes = {"plane.mu": [0.2, 0.4], "start.speed": [1.0, 2.0]}
+    dataset = maps.sweep(None, axes, ["landing_loss"], out=link)
+    assert dataset.sizes == {"plane.mu": 2, "start.speed": 2}
+    dataset.close()
+    assert os.readlink(link) == f"data/map.{ending}"
+    assert os.listdir(tmp_path / "data") == [f"map.{ending}"]

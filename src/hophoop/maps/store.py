@@ -129,6 +129,8 @@ def _compare(path: Path, known: str, wanted: str) -> None:
 
 def _create(path: Path, plan: Plan) -> None:
     zarr = need("zarr", "maps")
+    if path.is_symlink():  # to a folder that is not there yet; the link stays
+        path = Path(os.path.realpath(path))
     fresh = path.with_name(f".{os.urandom(6).hex()}.{path.name}")
     try:
         group = zarr.open_group(str(fresh), mode="w", zarr_format=3)
