@@ -40,7 +40,7 @@ def test_a_reader_that_goes_gets_no_traceback():
 
 
 @linux
-@pytest.mark.parametrize("words", [["run"], ["run", "--json"]])
+@pytest.mark.parametrize("words", [["run"], ["run", "--json"], ["run", "--help"], ["--help"], ["--version"], []])
 def test_an_output_that_is_full_is_one_sentence(words):
     with open("/dev/full", "wb") as full:
         done = subprocess.run([*START, *words], stdout=full, stderr=subprocess.PIPE, env=environment(), check=False)

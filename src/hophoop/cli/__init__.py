@@ -47,11 +47,17 @@ class Commands(TyperGroup):
         return typer.main.get_command(one)
 
     def make_context(self, *args: Any, **extra: Any) -> Any:
-        """Read the options."""
+        """Read the options; --help and --version print here."""
         try:
             return super().make_context(*args, **extra)
         except KeyboardInterrupt as error:
             raise Stopped from error
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            from hophoop.scenario.sentences import sentence
+
+            raise Failed(sentence(error)) from error
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; bad input, files that cannot be used and missing extras end with status 2."""
