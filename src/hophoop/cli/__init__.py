@@ -48,6 +48,7 @@ class Commands(TyperGroup):
 
     def make_context(self, *args: Any, **extra: Any) -> Any:
         """Read the options; --help and --version print here."""
+        self._refuse_empty_names(list(extra["args"] if "args" in extra else args[1]))
         try:
             return super().make_context(*args, **extra)
         except KeyboardInterrupt as error:
@@ -74,6 +75,23 @@ class Commands(TyperGroup):
             raise Failed(in_options(sentence(error), self._options(ctx))) from error
         except MemoryError as error:
             raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
+
+    def _refuse_empty_names(self, words: list[str]) -> None:
+        """Refuse an option for a file without a name, which pathlib would read as the current folder."""
+        if not any(word == "" or word.endswith("=") for word in words):
+            return
+        from typing import get_type_hints
+
+        name = next((word for word in words if not word.startswith("-")), "")
+        command = self.get_command(None, name)
+        if command is None:
+            return
+        hints = get_type_hints(getattr(import_module(f"hophoop.cli.{name}"), name))
+        files = {flag for one in command.params if "Path" in str(hints.get(one.name)) for flag in one.opts if flag[0] == "-"}
+        for word, following in zip(words, [*words[1:], None], strict=True):
+            flag = word.removesuffix("=")
+            if flag in files and (word != flag or following == ""):
+                raise Failed(f"{flag} = '' must name a file or a folder.")
 
     def _options(self, ctx: Any) -> dict[str, str]:
         """Argument → option of the command that was called, but for those of the scenario, whose paths are told."""
