@@ -379,7 +379,7 @@ class Ledger:
     friction : float
         Lost to friction in slip [J].
     impact_normal : float
-        Lost in impacts, in the direction normal to the plane; negative where Newton's law creates energy [J].
+        Lost in impacts, in the direction normal to the plane; may be negative under Newton's and Poisson's laws [J].
     impact_tangential : float
         Lost in impacts, along the plane [J].
     rolling_resistance : float

@@ -40,7 +40,7 @@ def test_a_reader_that_goes_gets_no_traceback():
 
 
 @linux
-@pytest.mark.parametrize("words", [["run"], ["run", "--json"]])
+@pytest.mark.parametrize("words", [["run"], ["run", "--json"], ["run", "--help"], ["--help"], ["--version"], []])
 def test_an_output_that_is_full_is_one_sentence(words):
     with open("/dev/full", "wb") as full:
         done = subprocess.run([*START, *words], stdout=full, stderr=subprocess.PIPE, env=environment(), check=False)
@@ -114,3 +114,22 @@ def test_stopped_it_says_so(number, status, moment):
         [sys.executable, "-c", code, "run"], capture_output=True, text=True, env=environment(), check=False, timeout=60
     )
     assert (done.returncode, done.stdout, done.stderr) == (status, "", "Stopped.\n")
+
+
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [
+        ("reproduce", "--out"),
+        ("run", "--csv"),
+        ("animate", "--out"),
+        ("map", "--plot"),
+        ("prove", "--out"),
+        ("lab", "--export"),
+    ],
+)
+def test_an_output_without_a_name_is_refused_at_once(command, option, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for words in ([option, ""], [f"{option}="]):
+        done = run(command, *words)
+        assert (done.returncode, done.stderr.decode()) == (2, f"Error: {option} = '' must name a file or a folder.\n")
+        assert list(tmp_path.iterdir()) == []

@@ -1,5 +1,7 @@
 """`hophoop track`, as a person or a script calls it."""
 
+import socket
+
 import numpy as np
 import pytest
 from typer.testing import CliRunner
@@ -63,3 +65,21 @@ def test_the_film_is_not_written_over(film):
     done = call(film, "--radius", 0.3, "--film", film)
     assert done.exit_code == 2
     assert "is the film itself" in done.output
+
+
+@pytest.mark.parametrize(
+    "form", ["http://127.0.0.1:{}/hoop.mp4", "tcp://127.0.0.1:{}", "tcp:127.0.0.1:{}", "http:127.0.0.1:{}/hoop.mp4"]
+)
+@pytest.mark.parametrize("more", [(), ("--pick",)])
+def test_an_address_is_refused_and_nothing_connects(form, more):
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        server.settimeout(0.2)
+        film = form.format(server.getsockname()[1])
+        done = call(film, "--radius", 0.3, *more)
+        with pytest.raises(TimeoutError):
+            server.accept()
+    assert done.exit_code == 2
+    if "://" in film:
+        assert done.stderr == f"Error: {film} is an address; a film must be a file on this machine.\n"
+    else:
+        assert "No such file" in done.stderr

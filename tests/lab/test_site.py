@@ -83,6 +83,17 @@ def test_it_knows_where_the_documentation_is_if_told(tmp_path: Path) -> None:
     assert done.exit_code == 0, done.output
     page = (tmp_path / "lab" / "index.html").read_text(encoding="utf-8")
     assert '<meta name="hophoop-docs" content="https://example.org/&quot;docs/">' in page
+    for hostile in (
+        "javascript:alert(1)//",
+        " JavaScript:alert(1)",
+        "java\tscript:alert(1)",
+        "data:text/html,x",
+        "\x01javascript:x",
+    ):
+        done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "hostile"), "--docs", hostile])
+        assert done.exit_code == 2, hostile
+        assert "must be an address of http or https" in done.output
+        assert not (tmp_path / "hostile").exists()
     done = CliRunner().invoke(app, ["lab", "--docs", "../"])
     assert done.exit_code == 2
     assert "--docs needs --export" in done.output

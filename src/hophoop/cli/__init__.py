@@ -47,11 +47,18 @@ class Commands(TyperGroup):
         return typer.main.get_command(one)
 
     def make_context(self, *args: Any, **extra: Any) -> Any:
-        """Read the options."""
+        """Read the options; --help and --version print here."""
+        self._refuse_empty_names(list(extra["args"] if "args" in extra else args[1]))
         try:
             return super().make_context(*args, **extra)
         except KeyboardInterrupt as error:
             raise Stopped from error
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            from hophoop.scenario.sentences import sentence
+
+            raise Failed(sentence(error)) from error
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; bad input, files that cannot be used and missing extras end with status 2."""
@@ -68,6 +75,23 @@ class Commands(TyperGroup):
             raise Failed(in_options(sentence(error), self._options(ctx))) from error
         except MemoryError as error:
             raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
+
+    def _refuse_empty_names(self, words: list[str]) -> None:
+        """Refuse an option for a file without a name, which pathlib would read as the current folder."""
+        if not any(word == "" or word.endswith("=") for word in words):
+            return
+        from typing import get_type_hints
+
+        name = next((word for word in words if not word.startswith("-")), "")
+        command = self.get_command(None, name)
+        if command is None:
+            return
+        hints = get_type_hints(getattr(import_module(f"hophoop.cli.{name}"), name))
+        files = {flag for one in command.params if "Path" in str(hints.get(one.name)) for flag in one.opts if flag[0] == "-"}
+        for word, following in zip(words, [*words[1:], None], strict=True):
+            flag = word.removesuffix("=")
+            if flag in files and (word != flag or following == ""):
+                raise Failed(f"{flag} = '' must name a file or a folder.")
 
     def _options(self, ctx: Any) -> dict[str, str]:
         """Argument → option of the command that was called, but for those of the scenario, whose paths are told."""

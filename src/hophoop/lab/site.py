@@ -6,6 +6,7 @@ import gzip
 import hashlib
 import html
 import json
+import re
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -71,6 +72,9 @@ def site_files(docs: str = "") -> dict[str, bytes]:
 
 def _place_of(docs: str) -> bytes:
     """What tells the page where the documentation is."""
+    scheme = re.match(r"[^/?#]*?:", docs.strip())  # browsers skip spaces and control characters before one
+    if (scheme and scheme[0].lower() not in ("http:", "https:")) or not docs.isprintable():
+        raise InputError(f"--docs = {docs!r} must be an address of http or https, or a path such as ../.")
     if not docs:
         return b""
     return f'<meta name="hophoop-docs" content="{html.escape(docs.rstrip("/"))}/">\n'.encode()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -68,7 +69,7 @@ def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
     """
     av = need("av", "track")
     file = Path(path)
-    with _refusals(file, av), av.open(str(file)) as box:
+    with _refusals(file, av), av.open(_local(file)) as box:
         if not box.streams.video:
             raise InputError(f"{file} holds no video.")
         stream = box.streams.video[0]
@@ -87,6 +88,15 @@ def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
                     continue  # a frame that is shown twice
             last = t
             yield _picture(frame, t, shift, file)
+
+
+def _local(file: Path) -> str:
+    """Return a name that FFmpeg opens as a file of this machine; by itself it reads 'http:' or 'tcp:' as a protocol."""
+    address = re.match(r"([A-Za-z][A-Za-z0-9+.-]+):[/\\]+", str(file))
+    if address is not None and not file.exists():
+        shown = f"{address[1]}://{str(file)[address.end() :]}"
+        raise InputError(f"{shown} is an address; a film must be a file on this machine.")
+    return f"file:{file}"
 
 
 @contextmanager
@@ -141,7 +151,7 @@ def count(path: str | Path) -> int | None:
     """
     av = need("av", "track")
     file = Path(path)
-    with _refusals(file, av), av.open(str(file)) as box:
+    with _refusals(file, av), av.open(_local(file)) as box:
         if not box.streams.video:
             raise InputError(f"{file} holds no video.")
         stream = box.streams.video[0]
