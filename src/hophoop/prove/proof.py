@@ -119,7 +119,7 @@ class Proof:
     digits : int
         Digits asked for [1].
     digits_proved : int
-        Digits of every number, beside itself or its unit made of R and g, that its enclosure determines [1].
+        Digits of every number, relative to itself or to its unit made of R and g, that its enclosure determines [1].
     events : tuple of ProvedEvent
         The events that are proved; where it is undecided, those before.
     certificate : dict or None

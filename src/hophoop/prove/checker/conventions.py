@@ -80,7 +80,7 @@ class Conventions:
         """Each in words."""
         return (
             f"the motion is followed {UNTIL[self.until]}, and for {self.max_events} events at most",
-            f"every number is enclosed to {self.digits} digits, beside itself or its unit made of R and g",
+            f"every number is enclosed to {self.digits} digits, relative to itself or to its unit made of R and g",
             f"bounces are closed when what is left of them takes less than {CLOSING} of the time so far",
             f"a gain of energy below {GAIN_FLOOR} of an impact's energy is no event",
             "an apex is the highest top of the gap in a flight; where the highest are equal, there is none",
