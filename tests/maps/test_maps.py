@@ -435,3 +435,10 @@ def test_too_much_rolling_resistance_is_marked():
         span="duration",
     )
     assert np.isfinite(found.energy_lost.values).tolist() == [[True, True], [True, False]]
+
+
+def test_a_logarithmic_axis_has_equal_ratios_and_exact_decades():
+    assert logarithmic(0.001, 1000.0, 7).tolist() == [0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0]
+    values = logarithmic(0.1, 5.0, 50)
+    np.testing.assert_allclose(values, np.geomspace(0.1, 5.0, 50), rtol=4e-15)
+    np.testing.assert_allclose(values[1:] / values[:-1], 50.0 ** (1 / 49), rtol=4e-15)
