@@ -71,6 +71,20 @@ def test_a_workflow_may_only_read_but_where_it_says_so(name):
     assert "secrets." not in WORKFLOWS[name].read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("name", WORKFLOWS)
+def test_a_workflow_names_no_branch_and_no_tag_that_can_move(name):
+    """Actions are pinned by the hash of a commit, with its release in a comment."""
+    lines = [line for line in WORKFLOWS[name].read_text(encoding="utf-8").splitlines() if "uses:" in line]
+    assert len(lines) == sum("uses" in step for step in steps(name))
+    for line in lines:
+        assert re.search(r"uses: [\w-]+/[\w-]+@[0-9a-f]{40}  # (v\d+\.\d+\.\d+|master, after v\d+\.\d+)$", line), line
+
+
+def test_workflows_use_one_version_of_an_action():
+    pins = {step["uses"] for name in WORKFLOWS for step in steps(name) if "uses" in step}
+    assert len(pins) == len({pin.partition("@")[0] for pin in pins})
+
+
 def test_a_release_is_published_without_a_password():
     jobs = workflow("release")["jobs"]
     publish = jobs["publish"]
