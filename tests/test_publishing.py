@@ -103,6 +103,22 @@ def test_a_release_asks_for_lines_that_the_files_have():
     assert re.search(rf"^## {re.escape(version)} – (unreleased|\d{{4}}-\d\d-\d\d)$", read("CHANGELOG.md"), re.MULTILINE)
 
 
+# The requirements
+
+
+# The first version without a published weakness, and the smallest extra that brings the package.
+@pytest.mark.parametrize(
+    ("extra", "name", "first"),
+    [("plots", "pillow", "10.3"), ("maps", "filelock", "3.20.1"), ("lab", "starlette", "0.49.1"), ("lab", "h11", "0.16")],
+)
+def test_no_extra_allows_a_version_with_a_known_weakness(extra, name, first):
+    def numbers(version):
+        return tuple(int(part) for part in version.split("."))
+
+    (least,) = (one.removeprefix(f"{name}>=") for one in PROJECT["optional-dependencies"][extra] if one.startswith(f"{name}>="))
+    assert numbers(least) >= numbers(first)
+
+
 # The recipe
 
 
