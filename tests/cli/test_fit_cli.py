@@ -119,8 +119,9 @@ def test_a_plan(tmp_path):
     done = call(*options)
     assert done.exit_code == 0, done.output
     assert "mu_excess" in done.stdout
-    better = json.loads(call(*options, "--json").stdout)
-    worse = json.loads(call(*options, "--json", "--no-marker").stdout)
+    answers = [call(*options, "--json"), call(*options, "--json", "--no-marker")]
+    assert [done.exit_code for done in answers] == [0, 0], [done.output for done in answers]
+    better, worse = (json.loads(done.stdout) for done in answers)
     assert worse["errors"]["gamma"] > better["errors"]["gamma"]
     done = call(*options, "--rate", -1)
     assert done.exit_code == 2

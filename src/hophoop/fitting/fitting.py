@@ -11,12 +11,12 @@ import numpy as np
 from hophoop.fitting.covariance import memories
 from hophoop.fitting.guess import candidates, guess, start_kind
 from hophoop.fitting.judging import WORDS, correlations, lacking, least_static_friction, shares
-from hophoop.fitting.limits import at_end, least_friction, one_sided
+from hophoop.fitting.limits import NOT_SEEN, absent, least_friction, one_sided
 from hophoop.fitting.losses import influence
 from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, shared_errors
 from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import Choice, Solution, best_of, solve
+from hophoop.fitting.solving import Choice, Solution, best_of
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
 
@@ -161,44 +161,24 @@ def _choice(
 def _told(
     problem: Problem, choice: Choice, solution: Solution, blind: list[str], track: Track, settings: dict[str, object]
 ) -> Fit:
-    """The fit with what it does not say: limits of what is at an end, or out of sight."""
-    limits: dict[str, tuple[str, float]] = {}
-    notes = []
+    """The fit with what it does not say: limits of what may be at an end of its range, or is out of sight."""
     soft, wanted = bool(settings["soft"]), choice
-    for name in solution.free:
-        side = at_end(choice, solution, name)
-        if side:
-            end = choice.limits(name)[0 if side < 0 else 1]
-            choice = choice.at(solution.values).without(name, end)
-            for other in blind:
-                choice = choice.without(other, choice.values[other])
-            solution = solve(problem, choice, soft)
-            limit = one_sided(problem, choice, solution, name, side, soft)
-            limits[name] = ("≤" if side < 0 else "≥", limit)
+    gone = absent(problem.motion(solution.values)) & set(blind)
+    names = [name for name in choice.free if name not in gone]
+    solution, limits = one_sided(problem, choice.only(solution.free), solution, names, soft)
+    limits |= {name: NOT_SEEN for name in choice.free if name in gone or name not in (*solution.free, *limits)}
     motion = problem.motion(solution.values)
-    letters = set(motion.sequence)
-    slips, lands = bool(letters & {"S", "K"}), bool(motion.find("impact"))
-    there = {"restitution": lands, "mu_kinetic": slips, "mu_excess": slips}
-    for name in blind:
-        limits[name] = ("", float("nan"))
-        ends = choice.limits(name)
-        if there.get(name, True) and solution.values[name] in ends:
-            # what changes nothing at first, such as a restitution of 0, may do so further on
-            side = -1 if solution.values[name] == ends[0] else 1
-            limit = one_sided(problem, choice, solution, name, side, soft)
-            if limit != ends[0 if side > 0 else 1]:
-                limits[name] = ("≤" if side < 0 else "≥", limit)
-    if not slips and {"mu_kinetic", "mu_excess"} & set(blind):
+    gone = absent(motion)
+    notes = []
+    if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):
         least = least_static_friction(motion)
         if not choice.tied:
             least = least_friction(problem, wanted, solution, least, soft)
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction is not seen.")
-    if not lands and "restitution" in blind:
+    if "restitution" in gone & set(limits):
         notes.append("There is no impact in the film, so that it says nothing about restitution.")
-    for name in blind:
-        if name not in ("mu_kinetic", "mu_excess", "restitution") and not limits[name][0]:
-            notes.append(f"The film says nothing about {name}.")
+    notes += [f"The film says nothing about {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
     pulls = influence(solution.residuals) if soft else solution.residuals
     for name, memory in memories(problem, pulls).items():
         if memory.share:

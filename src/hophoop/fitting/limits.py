@@ -2,56 +2,143 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 import numpy as np
 
 from hophoop.fitting.problem import Problem
-from hophoop.fitting.solving import CONFIDENT, FIRST_CALLS, Choice, Solution, solve
+from hophoop.fitting.solving import (
+    CONFIDENT,
+    Choice,
+    Minimum,
+    Solution,
+    approach,
+    complete,
+    cost_at,
+    lowest,
+    solve,
+    spread_of,
+)
+from hophoop.trajectory import Trajectory
 
-AT_END = 0.02  # so near to an end of its range, in standard deviations or the range, a parameter is at it
+AGREES = 4.0  # rise of the sum of squares up to which the data agree with an end of a range: two standard deviations
+NEAR = 9.0  # the same up to which the end is near: three
 STEPS = 12  # of a search for a limit
+FINE = 0.01  # of the distance from the end, to which a limit is searched
+NOT_SEEN = ("", float("nan"))
 
 
-def at_end(choice: Choice, solution: Solution, name: str) -> int:
-    """Whether a free parameter has come to an end of its range: −1 the lower, 1 the upper, 0 neither."""
-    low, high = choice.limits(name)
-    value = solution.values[name]
-    error = float(np.sqrt(max(solution.covariance[solution.free.index(name), solution.free.index(name)], 0.0)))
-    if not np.isfinite(error):
-        error = 0.0
-    near = max(AT_END * error, 1e-4 * (high - low) if np.isfinite(high - low) else 0.0)
-    return -1 if value - low < near else 1 if high - value < near else 0
+class End(NamedTuple):
+    """The minimum with a parameter at an end of its range."""
+
+    side: int  # −1 the lower end, 1 the upper
+    found: Minimum
+    blind: list[str]  # parameters that change nothing there
 
 
-def one_sided(problem: Problem, choice: Choice, solution: Solution, name: str, side: int, soft: bool) -> float:
-    """How far a parameter that is at the end of its range may be from it, at 95 %, the others adapting.
+def absent(motion: Trajectory) -> set[str]:
+    """Parameters of the contact about which a motion says nothing: friction without slip, restitution without an impact."""
+    slips = {"S", "K"} & set(motion.sequence)
+    return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if motion.find("impact") else {"restitution"})
+
+
+def one_sided(
+    problem: Problem, choice: Choice, solution: Solution, names: Sequence[str], soft: bool
+) -> tuple[Solution, dict[str, tuple[str, float]]]:
+    """Limits of parameters that may be at an end of their range, where they then are, and what they leave of the others.
+
+    The slopes at the minimum say too little there: the sum of squares may be steep at the minimum and flat towards the end.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
     solution : Solution
-        With the parameter at the end of its range.
-    name : str
-    side : {-1, 1}
-        At which end it is.
+        The minimum of `choice`.
+    names : sequence of str
+        Parameters that may have a limit, free ones and such as change nothing where they are.
     soft : bool
 
     Returns
     -------
-    limit : float
-        In the parameter's own unit [1].
+    solution : Solution
+        The minimum with what has a limit at the end of its range. The covariance of the others counts with how they change up
+        to the limit. A standard deviation that ends within three of an end is at least what the sum of squares there says.
+    limits : dict
+        The sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both ends [its unit].
     """
-    low, high = choice.limits(name)
-    end = low if side < 0 else high
-    near, far, step = end, None, 0.01 * min(high - low, 1.0)
+    limits, changes = {}, []
+    for name in names:
+        spread = spread_of(problem, solution.cost, len(solution.free))
+        near = _ends(problem, choice, solution, name, soft)
+        agreed = [end for end in near if end.found.cost - solution.cost <= AGREES * spread]
+        if len(agreed) == 1:
+            ((side, found, blind),) = agreed
+            begin = min((solution.values, solution.cost), (found.values, found.cost), key=lambda one: one[1])
+            allowed = begin[1] + CONFIDENT * spread
+            step = 0.01 * min(np.subtract(*choice.limits(name)[::-1]), 1.0)
+            values = _reach(problem, choice.at(begin[0]), name, -side * step, allowed, soft)
+            limits[name] = ("≤" if side < 0 else "≥", values[name])
+            free = tuple(other for other in solution.free if other != name and other not in blind)
+            solution = solve(problem, choice.at(found.values).only(free), soft)
+            changes.append({other: (values[other] - solution.values[other]) / np.sqrt(CONFIDENT * spread) for other in free})
+        elif agreed or name not in solution.free:
+            limits[name] = NOT_SEEN
+            solution = solution.without(name)
+        for end in near if not agreed else ():
+            size = np.sqrt((end.found.cost - solution.cost) / spread)  # of the way there, in standard deviations
+            solution = solution.with_error(name, abs(end.found.values[name] - solution.values[name]) / size)
+        choice = choice.at(solution.values).only(solution.free)
+    covariance = solution.covariance.copy()
+    for one in changes:
+        own = np.array([one.get(name, 0.0) for name in solution.free])
+        covariance += np.outer(own, own)
+    return solution._replace(covariance=covariance), limits
+
+
+def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, soft: bool) -> list[End]:
+    """The ends of a parameter's range that are not far, as the sum of squares has it."""
+    result = []
+    for side, end in zip((-1, 1), choice.limits(name), strict=True):
+        if not np.isfinite(end):
+            continue
+        held = choice.at(solution.values).without(name, end)
+        starts = [held.values, _moved(choice, solution, name, end)]
+        costs = [cost_at(problem, complete(problem, held, values), soft) for values in starts]
+        if min(costs) - solution.cost > problem.count:
+            continue  # so far off, adapting does not help
+        found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), soft)
+        if found.cost - solution.cost <= NEAR * spread_of(problem, solution.cost, len(solution.free)):
+            result.append(End(side, found, blind))
+    return result
+
+
+def _moved(choice: Choice, solution: Solution, name: str, end: float) -> dict[str, float]:
+    """Values with one at the end of its range and the others adapted as if all were linear."""
+    values = {**solution.values, name: end}
+    if name not in solution.free or not np.isfinite(solution.covariance).all():
+        return values
+    along = solution.covariance[solution.free.index(name)]
+    for other, change in zip(solution.free, along / along[solution.free.index(name)], strict=True):
+        if other != name:
+            moved = values[other] + change * (end - solution.values[name])
+            values[other] = float(np.clip(moved, *choice.limits(other)))
+    return values
+
+
+def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: float, soft: bool) -> dict[str, float]:
+    """The values with one as far away as the sum of squares stays within what is allowed, the others adapting."""
+    near, far = dict(choice.values), None
+    begin = near[name]
     for _ in range(STEPS):
-        value = float(np.clip(near - side * step, low, high))
-        cost = solve(problem, choice.at(solution.values).without(name, value), soft, FIRST_CALLS).cost
-        if cost - solution.cost > CONFIDENT:
-            far, step = value, 0.5 * abs(value - near)
+        value = float(np.clip(near[name] + step, *choice.limits(name)))
+        there = lowest(problem, choice.at(near).without(name, value), soft)
+        if there.cost > allowed:
+            far, step = value, 0.5 * (value - near[name])
         else:
-            near, step = value, (2.0 * step if far is None else 0.5 * abs(far - value))
-        if value in (low, high) and value != end and far is None:
+            near, step = there.values, (2.0 * step if far is None else 0.5 * (far - value))
+        if (far is None and value in choice.limits(name)) or (far is not None and abs(step) < FINE * abs(near[name] - begin)):
             break
     return near
 
@@ -75,7 +162,7 @@ def least_friction(problem: Problem, choice: Choice, solution: Solution, needed:
     friction : float
         A little less than needed: slip that is too short is not seen [1].
     """
-    scale = max(1.0, solution.cost / max(problem.count - len(solution.free), 1))
+    scale = spread_of(problem, solution.cost, len(solution.free))
     near, far, step = needed, 0.0, 0.02 * needed
     for _ in range(STEPS):
         value = max(near - step, 0.5 * (near + far))
@@ -89,7 +176,7 @@ def least_friction(problem: Problem, choice: Choice, solution: Solution, needed:
             fixed = fixed.without(name, number)
         for name in set(fixed.free) - set(solution.free):
             fixed = fixed.without(name, solution.values[name])
-        if solve(problem, fixed, soft, FIRST_CALLS).cost - solution.cost > CONFIDENT * scale:
+        if lowest(problem, fixed, soft).cost - solution.cost > CONFIDENT * scale:
             far = value
         else:
             near, step = value, 2.0 * step

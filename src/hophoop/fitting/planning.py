@@ -10,7 +10,7 @@ import numpy as np
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import correlations, least_static_friction
-from hophoop.fitting.limits import at_end, one_sided
+from hophoop.fitting.limits import absent, one_sided
 from hophoop.fitting.parameters import PARAMETERS, REFUSED
 from hophoop.fitting.problem import Prior, Problem, defaults, problem_of
 from hophoop.fitting.result import rounded
@@ -34,7 +34,7 @@ class Plan:
     errors : dict of float
         Standard deviations that a fit would have [SI units].
     limits : dict
-        Of each parameter at an end of its range "≤" or "≥", and how far it could be from it, at 95 % [its unit].
+        Of each parameter that could be at an end of its range "≤" or "≥", and how far it could be from it, at 95 % [its unit].
     unseen : tuple of str
         Parameters of which the film would say nothing.
     correlated : list
@@ -167,22 +167,11 @@ def plan(
     seen = Choice(values, tuple(name for name in names if name not in blind), {}, {})
     jacobian = slopes(problem, seen, seen.free)
     whole = Solution(values, seen.free, inverse(jacobian.T @ jacobian), 0.0, np.zeros(0))
-    # at an end of its range a parameter has a limit and no spread, and its slope there may be next to nothing
-    ends = {name: side for name in seen.free if (side := at_end(seen, whole, name))}
-    inner = [k for k, name in enumerate(seen.free) if name not in ends]
-    covariance = inverse(jacobian[:, inner].T @ jacobian[:, inner])
-    solution = Solution(values, tuple(seen.free[k] for k in inner), covariance, 0.0, np.zeros(0))
-    errors = {name: float(np.sqrt(covariance[k, k])) for k, name in enumerate(solution.free)}
-    # what changes nothing at first, such as a restitution of 0, may do so further on
-    for name in blind:
-        if values[name] in choice.limits(name):
-            ends[name] = -1 if values[name] == choice.limits(name)[0] else 1
-    limits = {}
-    for name, side in ends.items():
-        limit = one_sided(problem, seen, whole, name, side, False)
-        if limit != seen.limits(name)[0 if side > 0 else 1]:  # else the data go with every value
-            limits[name] = ("≤" if side < 0 else "≥", limit)
-    blind = tuple(name for name in names if (name in blind or name in ends) and name not in limits)
+    gone = absent(motion) & set(blind)
+    solution, limits = one_sided(problem, seen, whole, [name for name in names if name not in gone], False)
+    errors = {name: float(np.sqrt(solution.covariance[k, k])) for k, name in enumerate(solution.free)}
+    limits = {name: limit for name, limit in limits.items() if limit[0]}
+    blind = tuple(name for name in names if name not in (*solution.free, *limits))
     never = not set(motion.sequence) & {"S", "K"}
     least = least_static_friction(motion) if never else float("nan")
     return Plan(values, errors, limits, blind, correlations(solution, set(problem.priors)), motion.sequence, count, least)

@@ -59,6 +59,10 @@ class Choice:
         free = tuple(other for other in self.free if other != name)
         return Choice({**self.values, name: value}, free, self.bounds, self.tied)
 
+    def only(self, names: tuple[str, ...]) -> Choice:
+        """The same with these parameters alone free."""
+        return Choice(self.values, names, self.bounds, self.tied)
+
     def at(self, values: Mapping[str, float]) -> Choice:
         """The same from other values."""
         return Choice({**self.values, **values}, self.free, self.bounds, self.tied)
@@ -73,8 +77,52 @@ class Solution(NamedTuple):
     cost: float  # sum of the squares, softened
     residuals: Floats  # as they are [standard deviations]
 
+    def without(self, name: str) -> Solution:
+        """The same with a parameter of which nothing is told."""
+        kept = [k for k, other in enumerate(self.free) if other != name]
+        free = tuple(self.free[k] for k in kept)
+        return self._replace(free=free, covariance=self.covariance[np.ix_(kept, kept)])
 
-def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) -> Solution:
+    def with_error(self, name: str, least: float) -> Solution:
+        """The same with a standard deviation that is at least so large; correlations stay."""
+        place, factors = self.free.index(name), np.ones(len(self.free))
+        factors[place] = max(1.0, least / np.sqrt(self.covariance[place, place]))
+        return self._replace(covariance=self.covariance * np.outer(factors, factors))
+
+
+class Minimum(NamedTuple):
+    """A minimum, without what it leaves uncertain."""
+
+    values: dict[str, float]
+    cost: float  # sum of the squares, softened
+    residuals: Floats  # as they are [standard deviations]
+
+
+def solve(problem: Problem, choice: Choice, soft: bool) -> Solution:
+    """One minimum and its covariance.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+    soft : bool
+        Whether outliers count less.
+
+    Returns
+    -------
+    solution : Solution
+
+    Raises
+    ------
+    ValueError
+        If an expression makes no sense.
+    """
+    values, cost, off = lowest(problem, choice, soft, MOST_CALLS)
+    found = slopes(problem, choice.at(values), choice.free)
+    return Solution(values, choice.free, covariance_of(problem, found, off, soft), cost, off)
+
+
+def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS) -> Minimum:
     """One minimum, by Levenberg and Marquardt.
 
     Parameters
@@ -88,7 +136,7 @@ def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) 
 
     Returns
     -------
-    solution : Solution
+    minimum : Minimum
 
     Raises
     ------
@@ -110,9 +158,17 @@ def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) 
         )
     else:
         seen.softened(parameters)
-    values, off = seen.values, seen.off
-    found = slopes(problem, choice.at(values), choice.free)
-    return Solution(values, choice.free, covariance_of(problem, found, off, soft), seen.cost, off)
+    return Minimum(seen.values, seen.cost, seen.off)
+
+
+def cost_at(problem: Problem, values: dict[str, float], soft: bool) -> float:
+    """The sum of the squares, softened if asked for, at values of all parameters."""
+    return float((soften(problem.residuals(values), soft) ** 2).sum())
+
+
+def spread_of(problem: Problem, cost: float, free: int) -> float:
+    """By how much the sum of squares with so many free parameters exceeds what the data's errors say; at least 1."""
+    return max(1.0, cost / max(problem.count - free, 1))
 
 
 class _Seen:
@@ -285,7 +341,7 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
     solution : Solution
     blind : list of str
     """
-    found: list[tuple[Solution, list[str]]] = []
+    found: list[tuple[Minimum, list[str]]] = []
     explained = False
     tried: set[str] = set()
     for start in starts:
@@ -293,38 +349,38 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
         # once the data are explained to their scatter, another sequence may still explain them better
         if explained and sequence in tried:
             continue
-        found.append(_approach(problem, choice.at(start.values), soft))
+        found.append(approach(problem, choice.at(start.values), soft))
         tried.add(sequence)
         explained = explained or found[-1][0].cost < 1.15 * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
     for values in _walks(problem, choice, best, soft):
-        other = _approach(problem, choice.at(values), soft)
+        other = approach(problem, choice.at(values), soft)
         if other[0].cost < best.cost - 1e-6:
             best, blind = other
     plain = _without_slip(problem, choice, best, soft)
     if plain is not None:
         best, blind = plain
-    seeing = _blinded(choice.at(best.values), blind)
-    last = solve(problem, seeing, soft)
-    again = unseen(problem, seeing.at(last.values))
-    if again:  # on the way something went out of sight
-        blind = [*blind, *again]
+    last = solve(problem, _blinded(choice.at(best.values), blind), soft)
+    for _ in range(2):
+        now = unseen(problem, choice.at(last.values))
+        if now == blind:
+            break
+        blind = now  # on the way something went out of sight, or came into it
         last = solve(problem, _blinded(choice.at(last.values), blind), soft)
     return last, blind
 
 
-def _without_slip(problem: Problem, choice: Choice, best: Solution, soft: bool) -> tuple[Solution, list[str]] | None:
+def _without_slip(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> tuple[Minimum, list[str]] | None:
     """A motion that never slips, if the data do not tell it from the best one: slip must be seen to be believed."""
     if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
         return None
     low, high = choice.limits("mu_kinetic")
     for friction in (float(np.clip(ENOUGH, low, high)), high):
         values = {**best.values, "mu_kinetic": friction}
-        cost = float((soften(problem.residuals(values), soft) ** 2).sum())
+        cost = cost_at(problem, values, soft)
         if cost < WORTH_TRYING * best.cost and not _slips(problem, values):
-            other, blind = _approach(problem, choice.at(values), soft)
-            scale = max(1.0, best.cost / max(problem.count - len(choice.free), 1))
-            alike = other.cost < best.cost + CONFIDENT * scale
+            other, blind = approach(problem, choice.at(values), soft)
+            alike = other.cost < best.cost + CONFIDENT * spread_of(problem, best.cost, len(choice.free))
             return (other, blind) if alike and not _slips(problem, other.values) else None
     return None
 
@@ -336,7 +392,7 @@ def _slips(problem: Problem, values: dict[str, float]) -> bool:
         return True
 
 
-def _walks(problem: Problem, choice: Choice, best: Solution, soft: bool) -> list[dict[str, float]]:
+def _walks(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> list[dict[str, float]]:
     """Other places to begin: along one parameter of the contact at a time, the two lowest that are not the minimum itself.
 
     Along these the sum of squares has steps and flats, such as restitution so small that nothing bounces.
@@ -347,19 +403,17 @@ def _walks(problem: Problem, choice: Choice, best: Solution, soft: bool) -> list
             continue
         least, most = choice.limits(name)
         grid = np.linspace(max(low, least), min(high, most), WALK)
-        costs = [
-            (float((soften(problem.residuals({**best.values, name: float(value)}), soft) ** 2).sum()), float(value))
-            for value in grid
-        ]
+        costs = [(cost_at(problem, {**best.values, name: float(value)}, soft), float(value)) for value in grid]
         for cost, value in sorted(costs)[:2]:
             if cost < WORTH_TRYING * best.cost:
                 result.append((cost, {**best.values, name: value}))
     return [values for _, values in sorted(result, key=lambda pair: pair[0])[:MOST_WALKS]]
 
 
-def _approach(problem: Problem, choice: Choice, soft: bool) -> tuple[Solution, list[str]]:
+def approach(problem: Problem, choice: Choice, soft: bool) -> tuple[Minimum, list[str]]:
+    """A minimum as far as few steps lead to it, and the parameters that change nothing where they began."""
     blind = unseen(problem, choice)
-    return solve(problem, _blinded(choice, blind), soft, FIRST_CALLS), blind
+    return lowest(problem, _blinded(choice, blind), soft), blind
 
 
 def _blinded(choice: Choice, blind: list[str]) -> Choice:
