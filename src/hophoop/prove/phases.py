@@ -298,11 +298,12 @@ def search(
     def evaluate(x: Ball, terms: int) -> list[Jet]:
         found = piece.watch(x, terms)
         if limits.t_end is not None:
-            found.append(_padded([limits.t_end - piece.time(x), -piece.slowness(x)], terms))
+            found.append([limits.t_end - piece.time(x), -piece.slowness(x)][:terms])
         if limits.origin is not None:
             way = piece.way_at(x)
             left = limits.left(piece.angle(x), way)
-            found.append(_padded([left, -way * piece.angle_rate(x)], terms))
+            left_jet = [left, -way * piece.angle_rate(x)]
+            found.append(left_jet[:terms] + [arb(0)] * (terms - 2))  # more than two are asked for in panels alone
         return found
 
     def values(x: Ball, terms: int) -> list[Jet]:
@@ -313,10 +314,6 @@ def search(
     wide = piece.carrier.model.varying > 0
     root = first_root(values, known, exact(begin), exact(end), exact((end - begin) / 2), wide, begun)
     return None if root is None else Found(names[root.index], root, located(evaluate, root))
-
-
-def _padded(jet: Jet, terms: int) -> Jet:
-    return jet[:terms] + [arb(0)] * (terms - len(jet))
 
 
 def ended(piece: Panel | TurnPanel, found: Found, trail: Trail | Unrecorded) -> Ended:
