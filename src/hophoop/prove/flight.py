@@ -27,6 +27,7 @@ class Flight:
     def gap(self, tau: Ball, terms: int) -> Jet:
         """Taylor coefficients of the gap at τ."""
         model, begin = self.model, self.begin
+        model.deadline.ask()
         eps, om = model.eps, begin.om
         s0, c0 = begin.th.sin_cos()
         s, c = (begin.th + om * tau).sin_cos()

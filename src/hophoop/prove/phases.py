@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
@@ -43,27 +42,16 @@ class Ended:
     energy: Ball | None = None
 
 
-class Late(Undecided):
-    """The time to prove is over."""
-
-
 @dataclass(frozen=True)
 class Limits:
     """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter).
 
-    Without `timed` the time that rolling takes is left out, where nothing depends on it. After the
-    deadline nothing is shown any more.
+    Without `timed` the time that rolling takes is left out, where nothing depends on it.
     """
 
     t_end: Ball | None
     origin: Ball | None
     timed: bool = True
-    deadline: float | None = None  # of time.monotonic
-
-    def check(self) -> None:
-        """Give up where the time to prove is over."""
-        if self.deadline is not None and time.monotonic() > self.deadline:
-            raise Late("there was no time for it")
 
     def left(self, th: Ball, way: int) -> Ball | None:
         """Angle to go."""
@@ -205,7 +193,6 @@ def travel(run: Phase, sigma: int) -> Iterator[Ended]:
         begun = False
     trail = Trail(carrier, state.th) if limits.timed else Unrecorded()
     for _ in range(MOST_PIECES):
-        limits.check()
         if isinstance(piece, TurnPanel):
             if not begun:
                 root = search(piece, zeros, x.lower(), arb(0), limits)
@@ -296,6 +283,7 @@ def search(
         names, known = [*names, SPAN], [*known, 0]
 
     def evaluate(x: Ball, terms: int) -> list[Jet]:
+        piece.carrier.model.deadline.ask()
         found = piece.watch(x, terms)
         if limits.t_end is not None:
             found.append([limits.t_end - piece.time(x), -piece.slowness(x)][:terms])

@@ -13,6 +13,7 @@ MOST_PARTS = 40_000
 
 def gap(equations: Equations, state: State, tau: Ball, terms: int) -> Jet:
     """The gap a time after a state and its derivatives, over factorials."""
+    equations.deadline.ask()
     eps, om = equations.eps, state.om
     th = state.th + om * tau
     rise = state.vn - eps * om * state.th.sin()
