@@ -14,6 +14,13 @@ from hophoop.rigid import errors
 ROUNDING = 4e-16
 RING = hh.Hoop(eccentricity=0.0, inertia_ratio=1.0)  # with radius, mass and gravity 1, all units are 1
 
+SINGULAR = hh.Scenario(  # slip up to p_σ = 0
+    hoop=hh.Hoop.ideal(0.9743628639734905),
+    plane=hh.Plane(mu=0.9048406257906279),
+    start=hh.Start(angle=-1.7728528217331099, vx=10.96322093918777, omega=5.406296354291368),
+    duration=0.1,
+)
+
 
 def motion_of(start: hh.Start, duration: float, mu: float = 0.5, slope: float = 0.0, restitution: float = 0.0) -> hh.Trajectory:
     plane = hh.Plane(gravity=1.0, mu=mu, slope=slope, restitution=restitution)
@@ -132,3 +139,18 @@ def test_a_swing_comes_later_to_all_its_turning_points():
         assert [event.kind for event in motion.events] == ["start", "turn", "turn", "end"]
         late = motion.errors.t[1:3]
     assert late == pytest.approx(squares(1.0 / speed), rel=1e-3, abs=0.0)
+
+
+def test_just_before_an_impulse_at_a_fixed_angle_the_speeds_are_those_of_an_instant_that_is_rounded():
+    """N grows without bound as p_σ → 0: the true speeds at the time that the event names, in 17 digits."""
+    with forced("interpreted"):
+        motion = hh.simulate(SINGULAR)
+        events, told = motion.events, motion.errors
+    place = [event.kind for event in events].index("painleve_inconsistent")
+    assert events[place + 1].kind == "impact"
+    right = hh.simulate(SINGULAR.with_values({"duration": events[place].t}), digits=17).events[-1]
+    for name in ("vx", "omega"):
+        real = abs(float(getattr(right, name)) - getattr(events[place], name))
+        assert real > 1e-7
+        assert real < 10 * getattr(told, name)[place] < 1e4 * real
+        assert getattr(told, name)[place + 1] < 1e-11

@@ -5,7 +5,6 @@ A parameter that is a ball stands for every number in it: what is shown for the 
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +12,7 @@ from typing import Any
 from hophoop.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, arb, precision
+from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.model import FREE
 from hophoop.prove.motion import REVOLUTION, Run
 from hophoop.prove.proof import PASSING
@@ -146,13 +146,18 @@ def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
         If a parameter cannot be a range, or a range is empty.
     """
     _check(ranges)
+    return _prove_box(scenario, ranges, Deadline())
+
+
+def _prove_box(scenario: Scenario, ranges: Ranges, deadline: Deadline) -> Box:
     problem = Problem.of(scenario)
     with precision(BITS):
-        run = _run(problem, {path: arb(low).union(arb(high)) for path, (low, high) in ranges.items()})
+        run = _run(problem, {path: arb(low).union(arb(high)) for path, (low, high) in ranges.items()}, deadline)
         # where balls alone do not get through the first rolling, the box is too wide to first order as well
         if not run.proved and (len(run.facts) > 1 or run.mode != Mode.ROLL):
             count = len(ranges)
-            run = _run(problem, {path: parameter(*ends, k, count) for k, (path, ends) in enumerate(ranges.items())})
+            free = {path: parameter(*ends, k, count) for k, (path, ends) in enumerate(ranges.items())}
+            run = _run(problem, free, deadline)
     marks = [fact for fact in run.facts if fact.kind not in PASSING]
     letters = [MODE_LETTERS[fact.after_mode] for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]
     if run.proved and run.ending == "takeoff":
@@ -161,8 +166,8 @@ def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
     return Box(dict(ranges), "".join(letters), ending, run.why)
 
 
-def _run(problem: Problem, free: Mapping[str, Ball]) -> Run:
-    return Run(problem, free, until=REVOLUTION, timed=False, max_events=MOST_EVENTS).run()
+def _run(problem: Problem, free: Mapping[str, Ball], deadline: Deadline) -> Run:
+    return Run(problem, free, until=REVOLUTION, timed=False, max_events=MOST_EVENTS, deadline=deadline).run()
 
 
 def prove_map(
@@ -183,7 +188,7 @@ def prove_map(
     depth : int, default 8
         How often a box is halved at most [1].
     seconds : float, optional
-        Boxes are no longer halved after this time [s].
+        Boxes that are not proved after this time stay undecided [s].
     progress : callable, optional
         Called with the number of boxes done and the share of the window in them [1].
 
@@ -199,14 +204,13 @@ def prove_map(
     _check(ranges)
     if not isinstance(depth, int) or not LEAST_DEPTH <= depth <= MOST_DEPTH:
         raise InputError(f"depth = {depth!r} must be a whole number from {LEAST_DEPTH} to {MOST_DEPTH}.")
-    begin, cells, done = time.monotonic(), [], 0.0
+    deadline, cells, done = Deadline(seconds), [], 0.0
     level: list[dict[str, tuple[float, float]]] = [dict(ranges)]
     for k in range(depth + 1):  # level by level, so that what time there is goes to the large boxes first
         following = []
         for box in level:
-            late = seconds is not None and time.monotonic() - begin > seconds
-            found = Box(box, "", "", "there was no time for it") if late else prove_box(scenario, box)
-            if found.proved or late or k == depth:
+            found = Box(box, "", "", str(Late())) if deadline.over() else _prove_box(scenario, box, deadline)
+            if found.proved or deadline.late or k == depth:
                 cells.append(found)
                 done += 0.5**k
                 if progress is not None:

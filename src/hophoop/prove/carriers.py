@@ -77,6 +77,7 @@ class Carrier(ABC):
 
     def forces(self, th: Ball, u: Ball) -> Forces:
         """Forces at an angle."""
+        self.model.deadline.ask()
         s, c = th.sin_cos()
         return self.model.forces(s, c, u, self.sigma)
 
@@ -86,9 +87,14 @@ class Carrier(ABC):
 
     def square(self, th: Ball, u: Ball, way: int, terms: int) -> Series:
         """u as a series in way·θ from a value; call it within `order`."""
+        ask = self.model.deadline.ask
+        ask()
         s, c = series([th, way]).sin_cos()
+        ask()
         grow, push = self.model.rates(s, c, self.sigma)
+        ask()
         shrunk = (-way * grow).integral().exp()
+        ask()
         return ((way * push * shrunk).integral() + u) / shrunk
 
     @abstractmethod
@@ -241,6 +247,7 @@ class Disc:
 def disc(carrier: Carrier, th: Ball, radius: Ball) -> Disc | None:
     """Bounds on the disc about θ; None where what θ̈ is divided by may vanish in it."""
     model, flint = carrier.model, _flint
+    model.deadline.ask()
     square = flint.acb(arb(th) + symmetric(radius), symmetric(radius))
     s, c = square.sin_cos()
     if model.divisor(s, c, carrier.sigma).contains(flint.acb(0)):

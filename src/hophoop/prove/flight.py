@@ -27,18 +27,20 @@ class Flight:
     def gap(self, tau: Ball, terms: int) -> Jet:
         """Taylor coefficients of the gap at τ."""
         model, begin = self.model, self.begin
+        model.deadline.ask()
         eps, om = model.eps, begin.om
         s0, c0 = begin.th.sin_cos()
         s, c = (begin.th + om * tau).sin_cos()
         rise = begin.vn - eps * om * s0
-        turned = eps * om * om
         found = [
             begin.y + rise * tau - model.gn * tau * tau / 2 + eps * (c0 - c),
             rise - model.gn * tau + eps * om * s,
-            (turned * c - model.gn) / 2,
-            -turned * om * s / 6,
+            (eps * om * om * c - model.gn) / 2,
         ]
-        return found[:terms]
+        wave = [-eps * c, eps * om * s]  # of these two each derivative is −θ̇² times the one before the last
+        for k in range(2, terms):
+            wave.append(-om * om * wave[-2] / (k * (k - 1)))
+        return [*found, *wave[3:]][:terms]
 
     def state(self, tau: Ball) -> State:
         """The state after τ."""

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, Series, Undecided, coefficients, order, rational, sign
+from hophoop.prove.deadline import Deadline
 from hophoop.prove.varied import at_centre, count_of, over, series
 
 # Parameters that may be balls instead of the scenario's numbers, in SI units.
@@ -49,10 +50,12 @@ class Model:
         The exact numbers of a scenario.
     free : mapping of str to Ball
         Balls in the place of some of them.
+    deadline : Deadline, optional
+        Asked by whatever evaluates the equations again and again.
     """
 
-    def __init__(self, problem: Problem, free: Mapping[str, Ball] | None = None) -> None:
-        self.problem = problem
+    def __init__(self, problem: Problem, free: Mapping[str, Ball] | None = None, deadline: Deadline | None = None) -> None:
+        self.problem, self.deadline = problem, deadline or Deadline()
         self.free = dict(free or {})
         self.varying = count_of(*self.free.values())
         self.eps, self.kap = rational(problem.eps), rational(problem.kap)

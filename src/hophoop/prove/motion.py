@@ -9,9 +9,10 @@ from typing import Any
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Undecided, arb, sign
+from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.flight import Flight
 from hophoop.prove.model import Model, State, Still
-from hophoop.prove.phases import Ended, Late, Limits, roll, travel
+from hophoop.prove.phases import Ended, Limits, roll, travel
 from hophoop.prove.rolling import TURN
 from hophoop.prove.rule import (
     INCONSISTENT,
@@ -59,8 +60,8 @@ class Run:
         Whether times are wanted; a revolution can do without those of rolling.
     max_events : int, optional
         More are not looked at.
-    deadline : float, optional
-        Of `time.monotonic`; what is not shown by then stays undecided.
+    deadline : Deadline, optional
+        What is not shown by then stays undecided.
     """
 
     problem: Problem
@@ -68,7 +69,7 @@ class Run:
     until: str = DURATION
     timed: bool = True
     max_events: int = 4000
-    deadline: float | None = None
+    deadline: Deadline | None = None
     model: Model = field(init=False)
     facts: list[Fact] = field(init=False, default_factory=list)
     witnesses: list[dict[str, Any]] = field(init=False, default_factory=list)
@@ -76,10 +77,9 @@ class Run:
     ending: str = field(init=False, default="duration")
     why: str = field(init=False, default="")
     done: bool = field(init=False, default=False)
-    late: bool = field(init=False, default=False)
 
     def __post_init__(self) -> None:
-        self.model = Model(self.problem, self.free)
+        self.model = Model(self.problem, self.free, self.deadline)
         self.state = self.model.start()
         self.origin = self.state.th
         self.mode = int(Mode.FLIGHT)
@@ -87,9 +87,7 @@ class Run:
         self.last_bounce: Ball = arb(0)
         self.energy: Ball | None = None
         duration = self.until == DURATION
-        self.limits = Limits(
-            self.model.t_end if duration else None, None if duration else self.origin, self.timed, self.deadline
-        )
+        self.limits = Limits(self.model.t_end if duration else None, None if duration else self.origin, self.timed)
 
     @property
     def proved(self) -> bool:
@@ -104,8 +102,8 @@ class Run:
             self.begin()
             while not self.done:
                 self.phase()
-        except Undecided as reason:
-            self.why, self.late = str(reason), isinstance(reason, Late)
+        except (Undecided, Late) as reason:
+            self.why = str(reason)
         except ZeroDivisionError:
             self.why = "a divisor may be zero"
         return self
@@ -243,7 +241,6 @@ class Run:
 
     def phase(self) -> None:
         """One phase, or a part of it up to an event that leaves the mode as it is."""
-        self.limits.check()
         try:
             if self.mode == Mode.FLIGHT:
                 self.fly()

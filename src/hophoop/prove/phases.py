@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
@@ -43,27 +42,16 @@ class Ended:
     energy: Ball | None = None
 
 
-class Late(Undecided):
-    """The time to prove is over."""
-
-
 @dataclass(frozen=True)
 class Limits:
     """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter).
 
-    Without `timed` the time that rolling takes is left out, where nothing depends on it. After the
-    deadline nothing is shown any more.
+    Without `timed` the time that rolling takes is left out, where nothing depends on it.
     """
 
     t_end: Ball | None
     origin: Ball | None
     timed: bool = True
-    deadline: float | None = None  # of time.monotonic
-
-    def check(self) -> None:
-        """Give up where the time to prove is over."""
-        if self.deadline is not None and time.monotonic() > self.deadline:
-            raise Late("there was no time for it")
 
     def left(self, th: Ball, way: int) -> Ball | None:
         """Angle to go."""
@@ -205,7 +193,6 @@ def travel(run: Phase, sigma: int) -> Iterator[Ended]:
         begun = False
     trail = Trail(carrier, state.th) if limits.timed else Unrecorded()
     for _ in range(MOST_PIECES):
-        limits.check()
         if isinstance(piece, TurnPanel):
             if not begun:
                 root = search(piece, zeros, x.lower(), arb(0), limits)
@@ -296,13 +283,15 @@ def search(
         names, known = [*names, SPAN], [*known, 0]
 
     def evaluate(x: Ball, terms: int) -> list[Jet]:
+        piece.carrier.model.deadline.ask()
         found = piece.watch(x, terms)
         if limits.t_end is not None:
-            found.append(_padded([limits.t_end - piece.time(x), -piece.slowness(x)], terms))
+            found.append([limits.t_end - piece.time(x), -piece.slowness(x)][:terms])
         if limits.origin is not None:
             way = piece.way_at(x)
             left = limits.left(piece.angle(x), way)
-            found.append(_padded([left, -way * piece.angle_rate(x)], terms))
+            left_jet = [left, -way * piece.angle_rate(x)]
+            found.append(left_jet[:terms] + [arb(0)] * (terms - 2))  # more than two are asked for in panels alone
         return found
 
     def values(x: Ball, terms: int) -> list[Jet]:
@@ -313,10 +302,6 @@ def search(
     wide = piece.carrier.model.varying > 0
     root = first_root(values, known, exact(begin), exact(end), exact((end - begin) / 2), wide, begun)
     return None if root is None else Found(names[root.index], root, located(evaluate, root))
-
-
-def _padded(jet: Jet, terms: int) -> Jet:
-    return jet[:terms] + [arb(0)] * (terms - len(jet))
 
 
 def ended(piece: Panel | TurnPanel, found: Found, trail: Trail | Unrecorded) -> Ended:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, order, series, sign
+from hophoop.prove.deadline import Deadline
 from hophoop.prove.model import Forces, Model, State
 from hophoop.prove.search import exact, first_root
 from hophoop.prove.varied import common, located, ranges
@@ -63,6 +64,7 @@ class Rolling:
     def margins(self, th: Ball, terms: int) -> list[Jet]:
         """μ N − F, μ N + F (or N) and the energy above V, as series in the way along θ."""
         model = self.model
+        model.deadline.ask()
         with order(terms):
             z = series([th, self.way])
             s, c = z.sin_cos()
@@ -116,7 +118,7 @@ class Rolling:
             s, c = z.sin(), z.cos()
             return (model.inertia(c) / (2 * (energy - model.height(z, s, c)))).sqrt(analytic=analytic)
 
-        return self.way * _integral(slowness, th_a, th_b)
+        return self.way * _integral(slowness, th_a, th_b, model.deadline)
 
     def _from_turn(self, turn: Ball, other: Ball, way: int) -> Ball:
         """With θ = turn + way w² the slowness has no singularity."""
@@ -129,12 +131,18 @@ class Rolling:
             drop = model.eps * (d / 2).sinc() * (model.gn * middle.sin() + model.gt * middle.cos()) + model.gt
             return 2 * (model.inertia((turn + d).cos()) / (2 * way * drop)).sqrt(analytic=analytic)
 
-        return _integral(slowness, arb(0), extent)
+        return _integral(slowness, arb(0), extent, model.deadline)
 
 
-def _integral(function: object, a: Ball, b: Ball) -> Ball:
+def _integral(function: Callable[[Ball, bool], Ball], a: Ball, b: Ball, deadline: Deadline) -> Ball:
     flint = _flint
-    value = flint.acb.integral(function, flint.acb(a), flint.acb(b))
+
+    def watched(z: Ball, analytic: bool) -> Ball:
+        """Zero when the time is over, which ends the integral: no exception gets through it."""
+        return flint.acb(0) if deadline.over() else function(z, analytic)
+
+    value = flint.acb.integral(watched, flint.acb(a), flint.acb(b))
+    deadline.ask()
     if not value.is_finite():
         raise Undecided("a time along rolling has no enclosure")
     return value.real

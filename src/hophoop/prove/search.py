@@ -13,6 +13,7 @@ Evaluate = Callable[[Ball, int], Sequence[Jet]]
 
 LEAST_WIDE = 11  # bits: what is not told on so short an interval of a box is told in none
 LONGER = 4  # times an interval is doubled
+ORDER = 5  # of Taylor's theorem, where the mean value theorem leaves an interval open
 SMEARED = [-1]  # a root may lie on both sides of the end of an interval
 
 
@@ -118,9 +119,19 @@ def _longer(
     return (verdict, further) if verdict and verdict is not SMEARED else (None, to)
 
 
-def _slope(evaluate: Evaluate, k: int, whole: Ball, middle: Ball) -> Ball:
-    """A slope on an interval by the mean value theorem."""
-    return evaluate(middle, 2)[k][1] + 2 * evaluate(whole, 3)[k][2] * (whole - middle)
+def _expanded(evaluate: Evaluate, k: int, whole: Ball, most: int = ORDER) -> tuple[Ball, Ball]:
+    """(value, slope) on an interval by Taylor's theorem about its middle, to the order of the coefficients that there are."""
+    middle = exact(whole)
+    try:
+        last = evaluate(whole, most + 1)[k]
+    except Undecided:  # about a turning point there are two coefficients
+        last = evaluate(whole, 2)[k]
+    way = whole - middle
+    value, slope = last[-1], (len(last) - 1) * last[-1]
+    for power, one in reversed(list(enumerate(evaluate(middle, len(last) - 1)[k]))):
+        value = one + value * way
+        slope = power * one + slope * way if power else slope
+    return value, slope
 
 
 def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, wide: bool, begun: bool) -> list[int] | None:
@@ -154,8 +165,12 @@ def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, wide: b
             centre = evaluate(middle, 1)
         if centre[k][0] + jet[1] * (whole - middle) > 0:
             continue
-        if not jet[1] < 0 and not (wide and _slope(evaluate, k, whole, middle) < 0):
-            return None
+        if not jet[1] < 0:
+            value, slope = _expanded(evaluate, k, whole, 2 if wide else ORDER)
+            if value > 0 or (slope > 0 and known[k] < 0):
+                continue
+            if not slope < 0:
+                return None
         if known[k] == 0 and not begun and not evaluate(at, 1)[k][0] > 0:
             return None
         if last is None:
@@ -174,8 +189,8 @@ def refined(evaluate: Evaluate, k: int, low: Ball, high: Ball, bent: bool = Fals
     for _ in range(200):
         middle = exact(x)
         value, slope = evaluate(middle, 1)[k][0], evaluate(x, 2)[k][1]
-        if bent:
-            slope = intersection(slope, _slope(evaluate, k, x, middle))
+        if bent or not slope < 0:
+            slope = intersection(slope, _expanded(evaluate, k, x, 2 if bent else ORDER)[1])
         following = intersection(x, middle - value / slope)
         if not following.rad() < x.rad() * 3 / 4:
             return following

@@ -191,11 +191,14 @@ class Trail:
 
     def _series(self, way: int, centre: float) -> dict[str, Any]:
         """Polynomials about an angle, as far as they go."""
-        precise = self.precise
+        precise, ask = self.precise, self.carrier.model.deadline.ask
         with precision(precise + 40):
             u, t = self._terms(way, centre, self._square(centre))
+            ask()
             reach = min(extent(u, precise + GUARD), extent(t, precise + GUARD))
-            return {"centre": centre, "reach": reach, "u": packed(u, reach, precise), "t": packed(t, reach, precise)}
+            found = {"centre": centre, "reach": reach, "u": packed(u, reach, precise)}
+            ask()
+            return found | {"t": packed(t, reach, precise)}
 
     def _terms(self, way: int, centre: float, square: Ball) -> tuple[list[Ball], list[Ball]]:
         terms = int(self.precise / BITS_A_TERM) + 8

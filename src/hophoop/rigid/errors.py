@@ -12,7 +12,11 @@ import math
 import numpy as np
 
 from hophoop._jit import interpreted
-from hophoop.physics.body import Body, Mode, Status
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.physics.body import Body, Event, Mode, Status
+from hophoop.physics.impact import singular_angle
+from hophoop.physics.painleve import slip_coefficients
+from hophoop.physics.resistance import resistance_arm
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
@@ -63,6 +67,27 @@ def _is_alike(first: np.ndarray, second: np.ndarray) -> int:
     return int(np.argmin(same)) if not same.all() else count
 
 
+def _along_impulse(body: Body, row: np.void, following: np.void) -> float:
+    """Share of an impulse at p_σ → 0 that rounding of time and angle puts before or after the event ahead of it.
+
+    N grows without bound there, so that the speeds are those of an instant that is not exactly known.
+    """
+    if row["kind"] != Event.PAINLEVE_INCONSISTENT or not following["impulse_normal"] > 0.0:
+        return 0.0
+    th, low, om, slip = (float(row[name]) for name in ("theta", "theta_low", "omega", "slip"))
+    sigma = 1 if slip > 0.0 else -1
+    s, c = interpreted(sine_cosine)(th, low)
+    rho = interpreted(resistance_arm)(body, s, c, om, sigma)
+    torque, distance = interpreted(slip_coefficients)(body, th, low, s, c, sigma, rho)
+    found, exact, _ = interpreted(singular_angle)(body, s, c, om * om, sigma, torque, distance)
+    if not (found and exact) or om == 0.0:
+        return 0.0
+    late = ROUNDING * (1.0 + abs(float(row["t"])) + (1.0 + abs(th)) / abs(om))
+    reached = body.kap * abs(body.gn - body.eps * c * om * om) * late
+    whole = abs(distance) * float(following["impulse_normal"])
+    return min(reached / whole, 1.0) if whole > 0.0 else 1.0
+
+
 def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarray | None = None) -> np.ndarray:
     """Estimated errors of the events of a rigid motion.
 
@@ -83,11 +108,13 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
     """
     count = len(events)
     squares = np.zeros((count, len(FIELDS)))
-    table = np.abs(_numbers(events))
-    own = ROUNDING * (1.0 + table)
+    table = _numbers(events)
+    own = ROUNDING * (1.0 + np.abs(table))
     squares += own * own
     for i in range(count - 1):
         row = events[i]
+        jump = _along_impulse(body, row, events[i + 1]) * (table[i + 1] - table[i])
+        squares[i] += jump * jump
         if reached is not None:
             reached[0] = 1.0 - (1.0 - i / count) * (1.0 - i / count)  # each event asks for all that follow
         sizes = _natural_sizes(row)

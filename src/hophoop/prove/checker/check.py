@@ -16,6 +16,7 @@ from hophoop.prove.checker.panelled import panelled
 from hophoop.prove.checker.pieces import Turn
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
+from hophoop.prove.deadline import Deadline, Late
 
 
 @dataclass(frozen=True)
@@ -57,13 +58,18 @@ def check(certificate: dict[str, Any]) -> Verdict:
     ImportError
         If python-flint is not installed.
     """
+    return checked(certificate, Deadline())
+
+
+def checked(certificate: dict[str, Any], deadline: Deadline) -> Verdict:
+    """`check` within a time; what is not verified by then is not accepted."""
     walk: Walk | None = None
     try:
         conventions = Conventions.of(certificate)
         with precision(conventions.bits):
-            walk = Walk(certificate, conventions)
+            walk = Walk(certificate, conventions, deadline)
             walk.run()
-    except Refused as reason:
+    except (Refused, Late) as reason:
         return Verdict(False, str(reason), walk.seen if walk else 0)
     except (ArithmeticError, ValueError, KeyError, TypeError, IndexError, AttributeError, InvalidOperation) as error:
         return Verdict(False, f"the certificate cannot be read or evaluated ({error!r})", walk.seen if walk else 0)
@@ -82,13 +88,14 @@ class Walk:
     certificate : dict
     conventions : Conventions
         Of the certificate.
+    deadline : Deadline
     """
 
-    def __init__(self, certificate: dict[str, Any], conventions: Conventions) -> None:
+    def __init__(self, certificate: dict[str, Any], conventions: Conventions, deadline: Deadline) -> None:
         self.events: list[dict[str, Any]] = certificate["events"]
         self.phases: list[dict[str, Any]] = list(certificate["phases"])
         self.claim, self.conventions, self.until = certificate, conventions, conventions.until
-        self.equations = Equations(conventions.scenario)
+        self.equations = Equations(conventions.scenario, deadline)
         require(bool(self.equations.kap > 0), "the ring has mass")
         self.state = self.equations.start
         self.origin = self.state.th

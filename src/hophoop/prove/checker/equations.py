@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, Series, arb, coefficients, order, rational, series
+from hophoop.prove.deadline import Deadline
 
 
 class Refused(Exception):
@@ -47,9 +48,12 @@ class Equations:
     ----------
     scenario : dict
         As in a scenario file.
+    deadline : Deadline, optional
+        Asked by whatever evaluates them again and again.
     """
 
-    def __init__(self, scenario: dict[str, Any]) -> None:
+    def __init__(self, scenario: dict[str, Any], deadline: Deadline | None = None) -> None:
+        self.deadline = deadline or Deadline()
         hoop, plane, start = scenario["hoop"], scenario["plane"], scenario["start"]
         radius = Fraction(hoop["radius"])
         mass, eps, kap = _body(hoop, radius)
@@ -127,6 +131,7 @@ class Equations:
 
     def contact(self, s: Series, c: Series, u: Series, sigma: int) -> Contact:
         """Rolling (σ = 0) or slip in the direction σ, with θ̇² = u; W has the couple, so that it is not symmetric."""
+        self.deadline.ask()
         drag = sigma * self.mu_k if sigma else arb(0)
         if self.held:
             zero = s * 0
@@ -150,6 +155,7 @@ class Equations:
 
     def linear(self, s: Any, c: Any, sigma: int) -> tuple[Any, Any, Any]:
         """(d, a, b) of d θ̈ = a u + b, without a division: for polynomials as well as balls."""
+        self.deadline.ask()
         arm, lever = 1 + c * self.eps, s * self.eps
         behind = lever - self.couple
         if sigma:

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from hophoop.prove._flint import Ball, Jet, pi
+import math
+
+from hophoop.prove._flint import Ball, Jet, arb, pi
 from hophoop.prove.checker.equations import Equations, State
-from hophoop.prove.checker.intervals import require
+from hophoop.prove.checker.intervals import expanded, require
 
 MOST_PARTS = 40_000
 
 
 def gap(equations: Equations, state: State, tau: Ball, terms: int) -> Jet:
     """The gap a time after a state and its derivatives, over factorials."""
+    equations.deadline.ask()
     eps, om = equations.eps, state.om
     th = state.th + om * tau
     rise = state.vn - eps * om * state.th.sin()
-    jet = [
-        state.y + eps * (state.th.cos() - th.cos()) + (rise - equations.gn * tau / 2) * tau,
-        rise - equations.gn * tau + eps * om * th.sin(),
-        (eps * om * om * th.cos() - equations.gn) / 2,
-        -eps * om * om * om * th.sin() / 6,
-    ]
-    return jet[:terms]
+    s, c = th.sin_cos()
+    parabola = [state.y + eps * state.th.cos() + (rise - equations.gn * tau / 2) * tau, rise - equations.gn * tau]
+    parabola += [-equations.gn / 2, *[arb(0)] * (terms - 3)]
+    turned = [-c, s, c, -s]  # −cos θ and its derivatives, which θ̇^k/k! goes with
+    return [parabola[k] + eps * turned[k % 4] * om**k / math.factorial(k) for k in range(terms)]
 
 
 def flown(equations: Equations, state: State, tau: Ball) -> State:
@@ -74,7 +75,11 @@ def no_top(equations: Equations, state: State, begin: Ball, end: Ball, zeros: in
         moves = bool(jet[1] > 0) or bool(jet[1] < 0) or bool(jet[2] > 0)
         if starts and not moves:
             moves = _from_rest(state, jet, zeros)
-        if not (moves or (height is not None and bool(jet[0] < height))):
+        lower = height is not None and bool(jet[0] < height)
+        if not (moves or lower):
+            value, slope = expanded(lambda x, terms: [gap(equations, state, x, terms)], 0, a.union(b))
+            moves, lower = bool(slope > 0) or bool(slope < 0), height is not None and bool(value < height)
+        if not (moves or lower):
             middle = ((a + b) / 2).mid()
             require(bool(a < middle) and bool(middle < b), "the flight has no other apex than is said")
             work += [(middle, b, False), (a, middle, starts)]

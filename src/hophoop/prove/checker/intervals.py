@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from hophoop.prove._flint import Ball, Jet
+from hophoop.prove._flint import Ball, Jet, polynomial
 from hophoop.prove.checker.equations import Refused
 
 Functions = Callable[[Ball, int], Sequence[Jet]]  # (x, terms) → Taylor coefficients of each, valid on the ball x
 MOST_PARTS = 4000
+ORDER = 5  # of Taylor's theorem, where an interval about its middle leaves open what is claimed
 
 
 def require(fact: bool, what: str) -> None:
@@ -56,9 +57,21 @@ def _clear(functions: Functions, a: Ball, b: Ball, terms: int, zeros: Sequence[i
                 return False
         elif not jet[0] > 0:
             centre = functions(middle, 1) if centre is None else centre
-            if not centre[k][0] + jet[1] * (whole - middle) > 0:
+            if not centre[k][0] + jet[1] * (whole - middle) > 0 and not expanded(functions, k, whole)[0] > 0:
                 return False
     return True
+
+
+def expanded(functions: Functions, index: int, x: Ball) -> Jet:
+    """(value, slope) of one function on an interval by Taylor's theorem about its middle, with all terms that it has."""
+    try:
+        far = functions(x, ORDER + 1)[index]
+    except Refused:  # about a turning point there are no more
+        far = functions(x, 2)[index]
+    size = len(far) - 1
+    terms = [*functions(x.mid(), size)[index], far[size]]
+    slopes = [k * terms[k] for k in range(1, size + 1)]
+    return [polynomial(terms, x - x.mid()), polynomial(slopes, x - x.mid())]
 
 
 def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> Ball:
@@ -75,7 +88,9 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
     for _ in range(100):
         middle = x.mid()
         try:
-            step = middle - functions(middle, 1)[index][0] / functions(x, 2)[index][1]
+            slope = functions(x, 2)[index][1]
+            slope = slope if slope < 0 else expanded(functions, index, x)[1]
+            step = middle - functions(middle, 1)[index][0] / slope
         except (ValueError, ZeroDivisionError):
             break
         if not step.is_finite():
@@ -96,7 +111,8 @@ def _falling(functions: Functions, index: int, low: Ball, high: Ball, what: str)
             return
         a, b = work.pop()
         try:
-            clear = bool(functions(a.union(b), 2)[index][1] < 0)
+            whole = a.union(b)
+            clear = bool(functions(whole, 2)[index][1] < 0) or bool(expanded(functions, index, whole)[1] < 0)
         except (ValueError, ZeroDivisionError):
             clear = False
         if not clear:

@@ -105,7 +105,7 @@ def _turning_angle(kept: Kept | Rolled, at: Way, record: dict[str, Any], bits: i
         s, c = link.angle(x).sin_cos()
         value = link.square(x)
         slope = 2 * link.way * kept.equations.contact(s, c, value, kept.sigma).alpha
-        return [[value, slope][:terms] + [arb(0)] * (terms - 2)]
+        return [[value, slope][:terms]]
 
     positive(square, begin, low, "θ̇ stays away from zero before a turning point")
     return link.angle(root(square, 0, low, high, "θ̇ = 0"))
@@ -133,9 +133,9 @@ def _stretch(
     def functions(x: Ball, terms: int) -> list[Jet]:
         found = piece.watch(x, terms)
         if "t_end" in limits:
-            found.append(piece.limits(x, limits["t_end"])[:terms] + [arb(0)] * (terms - 2))
+            found.append(piece.limits(x, limits["t_end"])[:terms])
         if "turn_end" in limits:
-            found.append(limits["turn_end"](piece, x)[:terms] + [arb(0)] * (terms - 2))
+            found.append(limits["turn_end"](piece, x)[:terms])
         return found
 
     known = zeros + [0] * (len(names) - len(zeros))

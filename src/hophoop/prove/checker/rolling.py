@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, pi, series, symmetric
 from hophoop.prove.checker.equations import Equations, State
 from hophoop.prove.checker.intervals import positive, require, root
+from hophoop.prove.deadline import Deadline
 
 NAMES = ("ahead", "back", "turn")
 
@@ -66,12 +68,12 @@ class Rolling:
         if from_turn and to_turn:
             middle = ((a + b) / 2).mid()
             return self.duration(a, middle, True, False) + self.duration(middle, b, False, True)
+        deadline = self.equations.deadline
         if from_turn or to_turn:
             turn, other, way = (a, b, self.way) if from_turn else (b, a, -self.way)
-            return integral(
-                lambda w, analytic: self._slowness_at_turn(turn, way, w, analytic), arb(0), (way * (other - turn)).sqrt()
-            )
-        return self.way * integral(self._slowness, a, b)
+            slowness = partial(self._slowness_at_turn, turn, way)
+            return integral(slowness, arb(0), (way * (other - turn)).sqrt(), deadline)
+        return self.way * integral(self._slowness, a, b, deadline)
 
     def _slowness(self, z: Ball, analytic: bool) -> Ball:
         equations = self.equations
@@ -147,8 +149,14 @@ def roll(equations: Equations, state: State, record: dict[str, Any], until: str,
     return rolling.state(t, th, what == "turn")
 
 
-def integral(function: Any, a: Ball, b: Ball) -> Ball:
+def integral(function: Any, a: Ball, b: Ball, deadline: Deadline) -> Ball:
     """A definite integral, enclosed by FLINT."""
-    value = _flint.acb.integral(function, _flint.acb(a), _flint.acb(b))
+
+    def watched(z: Ball, analytic: bool) -> Ball:
+        """Zero when the time is over, which ends the integral: no exception gets through it."""
+        return _flint.acb(0) if deadline.over() else function(z, analytic)
+
+    value = _flint.acb.integral(watched, _flint.acb(a), _flint.acb(b))
+    deadline.ask()
     require(bool(value.is_finite()), "a time has an enclosure")
     return value.real
