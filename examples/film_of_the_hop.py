@@ -12,6 +12,7 @@ import hophoop as hh
 from hophoop.animate import Look, Look3D, Timing
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else "films")
+folder.mkdir(parents=True, exist_ok=True)
 width = int(sys.argv[2]) if len(sys.argv) > 2 else 320
 size = (width, width * 9 // 16 // 2 * 2)
 

@@ -71,6 +71,20 @@ def test_a_workflow_may_only_read_but_where_it_says_so(name):
     assert "secrets." not in WORKFLOWS[name].read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("name", WORKFLOWS)
+def test_a_workflow_names_no_branch_and_no_tag_that_can_move(name):
+    """Actions are pinned by the hash of a commit, with its release in a comment."""
+    lines = [line for line in WORKFLOWS[name].read_text(encoding="utf-8").splitlines() if "uses:" in line]
+    assert len(lines) == sum("uses" in step for step in steps(name))
+    for line in lines:
+        assert re.search(r"uses: [\w-]+/[\w-]+@[0-9a-f]{40}  # (v\d+\.\d+\.\d+|master, after v\d+\.\d+)$", line), line
+
+
+def test_workflows_use_one_version_of_an_action():
+    pins = {step["uses"] for name in WORKFLOWS for step in steps(name) if "uses" in step}
+    assert len(pins) == len({pin.partition("@")[0] for pin in pins})
+
+
 def test_a_release_is_published_without_a_password():
     jobs = workflow("release")["jobs"]
     publish = jobs["publish"]
@@ -87,6 +101,22 @@ def test_a_release_asks_for_lines_that_the_files_have():
     assert f'\n__version__ = "{version}"\n' in read("src", "hophoop", "__init__.py")
     assert f'\nversion: "{version}"\n' in read("CITATION.cff")
     assert re.search(rf"^## {re.escape(version)} – (unreleased|\d{{4}}-\d\d-\d\d)$", read("CHANGELOG.md"), re.MULTILINE)
+
+
+# The requirements
+
+
+# The first version without a published weakness, and the smallest extra that brings the package.
+@pytest.mark.parametrize(
+    ("extra", "name", "first"),
+    [("plots", "pillow", "10.3"), ("maps", "filelock", "3.20.1"), ("lab", "starlette", "0.49.1"), ("lab", "h11", "0.16")],
+)
+def test_no_extra_allows_a_version_with_a_known_weakness(extra, name, first):
+    def numbers(version):
+        return tuple(int(part) for part in version.split("."))
+
+    (least,) = (one.removeprefix(f"{name}>=") for one in PROJECT["optional-dependencies"][extra] if one.startswith(f"{name}>="))
+    assert numbers(least) >= numbers(first)
 
 
 # The recipe

@@ -55,8 +55,7 @@ def replacing(target: Path) -> Iterator[Path]:
     there = _status(target)
     through = there is not None and (_descriptor(target) is not None or _is_stream(there, target))
     place = Path(os.path.realpath(target)) if target.is_symlink() and not through else target
-    if not place.absolute().parent.is_dir():  # netCDF would say 'Permission denied'
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
+    require_folder_of(place, target)
     with tempfile.TemporaryDirectory() if through else contextlib.nullcontext(place.parent) as folder:
         temporary = Path(folder) / f".{uuid.uuid4().hex[:12]}.{target.name}"
         try:
@@ -76,6 +75,12 @@ def replacing(target: Path) -> Iterator[Path]:
                 shutil.rmtree(temporary)
             else:
                 temporary.unlink(missing_ok=True)
+
+
+def require_folder_of(place: Path, target: Path) -> None:
+    """Refuse a file in a folder that is missing: only folders for output are made, never the folder of a file."""
+    if not place.absolute().parent.is_dir():  # netCDF would say 'Permission denied'
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
 
 
 def _status(target: Path) -> os.stat_result | None:

@@ -288,9 +288,9 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     if len(script) > 1:
         segments = np.concatenate((segments_of_script(body, script), segments))
         pieces = len(segments)
-    if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
+    if pieces == 0:  # the motion ends at its start: a piece of no length holds its state
         segments = np.empty(1, SEGMENT)
-        _hold_at(events[0], segments[0])
+        _hold_at(events[count - 1], segments[0])
     return status, first_rows(events, count), segments, script, doubt
 
 

@@ -68,7 +68,7 @@ class Trajectory:
     @cached_property
     def sequence(self) -> str:
         """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
-        marks = [row for row in self._events if row["kind"] not in _PASSING]
+        marks = [*(row for row in self._events[:-1] if row["kind"] not in _PASSING), self._events[-1]]
         letters = []
         for row, following in pairwise(marks):
             if following["t"] > row["t"]:
@@ -106,7 +106,7 @@ class Trajectory:
     @property
     def duration(self) -> float:
         """Time from the start to the end of the motion, however it ended [s]."""
-        return self._seconds(float(self._segments["t_end"][-1]))
+        return self._seconds(float(self._events["t"][-1]))
 
     @cached_property
     def fingerprint(self) -> str:

@@ -99,6 +99,18 @@ class Breaking:
         return np.full((64, 64, 4), k, np.uint8)
 
 
+@pytest.mark.parametrize("name", ["film.mp4", "film.gif", "film.png"])
+def test_the_folder_of_a_file_must_be_there_before_pictures_are_drawn(tmp_path, name):
+    with pytest.raises(FileNotFoundError):
+        write(Breaking(AssertionError()), tmp_path / "new" / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_for_pictures_is_made(tmp_path):
+    film(motion(), tmp_path / "new" / "film", Timing(fps=10, end=0.1), Look(size=SIZE))
+    assert len(list((tmp_path / "new" / "film").iterdir())) == 2
+
+
 @pytest.mark.parametrize("name", ["film.mp4", "film.gif", "film.png", "film"])
 def test_half_a_film_is_not_left(tmp_path, name):
     old = tmp_path / "film.mp4"

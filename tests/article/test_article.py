@@ -38,8 +38,8 @@ def found(runs):
     return {one.key: one for one in hh.article.statements(runs)}
 
 
-def used_in_rolling(theta, v0):
-    """F/N of the rolling ideal hoop from its energy and Newton's law alone, R = m = 1."""
+def forces_in_rolling(theta, v0):
+    """F and N of the rolling ideal hoop from its energy and Newton's law alone, R = m = 1."""
 
     def u(angle):
         return (GAMMA * G * (1 - np.cos(angle)) + v0**2 * (1 + GAMMA)) / (1 + GAMMA * np.cos(angle))
@@ -48,6 +48,11 @@ def used_in_rolling(theta, v0):
     acceleration = (u(theta + step) - u(theta - step)) / (4 * step)
     friction = acceleration + GAMMA * (acceleration * np.cos(theta) - u(theta) * np.sin(theta))
     normal = G - GAMMA * (acceleration * np.sin(theta) + u(theta) * np.cos(theta))
+    return friction, normal
+
+
+def used_in_rolling(theta, v0):
+    friction, normal = forces_in_rolling(theta, v0)
     return friction / normal
 
 
@@ -120,6 +125,44 @@ def test_potential_is_zero_where_it_is_said_to_be(found, runs):
         height = motion.at(t).height
         assert height == pytest.approx(GAMMA * (1.0 - math.cos(angle)), abs=1e-9)
     assert motion.at(0.5 * sum(times)).potential > 0.0
+
+
+def test_extremes_of_the_hop_from_its_events(found, runs):
+    """Not the largest of samples: 0.4181 J and 7.1970 m/s."""
+    off, down = (runs.motion("hop").find(kind)[0] for kind in ("takeoff", "impact"))
+    up = -GAMMA * off.omega * math.sin(off.angle)  # of the centre of gravity; its rise is up²/2g
+    highest = GAMMA * G * (math.cos(off.angle) - 1.0) + up**2 / 2.0
+    assert found["positive_potential"].numbers["largest"] == pytest.approx(highest, rel=1e-12)
+    assert found["positive_potential"].ours.endswith("up to 0.4182 J")
+    flight = found["centre_in_flight"]
+    along = off.vx + GAMMA * off.omega * math.cos(off.angle)
+    assert flight.numbers["least"] == pytest.approx(along - GAMMA * off.omega, rel=1e-12)  # the load at the top
+    assert flight.numbers["largest"] == pytest.approx(down.before.vx, rel=1e-9)
+    assert flight.ours.startswith("centre from 1.4831 to 7.2099 m/s")
+
+
+def test_extremes_of_rolling_from_energy_and_newton_alone(found):
+    peaks = [math.sqrt((2.0 * GAMMA * G + v0**2 * (1.0 + GAMMA)) / (1.0 - GAMMA)) for v0 in (0.1, 2.0)]
+    assert found["slow_motion"].numbers["largest_speed"] == pytest.approx(peaks[0], rel=1e-12)
+    assert found["faster_rolls"].numbers["ratio_of_speeds"] == pytest.approx([peaks[0] / 0.1, peaks[1] / 2.0], rel=1e-12)
+    for name, v0 in (("slow", 0.1), ("faster", 2.0)):
+        best = minimize_scalar(lambda angle, v0=v0: forces_in_rolling(angle, v0)[1], bounds=(3.3, 6.0), method="bounded")
+        assert found["normal_force"].numbers["least_normal_force"][name] == pytest.approx(best.fun, abs=1e-7)
+
+
+def test_largest_slip_and_peaks_by_another_search(found, runs):
+    motion = hh.simulate(runs.motion("slipping").scenario.replace("duration", 9.0))
+
+    def greatest(measure, low, high):
+        return -minimize_scalar(lambda t: -measure(motion.at(t)), bounds=(low, high), method="bounded").fun
+
+    assert found["slips"].numbers["largest_slip"] == pytest.approx(
+        greatest(lambda state: abs(state.slip), *(motion.find(kind)[1].t for kind in ("slip_start", "stick"))), abs=1e-9
+    )
+    for k, peak in enumerate(found["peaks_fall"].numbers["peaks"]):
+        grid = motion.times(901)
+        near = grid[np.argmin(np.abs(motion.at(grid).angle - (2 * k + 1) * math.pi))]
+        assert peak == pytest.approx(greatest(lambda state: state.vx, near - 0.05, near + 0.05), abs=1e-9)
 
 
 def test_impact_loss_from_the_velocities(found, runs):

@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -133,3 +134,32 @@ def test_an_output_without_a_name_is_refused_at_once(command, option, tmp_path, 
         done = run(command, *words)
         assert (done.returncode, done.stderr.decode()) == (2, f"Error: {option} = '' must name a file or a folder.\n")
         assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("run", "--csv", "new/hop.csv"),
+        ("run", "--plot", "new/hop.png"),
+        ("animate", "--out", "new/hop.mp4"),
+        ("animate", "--out", "new/hop.png"),
+        ("animate", "--3d", "--out", "new/hop.html"),
+    ],
+)
+def test_the_folder_of_a_file_is_not_made(words, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    done = run(*words)
+    sentence = f"Error: {words[-2]} = {Path(words[-1])} must be in a folder that is there; new is not.\n"
+    assert (done.returncode, done.stderr.decode()) == (2, sentence)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("words", [("run", "NAME"), ("compare", "NAME"), ("NAME",), ("run", "--csv", "NAME")])
+@pytest.mark.parametrize("letter", ["x", "\x1b"])
+def test_a_name_of_5000_letters_is_shown_by_its_start(words, letter):
+    done = run(*(word.replace("NAME", 5000 * letter) for word in words))
+    assert done.returncode == 2
+    said = done.stderr.decode()
+    assert len(said) < 400
+    assert "..." in said
+    assert said.rstrip("\n").isprintable()

@@ -33,10 +33,15 @@ def test_a_table_on_standard_output(film, tmp_path):
 
 
 def test_a_folder_with_everything(film, tmp_path):
-    done = call(film, "--radius", 0.3, "--out", tmp_path / "found", "--slope-deg", 2)
+    done = call(film, "--radius", 0.3, "--out", tmp_path / "new" / "found", "--slope-deg", 2)
     assert done.exit_code == 0, done.output
-    assert {path.name for path in (tmp_path / "found").iterdir()} == {"index.html", "overlay.mp4", "track.json", "track.csv"}
-    assert np.degrees(hh.read_track(tmp_path / "found" / "track.json").slope) == pytest.approx(2.0)
+    assert {path.name for path in (tmp_path / "new" / "found").iterdir()} == {
+        "index.html",
+        "overlay.mp4",
+        "track.json",
+        "track.csv",
+    }
+    assert np.degrees(hh.read_track(tmp_path / "new" / "found" / "track.json").slope) == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize(

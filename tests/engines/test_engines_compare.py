@@ -265,6 +265,32 @@ def test_an_engine_that_is_not_installed_says_what_to_install(tmp_path):
     assert "pip install 'hophoop'" not in result.output  # the table took [engines] for markup
 
 
+def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
+    """SciPy is no physics engine: it comes with other extras too."""
+    there = ("python", "hophoop", "scipy")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("HOPHOOP_NPM", raising=False)
+    monkeypatch.setattr(registry, "_version", lambda package: "1.0" if package in there else "")
+    monkeypatch.setattr(registry, "entry_points", lambda group: ())
+    started = []
+    monkeypatch.setattr(comparing, "compare", lambda *arguments: started.append(arguments))
+    result = call()
+    assert (result.exit_code, result.stdout, started) == (1, "", [])
+    assert result.stderr == "No engine is installed: pip install 'hophoop[engines]'.\n"
+    there += ("pymunk",)
+    assert [one.name for one in registry.physics_engines()] == ["pymunk"]
+
+
+def test_engines_of_npm_are_looked_for_where_node_looks(monkeypatch, tmp_path):
+    (tmp_path / "node_modules" / "planck").mkdir(parents=True)
+    (tmp_path / "below").mkdir()
+    monkeypatch.setenv("HOPHOOP_NPM", str(tmp_path / "below"))
+    monkeypatch.setattr(shutil, "which", lambda program: "/bin/node")
+    assert [name for name in registry.NODE_ENGINES if engines.engine(name).installed] == ["planck"]
+    monkeypatch.setattr(shutil, "which", lambda program: None)
+    assert not engines.engine("planck").installed
+
+
 @pytest.mark.parametrize("name", registry.NODE_ENGINES)
 def test_engines_of_npm(name, monkeypatch):
     folder = ROOT / "benchmarks" / "engines"

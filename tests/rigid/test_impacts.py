@@ -88,6 +88,26 @@ def test_kanes_gain_by_hand():
         assert not strike(BLOCK, 0.5, 1.0, law, vx=-1.0, vy=-3.0)[1].find("kane_gain")
 
 
+def test_poissons_law_too_can_give_back_more_than_compression_took():
+    r"""`BLOCK`, v = (1, −3), μ = 1/2, e = 1: the normal direction gains 3/32 J, and slip loses twice that.
+
+    Slip: v_t falls at 4/3 − 8/3 = −4/3 and stops at p = 3/4; v_n grows at 55/39 − 2/3 = 29/39 to −127/52. Then it sticks
+    and v_n grows faster, at 14/13, zero after another 127/56: p_c = 169/56. Restitution, all of it at 14/13, ends at
+    v_n = 13/4. Normal work: −¾·(3 + 127/52)/2 − ½·(127/52)(127/56) + ½·(13/4)(169/56) = (28561 − 28015)/5824 = 3/32.
+    Tangential loss: ½·1·½·¾ = 3/16. With e ≤ 0.99 the first is a loss: 28561 e² < 28015.
+    """
+    impact, motion = strike(BLOCK, 0.5, 1.0, "poisson", vx=1.0, vy=-3.0)
+    assert impact.vy == pytest.approx(13 / 4, rel=1e-14)
+    assert impact.impact_normal == pytest.approx(-3 / 32, rel=1e-12)
+    assert impact.impact_tangential == pytest.approx(3 / 16, rel=1e-13)
+    lost = kinetic(BLOCK, ANGLE, 1.0, -3.0, 0.0) - kinetic(BLOCK, ANGLE, impact.vx, impact.vy, impact.omega)
+    assert lost == pytest.approx(3 / 32, rel=1e-12)
+    assert not motion.find("kane_gain")
+    assert motion.ledger.impact_normal == impact.impact_normal
+    assert strike(BLOCK, 0.5, 0.99, "poisson", vx=1.0, vy=-3.0)[0].impact_normal > 0.0
+    assert strike(BLOCK, 0.5, 1.0, "stronge", vx=1.0, vy=-3.0)[0].impact_normal == pytest.approx(0.0, abs=1e-14)
+
+
 def test_slip_that_stops_in_restitution():
     r"""`BLOCK`, v = (−8, −3), μ = 1/2: slip outlasts compression, and Stronge's integral is split where it stops.
 

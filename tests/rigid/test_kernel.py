@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import groupby, pairwise
 
 import numpy as np
 import pytest
@@ -196,10 +197,39 @@ def hopping_without_loss(most):
 
 
 @pytest.mark.parametrize("most", [511, 512, 513, 514])
-def test_a_motion_lasts_until_the_impact_for_which_there_is_no_room(most):
+def test_a_motion_ends_at_the_last_event_for_which_there_is_room(most):
     """With 512, events and segments are used up in one step; the last segment was left out then."""
     motion = hopping_without_loss(most)
+    longer = hopping_without_loss(520)
     assert motion.status == "event_limit"
-    assert len(motion.events) == most
-    impacts = [event.t for event in hopping_without_loss(520).find("impact")]
-    assert motion.duration == min(t for t in impacts if t > motion.events[-1].t)
+    assert motion.events == longer.events[:most]
+    assert motion.duration == motion.events[-1].t
+    inside = 0.5 * (motion.events[-2].t + motion.duration)
+    assert motion.at(inside).height == longer.at(inside).height
+    assert set(motion.sequence) == {"H"}
+
+
+@pytest.mark.parametrize("contact", [hh.Rigid, hh.Compliant])
+def test_the_sequence_of_a_motion_that_is_cut_is_that_of_its_samples(contact):
+    """The phase in which it is cut was left out, and its samples went on to the end of that phase."""
+    for most in range(2, 30):
+        motion = hh.simulate(
+            hh.Hoop.ideal(0.75),
+            hh.Plane(mu=0.1),
+            hh.Start(angle=2.0, height=0.1),
+            duration=30.0,
+            contact=contact(max_events=most),
+        )
+        if motion.status != "event_limit":
+            break
+        assert len(motion.events) == most
+        assert motion.duration == motion.events[-1].t
+        times = [event.t for event in motion.events]
+        between = [0.5 * (a + b) for a, b in pairwise(times) if b > a]
+        assert squeezed(motion.at(between).mode) == squeezed(motion.sequence)
+    assert most > 10
+
+
+def squeezed(letters):
+    """The letters without repetition."""
+    return "".join(letter for letter, _ in groupby(letters))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -228,6 +229,40 @@ def test_where_only_the_couple_makes_the_paradox_the_model_has_no_answer() -> No
     assert with_couple < 0.0 < without
     assert hh.simulate(hoop, plane, start, duration=1.0).status == "undetermined"
     assert hh.simulate(hoop, plane.model_copy(update={"rolling_resistance": 0.0}), start, duration=1.0).status == "completed"
+
+
+def test_an_undetermined_start_stays_in_its_mode() -> None:
+    """The end said that it rolls, while it slips at 1.4 m/s."""
+    hoop, plane = hh.Hoop(eccentricity=0.15, inertia_ratio=0.0045), hh.Plane(mu=0.21, rolling_resistance=1.0)
+    motion = hh.simulate(hoop, plane, hh.Start(vx=2.4, omega=1.0, angle=-213.57), duration=1.0)
+    assert motion.status == "undetermined"
+    assert motion.events[-1].slip > 1.0
+    assert [event.to_mode for event in motion.events] == ["K", "K"]
+    assert motion.sequence == motion.at(0.0).mode == "K"
+    assert hh.simulate(motion.scenario, digits=20).sequence == "K"
+
+
+@pytest.mark.parametrize("f", [0.0, 1e-9, 0.05])
+def test_slip_without_friction_reverses_where_the_hoop_turns(f: float) -> None:
+    """The turn changed the mode with rolling resistance, and the sequence was SSSS."""
+    motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=0.0, rolling_resistance=f), hh.Start(angle=2.0), duration=4.0)
+    times = [event.t for event in motion.events]
+    modes = [motion.at(0.5 * (a + b)).mode for a, b in pairwise(times) if b - a > 1e-9]
+    assert motion.sequence == "".join(modes) == "SKSKS"[: len(modes)]
+    for event in motion.events:
+        assert event.kind != "turn" or event.from_mode == event.to_mode
+        assert event.kind != "slip_reversal" or event.slip == 0.0
+    assert hh.simulate(motion.scenario, digits=20).sequence == motion.sequence
+
+
+def test_slip_that_ends_where_the_hoop_turns_is_rolling() -> None:
+    """Both come at once beside μ = 0; the turn led into rolling, and the sequence was S."""
+    hoop = hh.Hoop(eccentricity=0.0, inertia_ratio=1.0, radius=1e-6, mass=1e-12)
+    plane = hh.Plane(gravity=41889.74986649628, mu=5e-324, rolling_resistance=0.026536075109437098)
+    motion = hh.simulate(hoop, plane, hh.Start(vx=-1.2e-233, omega=1.0), duration=6.1e-4)
+    assert motion.status == "at_rest"
+    for event in motion.events:
+        assert event.kind != "turn" or event.from_mode == event.to_mode
 
 
 def test_impacts_are_as_without() -> None:

@@ -230,4 +230,5 @@ def test_the_end_is_the_end_in_seconds_too():
     assert len(ended) > 10
     for motion in ended:
         found = motion.units.kernel_times(motion.tables["segments"], np.array([motion.duration]))
-        assert found[0] == motion.tables["segments"]["t_end"][-1]
+        last = motion.tables["events"]["t"][-1]
+        assert found[0] == last or (motion.status == "event_limit" and abs(found[0] - last) <= 2.3e-16 * last)

@@ -11,13 +11,24 @@ import hophoop as hh
 from hophoop.scenario import InputError, parameter
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.formats import MOST_BYTES
-from hophoop.scenario.sentences import findings_sentence, shortened
+from hophoop.scenario.sentences import findings_sentence, plain, shortened
 from strategies import said
 
 
 def test_sixty_characters_are_shown_and_the_last_three_of_more_are_dots():
     assert shortened(60 * "k") == 60 * "k"
     assert shortened("k" * 55 + "lmnopq") == "k" * 55 + "lm..."
+
+
+@pytest.mark.parametrize("name", [5000 * "k", 2000 * "k l "])
+def test_any_message_shows_sixty_characters_of_a_value_of_thousands(name):
+    message = str(InputError(f"engine = {name!r} is not one of hophoop, scipy."))
+    assert message == f"engine = {shortened(repr(name))} is not one of hophoop, scipy."
+
+
+def test_the_longest_name_of_a_file_is_shown_whole():
+    text = f"out = '{251 * 'k'}.csv' must be another file; {255 * 'f'}: no such file."
+    assert plain(text) == text
 
 
 def test_a_problem_of_another_kind_is_said_in_its_own_words():

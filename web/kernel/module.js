@@ -441,7 +441,7 @@ function eventOf(row) {
 
 /** @param {any[]} events */
 function sequenceOf(events) {
-  const marks = events.filter((event) => !PASSING.has(event.kind));
+  const marks = events.filter((event, k) => k === events.length - 1 || !PASSING.has(event.kind));
   const letters = marks.slice(0, -1).map((event, k) => (marks[k + 1].t > event.t ? event.to : ""));
   return letters.join("") || (events.at(-1)?.to ?? "");
 }

@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from multiprocessing import parent_process
 from pathlib import Path
 from typing import IO, Any
 
@@ -147,12 +148,17 @@ if hasattr(os, "register_at_fork"):
 
 
 class Waiting:
-    """Tells a person, on a line of its own, how far compiling is."""
+    """Tells a person how far compiling is: a terminal on a line that is taken away again, any other stream once a process.
+
+    A worker of another process is silent, since several of them wait for the same code.
+    """
+
+    told = False
 
     def __init__(self, stream: IO[str] | None) -> None:
-        self._stream = stream
+        self._stream = None if parent_process() is not None else stream
         self._live = stream is not None and stream.isatty()
-        self._said = False
+        self._shown = False
 
     def __enter__(self) -> Waiting:
         return self
@@ -161,15 +167,15 @@ class Waiting:
         """How many functions are compiled, of how many."""
         if self._stream is None:
             return
-        if not self._said:
-            self._said = True
-            self._stream.write("hophoop compiles its kernel; this happens once and takes about a quarter of a minute")
-            self._stream.write("" if self._live else ".\n")
         if self._live:
+            self._shown = True
             self._stream.write(f"\r\x1b[Khophoop compiles its kernel, this once: {done} of {total} functions")
+        elif not Waiting.told:
+            Waiting.told = True
+            self._stream.write("hophoop compiles its kernel; this happens once and takes about a quarter of a minute.\n")
         self._stream.flush()
 
     def __exit__(self, *_: object) -> None:
-        if self._live and self._said and self._stream is not None:
+        if self._shown and self._stream is not None:
             self._stream.write("\r\x1b[K")
             self._stream.flush()

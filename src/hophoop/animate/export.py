@@ -18,7 +18,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from hophoop._extras import need
-from hophoop._files import replacing
+from hophoop._files import replacing, require_folder_of
 from hophoop.animate.canvas import Bytes
 
 Progress = Callable[[int, int], None]
@@ -84,7 +84,7 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
     pictures : Pictures
     path : str or Path
         By its ending mp4 (H.264), webm (VP9), gif, or numbered PNG pictures: `film.png` gives film-00000.png
-        and so on, a folder gets 00000.png and so on.
+        and so on, a folder gets 00000.png and so on. The folder of a file must exist; a folder for pictures is made.
     progress : callable, optional
         Called with the number of pictures done and of all.
 
@@ -109,7 +109,6 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
     if kind == "png":
         return _write_png(pictures, target, progress)
     check_film(kind, pictures.size, pictures.fps)
-    target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, replacing(target) as part:
         inputs: list[str] = []
         if kind == "gif":
@@ -231,11 +230,11 @@ def _encode(pictures: Iterable[Bytes], command: list[str]) -> None:
 def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> Path:
     if target.suffix:
         folder, stem = target.parent, f"{target.stem}-"
+        require_folder_of(target, target)
     else:
         folder, stem = target, ""
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise FileExistsError(f"{folder} is there already and not an empty folder.")
-    folder.parent.mkdir(parents=True, exist_ok=True)
     home = folder if target.suffix else folder.parent
     home.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".film-", dir=home) as part:

@@ -70,7 +70,6 @@ def scene(
     several = (motions,) if isinstance(motions, Trajectory) else tuple(motions)
     data = scene_data(several, timing, look)
     content = glb(data) if kind == ".glb" else page(data).encode("utf-8")
-    target.parent.mkdir(parents=True, exist_ok=True)
     with replacing(target) as part:
         part.write_bytes(content)
     return target

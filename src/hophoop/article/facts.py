@@ -5,10 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
 from hophoop import theory
-from hophoop.article.runs import Runs
+from hophoop.article.runs import Runs, largest
 from hophoop.article.statement import Statement
 from hophoop.scenario import Hoop, Plane, PointMass, Ring, Start
 from hophoop.simulation import simulate
@@ -36,11 +34,11 @@ def facts(statements: Sequence[Statement], runs: Runs) -> dict[str, str]:
 
 
 def _rolling(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
-    bottom = runs.sample("slow")
+    bottom = largest(runs.motion("slow"), runs.sample("slow").t, lambda state: state.normal_force)
     return {
         "turn_time": f"{_number(found, 'slow_motion', 't_at_360'):.2f} s",
         "slow_peak": f"{_number(found, 'slow_motion', 'largest_speed'):.2f} m/s",
-        "bottom_force": f"{float(np.max(bottom.normal_force)):.1f} N",
+        "bottom_force": f"{bottom:.1f} N",
         "weight": f"{runs.hoop.mass * runs.plane.gravity:.2f} N",
         "friction_used": f"{100.0 * _number(found, 'friction_used', 'utilization'):.1f} %",
         "friction_angle": f"{math.degrees(_number(found, 'friction_used', 'angle')):.0f}°",
@@ -67,8 +65,6 @@ def _hop(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
     off, down, apex = motion.find("takeoff")[0], motion.find("impact")[0], motion.find("apex")[0]
     slips = motion.find("slip_start")
     total = down.impact_normal + down.impact_tangential
-    air = runs.sample("hop").mode == "H"
-    speeds = runs.sample("hop").vx[air]
     sine, cosine = math.sin(down.angle), math.cos(down.angle)
     before = down.before
     # turned into the velocity of the centre of gravity
@@ -87,8 +83,8 @@ def _hop(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
         "roll_rate": f"{float(theory.rolling_speed(off.angle, hoop, 3.1, plane)):.2f} rad/s",
         "hop_rate": f"{off.omega:.2f} rad/s",
         "roll_hop_speed": f"{math.sqrt(plane.gravity * hoop.radius / hoop.eccentricity):.2f} m/s",
-        "least_speed": f"{float(np.min(speeds)):.2f} m/s",
-        "most_speed": f"{float(np.max(speeds)):.2f} m/s",
+        "least_speed": f"{_number(found, 'centre_in_flight', 'least'):.2f} m/s",
+        "most_speed": f"{_number(found, 'centre_in_flight', 'largest'):.2f} m/s",
         "gravity_centre_speed": f"{along:.2f} m/s",
         "fall_speed": f"{-up:.2f} m/s",
         "rate_before": f"{before.omega:.2f} rad/s",

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from hophoop import theory
-from hophoop.article.runs import Runs, first_time, rolling_motion
+from hophoop.article.runs import Runs, first_time, largest, rolling_motion
 from hophoop.article.scenarios import GAMMA, GRAVITY, RUNS
 from hophoop.article.statement import Check, Statement, agreement
 from hophoop.scenario import Hoop
@@ -84,7 +84,7 @@ def fastest(runs: Runs) -> Statement:
 def slow_rolls(runs: Runs) -> Statement:
     motion = runs.motion("slow")
     back = motion.at(first_time(motion, 2.0 * math.pi))
-    peak = float(np.max(runs.sample("slow").vx))
+    peak = largest(motion, runs.sample("slow").t, lambda state: state.vx)
     return Statement(
         "slow_motion",
         "A First Attempt",
@@ -135,7 +135,9 @@ def friction_needed(runs: Runs) -> Statement:
 
 
 def contact_kept(runs: Runs) -> Statement:
-    least = {name: float(np.min(runs.sample(name).normal_force)) for name in ("slow", "faster")}
+    least = {
+        name: -largest(runs.motion(name), runs.sample(name).t, lambda state: -state.normal_force) for name in ("slow", "faster")
+    }
     return Statement(
         "normal_force",
         "Increase the Speed",
@@ -148,18 +150,22 @@ def contact_kept(runs: Runs) -> Statement:
 
 
 def faster_rolls(runs: Runs) -> Statement:
-    slow, fast = runs.sample("slow"), runs.sample("faster")
-    ratios = [float(np.max(sample.vx) / np.min(sample.vx)) for sample in (slow, fast)]
+    speeds = {}
+    for name in ("slow", "faster"):
+        motion, times = runs.motion(name), runs.sample(name).t
+        speeds[name] = -largest(motion, times, lambda state: -state.vx), largest(motion, times, lambda state: state.vx)
+    slow, fast = speeds["slow"], speeds["faster"]
+    ratios = [high / low for low, high in (slow, fast)]
     rolls = runs.motion("faster").sequence == "R"
     return Statement(
         "faster_rolls",
         "Increase the Speed",
         "At 2 m/s the motion is still pure rolling; the velocity is higher, but more uniform.",
         "pure rolling",
-        f"phases {runs.motion('faster').sequence}; from {np.min(fast.vx):.3f} to {np.max(fast.vx):.3f} "
+        f"phases {runs.motion('faster').sequence}; from {fast[0]:.3f} to {fast[1]:.3f} "
         "m/s, a ratio "
         f"of {ratios[1]:.2f} against {ratios[0]:.1f} at 0.1 m/s",
-        agreement(rolls and np.max(fast.vx) > np.max(slow.vx) and ratios[1] < ratios[0]),
+        agreement(rolls and fast[1] > slow[1] and ratios[1] < ratios[0]),
         numbers={"sequence": runs.motion("faster").sequence, "ratio_of_speeds": ratios},
     )
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from hophoop import theory
-from hophoop.article.runs import LONG, Runs, crossings
+from hophoop.article.runs import LONG, Runs, crossings, largest
 from hophoop.article.slow_end import slow_end
 from hophoop.article.statement import WITHIN_READING, Check, Statement, agreement, difference
 from hophoop.scenario import Hoop, Plane, Scenario, Start
@@ -21,7 +21,7 @@ def slips(runs: Runs) -> Statement:
     motion, sample = runs.motion("slipping"), runs.sample("slipping")
     sliding = np.isin(sample.mode, ["S", "K"])
     used = sample.utilization(runs.plane)[sliding]
-    apart = float(np.max(np.abs(sample.vx - sample.omega)))
+    apart = largest(motion, sample.t, lambda state: np.abs(state.vx - state.omega))
     begin = motion.find("slip_start")[0]
     return Statement(
         "slips",
@@ -40,10 +40,9 @@ def slips(runs: Runs) -> Statement:
 def peaks_of(motion: Trajectory, turns: int) -> list[float]:
     """Greatest velocity of the centre in each of the first turns [m/s]."""
     times = motion.times(int(min(400_000, 2000 * motion.duration)))
-    sample = motion.at(times)
-    turn = np.floor(sample.angle / (2.0 * math.pi)).astype(int)
+    turn = np.floor(motion.at(times).angle / (2.0 * math.pi)).astype(int)
     whole = [k for k in range(turns) if (turn > k).any()]
-    return [float(np.max(sample.vx[turn == k])) for k in whole]
+    return [largest(motion, times[turn == k], lambda state: state.vx) for k in whole]
 
 
 def peaks_fall(runs: Runs) -> Statement:
@@ -174,7 +173,7 @@ def spin_in_flight(runs: Runs) -> Statement:
 
 
 def center_in_flight(runs: Runs) -> Statement:
-    sample = runs.sample("hop")
+    motion, sample = runs.motion("hop"), runs.sample("hop")
     air = sample.mode == "H"
     inner = np.flatnonzero(air)[1:-1]
     along = sample.vx + runs.hoop.eccentricity * sample.omega * np.cos(sample.angle)
@@ -183,7 +182,8 @@ def center_in_flight(runs: Runs) -> Statement:
     parabola = np.polynomial.Polynomial.fit(t, height[inner], 2)
     bend = float(parabola.convert().coef[2])
     off_line = float(np.max(np.abs(parabola(t) - height[inner])))
-    speeds = sample.vx[inner]
+    slowest = -largest(motion, sample.t[air], lambda state: -state.vx)
+    highest = largest(motion, sample.t[air], lambda state: state.vx)
     level = float(np.ptp(along[inner]))
     return Statement(
         "centre_in_flight",
@@ -192,11 +192,11 @@ def center_in_flight(runs: Runs) -> Statement:
         "not; its "
         "path is a parabola.",
         "varies; constant; parabola",
-        f"centre from {np.min(speeds):.4f} to {np.max(speeds):.4f} m/s; centre of gravity "
+        f"centre from {slowest:.4f} to {highest:.4f} m/s; centre of gravity "
         f"{along[inner][0]:.6f} m/s to "
         f"{level:.0e}, off a parabola with g = {-2.0 * bend:.6f} m/s² by {off_line:.0e} m",
-        agreement(np.ptp(speeds) > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8),
-        numbers={"least": float(np.min(speeds)), "largest": float(np.max(speeds)), "gravity": -2.0 * bend},
+        agreement(highest - slowest > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8),
+        numbers={"least": slowest, "largest": highest, "gravity": -2.0 * bend},
     )
 
 
@@ -205,7 +205,7 @@ def positive_potential(runs: Runs) -> Statement:
     late = sample.t > 0.5
     times = crossings(motion, sample.potential[late], sample.t[late], lambda state: state.potential)
     angles = [math.degrees(motion.at(t).angle) for t in times]
-    highest = float(np.max(sample.potential))
+    highest = largest(motion, sample.t, lambda state: state.potential)
     near = len(angles) >= 2 and abs(angles[0] - 350.0) < 2.5 and abs(angles[1] - 395.0) < 2.5
     return Statement(
         "positive_potential",

@@ -121,7 +121,7 @@ class Commands(TyperGroup):
             with _terminable():
                 status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
         except Failed as error:
-            say(f"Error: {error}")
+            _say_error(str(error))
             status = BAD_INPUT
         except (typer.Abort, Stopped, KeyboardInterrupt) as error:
             say("Stopped.")
@@ -136,7 +136,7 @@ class Commands(TyperGroup):
             if "\n" in str(describe()) or not text:  # the help, where a command was left out
                 typer.echo(str(describe()), err=True)
             else:
-                say(f"Error: {text.rstrip('.')}. See {command} --help.")
+                _say_error(f"{text.rstrip('.')}. See {command} --help.")
             status = int(getattr(error, "exit_code", BAD_INPUT))
         sys.exit(status if isinstance(status, int) else DONE)
 
@@ -176,6 +176,12 @@ class Failed(Exception):
 def say(text: str) -> None:
     """A line to the person, on standard error: standard output is for results."""
     typer.echo(text, err=True)
+
+
+def _say_error(sentence: str) -> None:
+    from hophoop.scenario.sentences import plain
+
+    say(f"Error: {plain(sentence)}")
 
 
 app = typer.Typer(

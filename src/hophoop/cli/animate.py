@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._output import named_options
+from hophoop.cli._output import check_folder, named_options
 
 PICTURE, PACE, COMPARE = "Picture", "Pace", "Comparison"
 SCENES = (".html", ".glb")
@@ -117,6 +117,8 @@ def animate(
         raise InputError(f"--size = {size} must be a width and a height, such as 1280x720.")
     if three_d and (panel or overlay):
         raise InputError("--panel and --overlay do not go together with --3d.")
+    if out.suffix:  # else a folder for pictures, which is made
+        check_folder("--out", out)
     scenarios = [*_varied(scenario, vary), *(Scenario.load(file) for file in beside or ())]
     motions = [simulate(each) for each in scenarios]
 

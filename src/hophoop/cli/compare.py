@@ -53,7 +53,7 @@ def compare(
 
     from hophoop.cli import NO_ANSWER, say
     from hophoop.engines.adapters.npm import FOLDER
-    from hophoop.engines.registry import command_engine, engines
+    from hophoop.engines.registry import command_engine, engines, physics_engines
     from hophoop.engines.registry import engine as one_engine
     from hophoop.engines.scenarios import chosen
     from hophoop.scenario import InputError
@@ -70,6 +70,9 @@ def compare(
     for step in dt or ():
         if not 0.0 < step <= 0.1:
             raise InputError(f"--dt = {step} must be above 0 and at most 0.1 s.")
+    if not engine and not command and not physics_engines():
+        say("No engine is installed: pip install 'hophoop[engines]'.")
+        raise typer.Exit(NO_ANSWER)
     known = [one_engine(name) for name in engine] if engine else [] if command else list(engines().values())
     known += [command_engine(text) for text in command or ()]
     result = _run(known, chosen(scenario), dt, ladder, quiet or json)

@@ -92,8 +92,6 @@ def _check(out: Path | None, save: Path | None, film: Path | None, video: Path) 
     if film is not None:
         check_ending("--film", film, (".mp4",))
         check_folder("--film", film)
-    if out is not None:
-        check_folder("--out", out)
     named = [path for path in (out, save, film) if path is not None]
     check_apart(named)
     if any(path.absolute() == video.absolute() for path in named):
@@ -108,7 +106,7 @@ def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: P
 
     page = None
     if out is not None:
-        out.mkdir(exist_ok=True)
+        out.mkdir(parents=True, exist_ok=True)
         found.save(out / "track.json")
         found.save(out / "track.csv")
         page, film = out / "index.html", film or out / "overlay.mp4"

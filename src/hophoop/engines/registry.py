@@ -5,18 +5,20 @@ from __future__ import annotations
 import platform
 import re
 import shlex
+import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, entry_points, version
 from typing import Any
 
-from hophoop.engines.adapters.npm import NODE_ENGINES
+from hophoop.engines.adapters.npm import NODE_ENGINES, npm_folder
 
 GROUP = "hophoop.engines"
 PYTHON_ENGINES = (
     "hophoop", "compliant", "scipy", "exudyn", "drake", "mujoco", "dart", "pybullet", "pymunk", "box2d", "newton",
 )  # fmt: skip
+NO_PHYSICS_ENGINES = ("hophoop", "compliant", "scipy")  # ours, and a solver of differential equations
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,15 @@ class Engine:
     contact: str = ""
     settings: Mapping[str, Mapping[str, Any]] = field(default_factory=lambda: {"default": {}})
     ours: bool = False
+
+    @property
+    def installed(self) -> bool:
+        """Whether its package is found; True for a command and for an adapter that names no package."""
+        if self.name in NODE_ENGINES:
+            folder = npm_folder().absolute()
+            packages = (place / "node_modules" / self.package for place in (folder, *folder.parents))
+            return shutil.which(self.command[0]) is not None and any(package.is_dir() for package in packages)
+        return bool(self.version) or not self.package
 
 
 def engine_of(name: str, adapter: Any, ours: bool = False) -> Engine:
@@ -137,6 +148,16 @@ def engines() -> dict[str, Engine]:
         if point.name not in found:
             found[point.name] = engine_of(point.name, point.load())
     return found
+
+
+def physics_engines() -> list[Engine]:
+    """The installed physics engines: all installed engines except ours and SciPy.
+
+    Returns
+    -------
+    engines : list of Engine
+    """
+    return [one for name, one in engines().items() if name not in NO_PHYSICS_ENGINES and one.installed]
 
 
 def engine(name: str) -> Engine:

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any, BinaryIO
 
-from hophoop._jit.beside import busy
+from hophoop._jit.beside import Waiting, busy
 from hophoop._processes import python_beside
 
 ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
@@ -250,6 +250,7 @@ def main() -> None:
     inward = sys.stdin.buffer
     outward = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
+    Waiting.told = True  # the page says so
     loop = _Loop(inward, outward)
     loop.heed()
     for thread in (loop.listen, loop.report):

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from hophoop._extras import need
+from hophoop.maps.evaluate import wait_for_kernel
 from hophoop.maps.store import compute_chunk
 
 # Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
@@ -91,6 +92,7 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             client.wait_for_workers(1, timeout=6 * PATIENCE)
             yield client
         return
+    wait_for_kernel()
     with (
         distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
         distributed.Client(cluster) as client,

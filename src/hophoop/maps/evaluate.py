@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -16,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import hophoop
 from hophoop._jit import compiled, precompile
+from hophoop._jit.beside import Job, Waiting
 from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
@@ -212,11 +214,23 @@ def compiling() -> tuple[int, int] | None:
     progress : (int, int) or None
         Functions that are compiled, and how many there are [1]; None where a map has nothing to wait for.
     """
-    cells, span = np.empty((len(kernel.CELL), 1)), make_span("duration")
-    arguments = (cells, 0, 1, span.angle, span.stop, span.timed, 0, NO_SCRIPT, *_empty_results(1))
-    job = precompile([(kernel.evaluate_block, arguments)])
+    job = _compiling_beside()
     # where compiling beside has failed, the map compiles by itself
     return None if job is None or job.done or job.failed else job.progress
+
+
+def wait_for_kernel() -> None:
+    """Wait until the kernel of maps is on disk, from where workers load it; standard error says so."""
+    job = _compiling_beside()
+    if job is not None:
+        with Waiting(sys.stderr) as waiting:
+            job.wait(waiting.report)
+
+
+def _compiling_beside() -> Job | None:
+    cells, span = np.empty((len(kernel.CELL), 1)), make_span("duration")
+    arguments = (cells, 0, 1, span.angle, span.stop, span.timed, 0, NO_SCRIPT, *_empty_results(1))
+    return precompile([(kernel.evaluate_block, arguments)])
 
 
 def decide(

@@ -278,7 +278,7 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
             ended = row["t"]
         if i < last and row["after_mode"] == ROLL:
             rolled += abs(events[i + 1]["x"] - row["x"])
-        if is_passing(row["kind"]):
+        if is_passing(row["kind"]) and i < last:
             continue
         if mark >= 0 and row["t"] > events[mark]["t"]:
             length = add_letter(keys, k, length, events[mark]["after_mode"])

@@ -50,7 +50,7 @@ def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
         \end{aligned}
 
     The right side is above its left at :math:`v_0^2 = gR/\varepsilon` for every body: a hoop that can roll at the top at
-    all never has the energy. Losses are never negative, except under Newton's law.
+    all never has the energy. The sum of all losses is never negative, except under Newton's law.
 
     Examples
     --------

@@ -108,7 +108,7 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     head[0] = BUFFER if pieces > most_rows else status
     head[1] = count
     head[2] = pieces
-    head[3] = seconds(found[pieces - 1, 1] if pieces > 0 else 0.0, t_end, duration, scales.time)
+    head[3] = seconds(records[count - 1]["t"], t_end, duration, scales.time)
     head[4] = math.nan
     head[5] = math.nan
     head[6] = pieces

@@ -108,11 +108,10 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
     status, count, length = run(body, start, t_end, math.nan, 0, records, pieces, scratch, script)
     for k in range(count):
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), rows[k])
-    last = pieces[length - 1]["t_end"] if length > 0 else records[count - 1]["t"]
     head[0] = status
     head[1] = count
     head[2] = length
-    head[3] = seconds(last, t_end, duration, scales.time)
+    head[3] = seconds(records[count - 1]["t"], t_end, duration, scales.time)
     head[4] = scratch.doubt[0] * scales.time
     head[5] = scratch.doubt[1] * scales.time
     head[6] = scratch.written[2]

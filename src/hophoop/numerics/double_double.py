@@ -109,11 +109,18 @@ def _without(turns, angle):
     return add(rest, (-(turns * TWO_PI_LOW), 0.0))
 
 
+@inline_jit
+def nearest_whole(number):
+    """The whole number nearest to a double, as a double; a compiled `math.floor` ends at 2^63."""
+    return 1.0 * math.floor(number + 0.5) if abs(number) < WHOLE else number
+
+
 @lean_jit
 def turns_and_rest(angle):
     """(whole turns, rest as two doubles from −π to π) of an angle that is a double, taken as exact.
 
-    The number of turns is a double as well: beyond 2^53 it is rounded, and the rest stays right.
+    The number of turns is a double as well: beyond 2^53 it is rounded, and the rest stays right. Beyond 2^100 rad, where the
+    rest is rounding, it still is an angle from −π to π.
     """
     turns = angle / TWO_PI
     way = 1.0
@@ -121,11 +128,12 @@ def turns_and_rest(angle):
         way = math.copysign(1.0, angle)  # so that left and right are alike to the last bit
         angle *= way
         turns *= way
-    if turns < WHOLE:
-        turns = 1.0 * math.floor(turns + 0.5)
+    turns = nearest_whole(turns)
     rest = _without(turns, (angle, 0.0))
     if turns >= MANY:  # the quotient may be next to the right number
-        more = 1.0 * math.floor(rest[0] / TWO_PI + 0.5)
-        rest = _without(more, rest)
-        turns += more
+        more = nearest_whole(rest[0] / TWO_PI)
+        while abs(more) > 0.0:  # each time smaller by 2^50
+            rest = _without(more, rest)
+            turns += more
+            more = nearest_whole(rest[0] / TWO_PI)
     return way * turns, way * rest[0], way * rest[1]

@@ -13,11 +13,13 @@ from typing import NamedTuple
 from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.arcs import arccosine
 from hophoop.numerics.circular import sine_and_cosine
+from hophoop.numerics.double_double import turns_and_rest
 from hophoop.physics.flight import MANY_TURNS, flight_rates
 
 MOST_BENDS = 20_000  # looked at in one flight: some 10,000 turns close to the plane
 MANY = 3_000.0  # rad: a longer flight is not looked at where the rim is too high to land whatever its angle
 MOST_STEPS = 200  # towards a root: halvings of a bracket, where the steps leave it
+MANY_RADIANS = 1e15  # an angle so large has too few digits for the whole turns to be taken off in doubles
 NEAR = 9.0  # rad before the top of a flight and before the plane, from where on it is looked at: more than a turn
 RESOLVED_TIME = 2e-16  # of a time, to which a root is found
 
@@ -191,7 +193,9 @@ def worth_looking(body, flight, rise, start, never):
 @inline_jit
 def from_top(angle):
     """The angle less the whole turns that bring it nearest to the top."""
-    return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
+    if abs(angle) < MANY_RADIANS:
+        return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
+    return turns_and_rest(angle)[1]
 
 
 @apart_jit

@@ -249,7 +249,7 @@ class Run:
         except Stopped as end:
             self.status = end.status
         if self.status != Status.EVENT_LIMIT:
-            last = self.mode if self.mode <= Mode.SKIM else Mode.ROLL
+            last = self.records[-1].after_mode
             try:
                 self.write(Event.END, last, last)
             except Stopped as end:
@@ -365,14 +365,16 @@ class Run:
         mode = next_mode(self.body, self.judge, self.state)
         if was == mode == Mode.ROLL and self.is_still():
             self.stand()
-        elif mode == was:
+        elif was != Mode.ROLL and mode > Mode.SKIM:
+            self.settle(Event.TURN, was)
+        else:
             self.write(Event.TURN, was, was)
             self.slip_zeros = 0
-        elif was == Mode.ROLL:
-            self.write(Event.TURN, was, was)
-            self.settle(Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START, was)
-        else:
-            self.settle(Event.TURN, was)
+            if mode != was:
+                if was != Mode.ROLL and mode != Mode.FLIGHT:
+                    self.state = self.state._replace(vt=self.body.zero)  # v_t and θ̇ come to zero together
+                rolled = Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START
+                self.settle(rolled if was == Mode.ROLL else Event.STICK, was)
 
     def leave_cone(self, what: Advance) -> None:
         """Rule 2: slip against the friction that was at its limit, at μk; or flight."""

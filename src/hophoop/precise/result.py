@@ -292,7 +292,7 @@ def ledger(solution: Solution) -> dict[str, Number]:
 def sequence_of(solution: Solution) -> str:
     """One letter a phase that lasts."""
     passing = {Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST}
-    marks = [record for record in solution.records if record.kind not in passing]
+    marks = [*(record for record in solution.records[:-1] if record.kind not in passing), solution.records[-1]]
     letters = [MODE_LETTERS[a.after_mode] for a, b in pairwise(marks) if b.state.t > a.state.t]
     if not letters:
         letters = [MODE_LETTERS[min(solution.records[-1].after_mode, Mode.SKIM)]]

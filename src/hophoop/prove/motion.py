@@ -125,7 +125,7 @@ class Run:
 
     def end(self, status: Status, ending: str) -> None:
         """The motion ends, with the event that says so."""
-        last = self.mode if self.mode <= Mode.SKIM else int(Mode.ROLL)
+        last = self.facts[-1].after_mode
         self.note(Event.END, last, last)
         self.finish(status, ending)
 
@@ -322,14 +322,15 @@ class Run:
         held = isinstance(self.model.after(self.state.th, self.state.om, 0), Still)
         if was == mode == Mode.ROLL and held:
             return  # rest, which is the next phase
-        if mode == was or was == Mode.ROLL or self.until == REVOLUTION:
+        paradox = was != Mode.ROLL and mode > Mode.SKIM
+        if not paradox or self.until == REVOLUTION:
             self.turn()
         if self.done:
             return
         self.zeros = 0
         if mode != was:
-            kind = Event.TURN if was != Mode.ROLL else Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START
-            self.settle(kind, was)
+            rolled = Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START
+            self.settle(Event.TURN if paradox else rolled if was == Mode.ROLL else Event.STICK, was)
 
     def after(self, ended: Ended) -> None:
         """What follows the end of a phase."""

@@ -294,7 +294,7 @@ def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
 
 def sequence_of(facts: list[Fact], ending: str = DURATION) -> str:
     """One letter a phase that lasts, and the flight that a take-off begins where it ends the motion."""
-    marks = [fact for fact in facts if fact.kind not in PASSING]
+    marks = [*(fact for fact in facts[:-1] if fact.kind not in PASSING), *facts[-1:]]
     letters = [_letter(a.after_mode) for a, b in pairwise(marks) if a.state.t < b.state.t]
     if ending == "takeoff":
         letters.append("H")

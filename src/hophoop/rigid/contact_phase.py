@@ -62,7 +62,7 @@ from hophoop.rigid.panel_events import (
 from hophoop.rigid.phase import ended, entered, gone_on, lifted, slipping
 from hophoop.rigid.transitions import leave_cone, pass_singular, settle
 
-ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
+ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, TAKEOFF, TURN, REST = int(Event.STICK), int(Event.TAKEOFF), int(Event.TURN), int(Event.REST)
 SLIP_START = int(Event.SLIP_START)
 COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
@@ -375,13 +375,17 @@ def turned_step(body, phase, state, level, limits, log, scratch):
     mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
     if phase.mode == ROLL and mode == ROLL and is_still(body, 0, state):
         return still_step(body, phase, state, limits, log, scratch)
-    if phase.mode == ROLL or mode == phase.mode:
+    kind = STICK if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
+    if phase.mode != ROLL and mode > SKIM and not limits.stop & STOP_AT_TURN:
+        kind = TURN  # slip goes on up to the paradox, which comes at once
+    else:
         note(log, TURN, phase.mode, phase.mode, state)
     if limits.stop & STOP_AT_TURN:
         return ended(phase, phase.mode, state, TURNED, COMPLETED)
     if mode == phase.mode:
         return gone_on(phase, state, level, TURNED)
-    kind = TURN if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
+    if kind == STICK and mode != FLIGHT:
+        state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ come to zero together
     mode, state = settle(body, state, quiet(kind, phase.mode, state), log, scratch)
     return entered(body, mode, state, phase.bounce, TURNED, scratch)
 

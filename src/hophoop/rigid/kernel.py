@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import aside_jit, outer_jit, unit_jit
+from hophoop._jit import apart_jit, aside_jit, outer_jit, unit_jit
 from hophoop.numerics.circular import cosine
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import can_roll, slip_mode
@@ -23,6 +23,7 @@ ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 START, END = int(Event.START), int(Event.END)
 UNDETERMINED, EVENT_LIMIT, BUFFER = (int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER))
 
+LARGEST = 1e150  # of all numbers of a motion in its own units: the squares of larger ones overflow
 LOWEST_START = 1e-250  # a rim this high touches: the time to fall would underflow
 
 
@@ -74,6 +75,14 @@ def step(body, phase, limits, log, scratch):
     return contact_step(body, phase, limits, log, scratch)
 
 
+@apart_jit
+def can_follow(before, after, t_end):
+    """Whether a state can come after another: later or at once, and of numbers whose squares do not overflow."""
+    sizes = abs(after.x) + after.y + abs(after.turns) + abs(after.vt) + abs(after.vn) + abs(after.om)
+    lost = abs(after.friction) + abs(after.impact_n) + abs(after.impact_t) + abs(after.resisted)
+    return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # false for nan
+
+
 @unit_jit
 def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
     """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
@@ -100,7 +109,8 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
     Returns
     -------
     status, number of events, number of segments : int
-        With Status.BUFFER or EVENT_LIMIT the arrays were full.
+        With Status.BUFFER the segments were full. With EVENT_LIMIT the events were full, and the motion ends at the last
+        one, whatever segments there are behind it; or the work for it, or the size of its numbers, was at its limit.
     """
     scratch.doubt[0] = math.nan
     scratch.doubt[1] = math.nan
@@ -112,9 +122,14 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         phase = begin(body, start, log, scratch)
     while phase.status == GOING and has_room(log):
         count_panel(log)
-        phase = step(body, phase, limits, log, scratch)
-    last = phase.mode if phase.mode <= SKIM else ROLL
+        events_before, segments_before = log.written[0], log.written[1]
+        after = step(body, phase, limits, log, scratch)
+        if not can_follow(phase.state, after.state, t_end):
+            log.written[0], log.written[1] = events_before, segments_before
+            break
+        phase = after
     if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come
+        last = events[log.written[0] - 1]["after_mode"]
         note(log, END, last, last, phase.state)
     count = log.written[0] if log.written[0] >= 0 else events.shape[0]
     if log.written[1] < 0:

@@ -107,7 +107,7 @@ def sample(body, segments, times, left, out):
             y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment["opening"], tau)
             along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
             now = flown(state, along, max(y, 0.0), tau, vt, vn)
-        elif segment["kind"] == HOLD:
+        elif segment["kind"] == HOLD and state.om == 0.0:
             rate = segment["opening"]
             slid = state.vt * tau + 0.5 * rate * tau * tau
             loss = segment["sigma"] * body.mu_k * body.gn * slid if segment["sigma"] != 0 else 0.0
@@ -131,7 +131,7 @@ def sample(body, segments, times, left, out):
             moving = load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
         else:
             now = state
-            if not begins:
+            if not begins and segment["kind"] != HOLD:  # a piece that holds a hoop that turns is too brief to be resolved
                 if index != solved:
                     panel = panel_of(segment)
                     totals = solve(body, panel, scratch.work)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -29,8 +30,12 @@ _OWN = {"number", "friction", "whole", "value"}
 _TAGS = {"rigid", "compliant", "ring", "disk", "point_mass", "rod"}
 
 
+# Longer than the name of a file may be: a word, or a value in quotation marks, which may have spaces.
+_LONG = re.compile(r"""(?<== )(['"]).{256,}?\1(?=[\s:.,])|\S{257,}[^\s:.,]""")
+
+
 def plain(text: str) -> str:
-    """A text that is safe to print: what is no printable character stands as its escape.
+    """A text that is safe to print: escapes in place of characters that are not printable, the start of what is very long.
 
     Parameters
     ----------
@@ -41,6 +46,7 @@ def plain(text: str) -> str:
     text : str
         One line.
     """
+    text = _LONG.sub(lambda found: shortened(found[0]), text)
     if text.isprintable():
         return text
     return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from decimal import InvalidOperation
+from itertools import pairwise
 from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb, pi, precision
@@ -95,6 +96,7 @@ class Walk:
         self.bounce = arb(0)
         self.seen = 0
         self.letters: list[tuple[str, Ball]] = []
+        self.last = ("H", arb(0))  # the mode after the last event, and its time
         self.over = ""
 
     # --- events --------------------------------------------------------------------------------
@@ -120,8 +122,9 @@ class Walk:
         for name, (value, unit) in values.items():
             known = self.conventions.encloses(one[name], value, unit)
             require(known, f"{name} of event {self.seen} ({kind}) is where it is said to be")
+        self.last = after, state.t
         if kind not in ("apex", "turn", "kane_gain", "rest"):
-            self.letters.append((after, state.t))
+            self.letters.append(self.last)
         self.seen += 1
 
     def settle(self, kind: str, before: str | None, gains: bool = False) -> None:
@@ -140,7 +143,7 @@ class Walk:
             if gains:
                 self.event("kane_gain", named, named)
             if mode == "undetermined":
-                self.end("undetermined", "undetermined", "R")
+                self.end("undetermined", "undetermined", named)
                 return
             if len(mode) == 1:
                 self.enter(mode)
@@ -185,7 +188,7 @@ class Walk:
         except Stopped:
             require(self.claim["ending"] == "event_limit", "the ending is as said")
         require(self.seen == len(self.events) and not self.phases, "nothing follows the end")
-        pairs = zip(self.letters, self.letters[1:], strict=False)
+        pairs = pairwise([*self.letters, self.last])  # the last event counts, whatever its kind
         found = "".join(a[0] for a, b in pairs if a[1] < b[1]) + ("H" if self.claim["ending"] == "takeoff" else "")
         found = found or self.letters[-1][0]
         require(self.claim["sequence"] == found, "the sequence is that of the events")
@@ -318,12 +321,14 @@ class Walk:
             mode = next_mode(self.equations, self.state)
             if mode == was == "R" and self._held(0):
                 return  # rest is what comes next
-        if mode == was or was == "R" or self.until == "revolution":
+        paradox = was != "R" and len(mode) > 1
+        if not paradox or self.until == "revolution":
             self.event("turn", was, was)
         if self.until == "revolution":
             self.end("completed", "reversal")
         elif mode != was:
-            self.settle("turn" if was != "R" else "takeoff" if mode == "H" else "slip_start", was)
+            rolled = "takeoff" if mode == "H" else "slip_start"
+            self.settle("turn" if paradox else rolled if was == "R" else "stick", was)
         else:
             self.zeros = 0
 

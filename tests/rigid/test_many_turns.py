@@ -1,0 +1,122 @@
+"""Flights of so many turns that their angle has no digits left: time goes on, and every machine finds the same."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import mpmath
+import numpy as np
+import pytest
+
+import hophoop as hh
+from bits_tools import event_rows
+from hophoop._jit import interpreted, jit
+from hophoop.numerics.double_double import PI, nearest_whole, turns_and_rest
+from hophoop.panels.landing import from_top
+from hophoop.records.state import start_state
+from hophoop.rigid import kernel
+
+# Each runs away on a steep slope. The compiled kernel counted whole turns in 64 bits: time ran backward at the last flight.
+AWAY = [
+    {
+        "duration": 712318824.915487,
+        "hoop": {"radius": 0.004470088799800991, "mass": 0.023138567841474025, "load_fraction": 0.9999725603332458},
+        "plane": {
+            "gravity": 305899.0373948422, "slope": -1.57, "mu": 30.65299827956939, "restitution": 1.0, "impact_law": "poisson",
+        },
+        "start": {
+            "height": 17.798085658390445, "angle": -462.0077615332058, "vx": -2.2189907187507642e-07,
+            "vy": 4.58386176908718e-12, "omega": 400350.46919733577,
+        },
+    },
+    {
+        "duration": 332691056.3383982,
+        "hoop": {"radius": 0.004500391931004981, "mass": 830.2077068043925, "load_fraction": 0.5025790402911456},
+        "plane": {
+            "gravity": 346364.9125068795, "slope": -1.57, "mu": 23.126189362876783, "rolling_resistance": 0.0005217482099466863,
+            "impact_law": "newton",
+        },
+        "start": {
+            "angle": 0.23933516373233255, "vx": 18.408869365084726, "vy": 3.375014098903909e-09, "omega": 3038.5648303768494,
+        },
+    },
+    {
+        "duration": 137312285.26223806,
+        "hoop": {"radius": 0.0003781869107183112, "mass": 0.0015229396962818137, "load_fraction": 0.9999999999631946},
+        "plane": {
+            "gravity": 1e6, "slope": 1.57, "mu": 135.7259827821292, "restitution": 5e-324, "impact_law": "newton",
+        },
+        "start": {
+            "x": 518145.29136697383, "height": 8.362016236642248e-15, "angle": -9308.916718708471,
+            "vx": -2.6142940578517115e-11, "vy": 3.843462463600127e-10, "omega": 3930.8385369231155,
+        },
+    },
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("away", AWAY)
+def test_time_goes_on(away):
+    motion = hh.simulate(hh.Scenario.model_validate(away | {"contact": {"max_events": 2000}}))
+    assert motion.status == "event_limit"
+    assert max(abs(event.angle) for event in motion.events) > 1e14
+    assert all(a.t <= b.t for a, b in pairwise(motion.events))
+    samples = motion.at(motion.times(200))
+    assert np.all(np.isfinite(samples.omega))
+    ledger = motion.ledger
+    assert abs(ledger.residual) < 1e-9 * (ledger.kinetic + abs(ledger.potential))
+
+
+@pytest.mark.parametrize("away", AWAY)
+def test_compiled_and_interpreted_agree(away, monkeypatch):
+    scenario = hh.Scenario.model_validate(away | {"contact": {"max_events": 2000}})
+    compiled = event_rows(hh.simulate(scenario).tables["events"])
+    monkeypatch.setenv("HOPHOOP_KERNELS", "interpreted")
+    with np.errstate(all="ignore"):
+        found = event_rows(hh.simulate(scenario).tables["events"])
+    assert found.tobytes() == compiled.tobytes()
+
+
+@jit
+def reduced(angle):
+    """What the compiled kernel makes of an angle."""
+    return nearest_whole(angle), from_top(angle), turns_and_rest(angle)
+
+
+@pytest.mark.parametrize("exponent", [10, 15, 17, 18, 19, 20, 25, 30, 40, 80, 140])
+def test_whole_turns_of_any_angle(exponent):
+    rng = np.random.default_rng(exponent)
+    for angle in (rng.uniform(-1.0, 1.0, 20) * 10.0**exponent).tolist():
+        whole, rest, (turns, high, low) = interpreted(reduced)(angle)
+        assert (whole, rest, (turns, high, low)) == reduced(angle)
+        assert whole == mpmath.nint(mpmath.mpf(angle)) or abs(whole - angle) == 0.5
+        assert abs(rest) <= PI + 1e-15 * min(abs(angle), 1e15)
+        assert abs(high) <= PI * (1.0 + 1e-12)
+        if exponent <= 25:
+            with mpmath.workdps(60):
+                left = mpmath.mpf(angle) / (2 * mpmath.pi)
+                left = (left - mpmath.nint(left)) * 2 * mpmath.pi
+                apart = abs(left - high - low)
+                assert min(apart, abs(apart - 2 * mpmath.pi)) < 10.0 ** (exponent - 30)
+        if exponent >= 17:
+            assert rest == high
+
+
+def test_an_angle_that_is_no_number():
+    assert math.isnan(turns_and_rest(math.nan)[1])
+    assert math.isnan(turns_and_rest(math.inf)[1])
+
+
+def test_numbers_whose_squares_overflow_end_the_motion():
+    """At the last state that can be reckoned with, not at infinity or before its start."""
+    before = start_state(0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+    follows = interpreted(kernel.can_follow)
+    assert follows(before, before._replace(t=1.0), 5.0)
+    assert follows(before, before, 5.0)
+    assert not follows(before._replace(t=1.0), before._replace(t=math.nextafter(1.0, 0.0)), 5.0)
+    assert follows(before._replace(t=math.nextafter(5.0, 6.0)), before._replace(t=5.0), 5.0)  # the end of time
+    for name in ("t", "x", "y", "turns", "vt", "vn", "om", "friction", "impact_n", "impact_t", "resisted"):
+        assert not follows(before, before._replace(**{name: math.nan}), 5.0)
+        if name != "t":
+            assert not follows(before, before._replace(**{name: math.inf}), 5.0)
+            assert not follows(before, before._replace(**{name: 1e301}), 5.0)
