@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 INVARIANTS = (
     "time", "finite numbers", "modes", "sequence", "rolling", "direction of slip", "contact", "gap", "normal force",
-    "friction cone", "sliding friction", "ledger",
+    "friction cone", "sliding friction", "losses", "ledger",
 )  # fmt: skip
 PASSING = ("turn", "apex", "kane_gain", "rest")  # events that begin no phase where the mode stays
 SPREAD = 25  # equally spaced times, besides those of events and the middles between them
@@ -108,7 +108,7 @@ def findings(motion: Trajectory) -> list[Finding]:
     if found[1].broken:
         return found
     found += [_modes(course), _sequence(course), _rolling(course), _direction(course), _contact(course), _gap(course)]
-    return [*found, *_forces(course), _ledger(course)]
+    return [*found, *_forces(course), *_energies(course)]
 
 
 @dataclass(frozen=True)
@@ -314,15 +314,21 @@ def _forces(course: _Course) -> list[Finding]:
     return [*found, worst("sliding friction", "friction drives the slip", samples.t, along, reach, ROUNDED)]
 
 
-def _ledger(course: _Course) -> Finding:
-    """Energy and losses add up to the energy at the start, at every sample and at the end."""
+def _energies(course: _Course) -> list[Finding]:
+    """Nothing gives lost energy back; energy and losses add up to the energy at the start, at every sample and at the end."""
     samples, ledger = course.samples, course.ledger
     parts = [getattr(samples, name) for name in ("kinetic", "potential", "spring", "damping", *LOSSES)]
     start = sum(getattr(ledger, name) for name in ("kinetic", "potential", "spring", "damping", *LOSSES)) - ledger.residual
     size = max(ledger.range, *(float(np.max(np.abs(part))) for part in parts))
+    allowed = _ledger_allowed(course, size)
+    lost = np.array([(event.friction, event.rolling_resistance, event.impact_tangential) for event in course.motion.events])
+    back = np.max(np.maximum(lost[:-1] - lost[1:], 0.0), axis=1, initial=0.0)
     off = np.append(np.abs(sum(parts) - start), abs(ledger.residual))
     t = np.append(samples.t, course.motion.duration)
-    return worst("ledger", "the ledger of energy does not close", t, off, size, _ledger_allowed(course, size))
+    return [
+        worst("losses", "energy that was lost comes back", course.t[1:], back, size, allowed),
+        worst("ledger", "the ledger of energy does not close", t, off, size, allowed),
+    ]
 
 
 def _ledger_allowed(course: _Course, size: float) -> float:
