@@ -155,3 +155,17 @@ def test_the_load_falls_for_as_long_as_its_parabola_says(speed, gravity):
     assert sink * tau + 0.5 * gravity * tau * tau == pytest.approx(height, rel=1e-12)
     before = motion.at(np.linspace(skim.t, skim.t + 0.999 * tau, 9))
     assert np.isfinite(before.omega).all()
+
+
+@pytest.mark.parametrize("angle", [0.0, 5e-324, 1e-9, 2.0 * math.pi - 1e-9, 2.0 * math.pi])
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_the_load_falls_from_beside_the_top_without_a_turn_more(angle, way):
+    """Where cos θ rounds to 1 the load falls on either side; on the other one θ was off by a whole turn."""
+    motion, mirrored = (
+        hh.simulate(MASSLESS, hh.Plane(mu=5e-324), hh.Start.rolling(sign * way * 3.0, angle=sign * angle), duration=0.05)
+        for sign in (1.0, -1.0)
+    )
+    assert motion.sequence == mirrored.sequence == "M"
+    assert motion.events[-1].angle == pytest.approx(angle + way * 0.15676507, abs=2e-9)
+    assert [event.angle for event in motion.events] == [-event.angle for event in mirrored.events]
+    assert [event.x for event in motion.events] == [-event.x for event in mirrored.events]

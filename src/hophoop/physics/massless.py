@@ -13,6 +13,8 @@ from hophoop.numerics.arcs import arcsine
 from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.numerics.trigonometry import versine_of
 
+TOP_ROUNDING = 1e-8  # of a turn: beside the top cos θ rounds to 1
+
 
 @lean_jit
 def skim_duration(body, c, sink):
@@ -26,6 +28,12 @@ def skim_duration(body, c, sink):
 
 
 @lean_jit
+def turns_before(th, way):
+    """Whole turns on this way up to the top that the load falls from, which it may still be before by its rounding."""
+    return math.floor(way * (0.5 * th / math.pi) + TOP_ROUNDING)
+
+
+@lean_jit
 def skim_state(body, x, th, vt, om, way, tau):
     """(x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite where the load strikes the plane."""
     s, c = sine_and_cosine(th)
@@ -34,10 +42,7 @@ def skim_state(body, x, th, vt, om, way, tau):
     fallen = sink * tau + 0.5 * body.gn * tau * tau
     versine = versine_of(th) + fallen  # 1 − cos θ
     half = arcsine(math.sqrt(min(max(0.5 * versine, 0.0), 1.0)))
-    turns = 2.0 * math.pi * math.floor(0.5 * th / math.pi)
-    th_end = turns + 2.0 * half if way > 0 else turns + 2.0 * math.pi - 2.0 * half
-    if way < 0 and s == 0.0 and c > 0.0:
-        th_end -= 2.0 * math.pi
+    th_end = way * (2.0 * math.pi * turns_before(th, way) + 2.0 * half)
     s_end = sine(2.0 * half)
     rate = sink + body.gn * tau
     if s_end > 0.0:
@@ -58,7 +63,7 @@ def strike_place(body, x, th, s, speed, way, tau):
     These are the limits of `skim_state`, whose θ̇ grows without bound.
     """
     x_end = x + s + speed * tau + 0.5 * body.gt * tau * tau
-    th_end = math.pi * (2.0 * math.floor(0.5 * th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)
+    th_end = way * math.pi * (2.0 * turns_before(th, way) + 1.0)
     return x_end, th_end, speed + body.gt * tau
 
 

@@ -405,7 +405,7 @@ class Rigid(Frozen):
     Parameters
     ----------
     max_events : int, default 100000
-        After so many events the motion ends with status 'event_limit'; from 1 to ten million [1].
+        After so many events the motion ends, at the last of them, with status 'event_limit'; from 1 to ten million [1].
 
     Raises
     ------
@@ -446,7 +446,7 @@ class Compliant(Frozen):
     rtol : float, optional
         Relative tolerance of the integration, above 0 and at most 0.1; by default 10⁻⁹ [1].
     max_events : int, default 100000
-        After so many events the motion ends with status 'event_limit'; from 1 to ten million [1].
+        After so many events the motion ends, at the last of them, with status 'event_limit'; from 1 to ten million [1].
 
     Raises
     ------

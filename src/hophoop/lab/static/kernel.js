@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 00c878fed76d7e689bb889d602bb4cc3 */
-var c={sources:"a01f71b36ad107b38b730ffb8d5644f4",module:"1dc43d2f6c55e1f6",derivatives:"bb91b7f397d77580",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 748f309cef23ca82fcddf46f8b3dbb7a */
+var c={sources:"b3a8b8abda05948b4be090b637e21208",module:"7132e8f1982c9caa",derivatives:"b74e55530d57ceae",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -112,7 +112,7 @@ ight","angle","vx","vy","omega"];function st({given:s,head:t,rows:e,count:n,dura
 sequence:jt(r),fingerprint:h===null?tt(e,n):null,duration:o,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(nt.map(d=>[d,a[d]]))},energy:l,doubt:h}}function Bt(s){
 let t=c.kinds[s[m.kind]],e=s[m.from_mode],n={t:s[m.t],kind:t,from:e<0?null:c.letters[e],to:c.letters[s[m.to_mode]]};for(let o of nt)n[o]=D(s[m[o]]);return n.before=
 Object.fromEntries(["vx","vy","omega"].map(o=>[o,D(s[m[`before_${o}`]])])),n.impulse={normal:s[m.impulse_normal],tangential:s[m.impulse_tangential]},s[m.collision]===
-0&&(n.collision=!1),t==="kane_gain"&&(n.gain=s[m.gain]),s[m.stable]>=0&&(n.stable=s[m.stable]===1),n}function jt(s){let t=s.filter(n=>!Ht.has(n.kind));return t.
-slice(0,-1).map((n,o)=>t[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var ot;function Nt(s){let t=new Set,e=n=>{ArrayBuffer.isView(n)?t.add(n.buffer):n&&typeof n=="object"&&!Array.isArray(n)&&Object.values(n).forEach(e)};return e(
+0&&(n.collision=!1),t==="kane_gain"&&(n.gain=s[m.gain]),s[m.stable]>=0&&(n.stable=s[m.stable]===1),n}function jt(s){let t=s.filter((n,o)=>o===s.length-1||!Ht.has(
+n.kind));return t.slice(0,-1).map((n,o)=>t[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var ot;function Nt(s){let t=new Set,e=n=>{ArrayBuffer.isView(n)?t.add(n.buffer):n&&typeof n=="object"&&!Array.isArray(n)&&Object.values(n).forEach(e)};return e(
 s),[...t]}function Ut({data:{number:s,compiled:t,call:e,values:n}}){try{if(t){ot=new L(t);return}let o=ot[e](...n);self.postMessage({number:s,answer:o},{transfer:Nt(
 o)})}catch(o){self.postMessage({number:s,error:o.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",Ut);export{L as HoopModule};

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 00c878fed76d7e689bb889d602bb4cc3 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 748f309cef23ca82fcddf46f8b3dbb7a */
 var ql=Object.create;var ro=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Bl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,Wl=Object.prototype.hasOwnProperty;var $l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Hl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Bl(e))!Wl.call(s,i)&&i!==t&&ro(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
 return s};var Gl=(s,e,t)=>(t=s!=null?ql(Fl(s)):{},Hl(e||!s||!s.__esModule?ro(t,"default",{value:s,enumerable:!0}):t,s));var Ga=$l(Cs=>{"use strict";Object.defineProperty(Cs,"__esModule",{value:!0});function Wa(s){return!s||typeof s=="string"?s:s+""}var Vn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1761,7 +1761,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Bo,je=s=>s==="inf"?1/0:s;var _={sources:"a01f71b36ad107b38b730ffb8d5644f4",module:"1dc43d2f6c55e1f6",derivatives:"bb91b7f397d77580",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Bo,je=s=>s==="inf"?1/0:s;var _={sources:"b3a8b8abda05948b4be090b637e21208",module:"7132e8f1982c9caa",derivatives:"b74e55530d57ceae",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -2736,8 +2736,8 @@ ight","angle","vx","vy","omega"];function Mr({given:s,head:e,rows:t,count:n,dura
 status]],sequence:Eu(a),fingerprint:c===null?Er(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Ar.map(u=>[u,r[u]]))},energy:l,doubt:c}}
 function Su(s){let e=_.kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:_.letters[t],to:_.letters[s[H.to_mode]]};for(let i of Ar)n[i]=di(s[H[i]]);
 return n.before=Object.fromEntries(["vx","vy","omega"].map(i=>[i,di(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},
-s[H.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function Eu(s){let e=s.filter(n=>!vu.has(n.
-kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var mi=1e4,Tu="The part of the page that computes this could not be loaded; choose it again when there is a network.",pi=256;function Rr(s){let e=URL.createObjectURL(
+s[H.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function Eu(s){let e=s.filter((n,i)=>i===s.
+length-1||!vu.has(n.kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var mi=1e4,Tu="The part of the page that computes this could not be loaded; choose it again when there is a network.",pi=256;function Rr(s){let e=URL.createObjectURL(
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function zr(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function Lr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
