@@ -119,6 +119,7 @@ class _Course:
     t: Floats  # of events
     ends: Floats  # of the intervals between events
     letters: list[str]  # of the intervals
+    begins: list[bool]  # whether an event at the start of the interval begins a phase
     middles: Sample  # of the intervals
     samples: Sample  # all
     ledger: Ledger
@@ -135,8 +136,13 @@ class _Course:
 
 def _course(motion: Trajectory) -> _Course:
     t = np.array([event.t for event in motion.events])
-    ends = np.unique(np.append(np.minimum(t, motion.duration), motion.duration))
-    # what is shorter has no middle that is on the same side of both ends in the units of the kernel
+    # events that are apart in the kernel's unit may be at one time in seconds
+    kernel_t = motion.tables["events"]["t"]
+    instants, first = np.unique(kernel_t, return_index=True)
+    ends = np.minimum(t[first], motion.duration)
+    if motion.duration > ends[-1]:
+        instants, ends = np.append(instants, math.inf), np.append(ends, motion.duration)
+    # what is shorter has no middle that is on the same side of both ends in both units
     long = np.diff(ends) > 8.0 * EPSILON * ends[1:]
     middles = (ends[:-1] + 0.5 * np.diff(ends))[long]
     spread = np.linspace(0.0, motion.duration, SPREAD)
@@ -145,11 +151,14 @@ def _course(motion: Trajectory) -> _Course:
     names = [each.name for each in fields(Sample)]
     middle = Sample(**{name: getattr(right, name)[: len(middles)] for name in names})
     samples = Sample(**{name: np.concatenate((getattr(right, name), getattr(left, name))) for name in names})
-    letters = np.array([event.to_mode for event in motion.events])[np.searchsorted(t, ends[:-1], side="right") - 1]
+    modes = np.array([event.to_mode for event in motion.events])
+    letters = modes[np.searchsorted(kernel_t, instants[:-1], side="right") - 1]
     letters[long] = middle.mode
+    begins = {float(at) for at, event in zip(kernel_t, motion.events, strict=False) if event.kind not in PASSING}
+    begin = [at in begins for at in instants[:-1].tolist()]
     contact = motion.scenario.contact
     kind = "rigid" if contact.model == "rigid" else contact.friction
-    return _Course(motion, t, ends, letters.tolist(), middle, samples, motion.ledger, kind)
+    return _Course(motion, t, ends, letters.tolist(), begin, middle, samples, motion.ledger, kind)
 
 
 def worst(invariant: str, words: str, t: Any, off: Any, size: Any = 1.0, allowed: Any = 0.0) -> Finding:
@@ -218,11 +227,10 @@ def _modes(course: _Course) -> Finding:
 def _sequence(course: _Course) -> Finding:
     """A letter for each phase that the samples go through: from an event that begins one, or from a change of the mode."""
     events, given = course.motion.events, course.motion.sequence
-    begins = {event.t for event in events if event.kind not in PASSING}
     letters: list[tuple[str, float]] = []
-    for begin, mode in zip(course.ends.tolist(), course.letters, strict=False):
-        if not letters or begin in begins or letters[-1][0] != mode:
-            letters.append((mode, begin))
+    for t, begins, mode in zip(course.ends.tolist(), course.begins, course.letters, strict=False):
+        if not letters or begins or letters[-1][0] != mode:
+            letters.append((mode, t))
     expected = "".join(mode for mode, _ in letters) or events[-1].to_mode
     if given == expected:
         return Finding("sequence", 0.0, 0.0, 0.0, "")
