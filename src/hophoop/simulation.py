@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, overload
@@ -29,6 +30,10 @@ if TYPE_CHECKING:
     from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
+CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in (
+    "",
+    "0",
+)  # read once: a look at the environment takes a tenth of a motion
 
 
 @overload
@@ -127,12 +132,15 @@ def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> T
     -------
     motion : Trajectory
     """
+    doubt = None
     if isinstance(scenario.contact, Compliant):
         status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario, reached)
     else:
         status, events, segments, _, doubt = _simulate_rigid(scenario, scenario.contact)
-        return Trajectory(scenario, status, events, segments, hophoop.__version__, doubt)
-    return Trajectory(scenario, status, events, segments, hophoop.__version__)
+    motion = Trajectory(scenario, status, events, segments, hophoop.__version__, doubt)
+    if CHECKED:
+        import_module("hophoop.invariants").check(motion)
+    return motion
 
 
 def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:

@@ -18,8 +18,14 @@ ANGLES = (0.0, math.pi / 2, math.pi, -math.pi, 2 * math.pi, math.nextafter(math.
 TINY = 1e-300
 
 
+USUAL = ("usual", "usual", "near", "near", "any", "any", "special")
+EXTREME = ("any", "any", "any", "special", "edge")  # every magnitude, the ends, and the next doubles to them
+
+
 class Source(Protocol):
     """Where numbers are drawn from."""
+
+    kinds: tuple[str, ...]  # of numbers, as `of_range` chooses among them
 
     def between(self, least: float, most: float) -> float:
         """A number, both ends included."""
@@ -31,8 +37,9 @@ class Source(Protocol):
 class Seeded:
     """A source for which (seed, index) tells everything."""
 
-    def __init__(self, seed: int, index: int) -> None:
+    def __init__(self, seed: int, index: int, kinds: tuple[str, ...] = USUAL) -> None:
         self._random = np.random.default_rng([seed, index])
+        self.kinds = kinds
 
     def between(self, least: float, most: float) -> float:
         return float(self._random.uniform(least, most))
@@ -48,7 +55,7 @@ def magnitude(source: Source, least: float, most: float) -> float:
 
 def of_range(source: Source, allowed: Range, usual: float) -> float:
     """A number of a range: an end, a special value, one of any magnitude, or one like the usual one."""
-    kind = source.choice(["usual", "usual", "near", "near", "any", "any", "special"])
+    kind = source.choice(source.kinds)
     if kind == "usual":
         return usual
     sign = source.choice([1.0, -1.0]) if allowed.least < 0.0 else 1.0
@@ -58,6 +65,8 @@ def of_range(source: Source, allowed: Range, usual: float) -> float:
         value = sign * magnitude(source, allowed.least if allowed.least > 0.0 else TINY, allowed.most)
         if allowed.least <= 0.0 and source.choice([True, False]):
             value = sign * magnitude(source, 1e-6, allowed.most)
+    elif kind == "edge":
+        value = math.nextafter(*source.choice([(allowed.least, 1.0), (allowed.most, 1.0), (1.0, 0.0), (0.0, 1.0)]))
     else:
         value = source.choice([allowed.least, allowed.most, *allowed.also, 1.0])
     return value if allowed.holds(value) else min(max(value, allowed.least), allowed.most)

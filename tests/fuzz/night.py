@@ -9,7 +9,6 @@ Each is computed in a worker process, so that one that hangs or kills its proces
 from __future__ import annotations
 
 import argparse
-import collections
 import math
 import multiprocessing
 import os
@@ -27,8 +26,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 SEED = 2026
 HANGS = 1200.0  # s without an answer: much more than any takes, since other work may share the machine
+EXTREME = 10  # every so many-th scenario is extreme
 FEW = 50  # every so many-th motion is saved and loaded, and another one computed elsewhere too
 WRITTEN = 120.0  # s between two tables of a run that goes on
+KINDS = ("rigid", "compliant", "extreme")
 WORDS = ("completed", "at_rest", "jammed", "undetermined", "event_limit", "refused")
 
 
@@ -49,21 +50,27 @@ class Night(NamedTuple):
     wall: float  # s
 
 
-def keys_of(seed: int, index: int) -> dict[str, Any]:
+def extreme(index: int) -> bool:
+    """Whether a scenario has numbers of any magnitude, at the ends of their ranges and next to them alone."""
+    return index % EXTREME == EXTREME - 1
+
+
+def keys_of(seed: int, index: int, turns: float | None) -> dict[str, Any]:
     """The scenario of an index."""
-    from fuzz.draws import Seeded, scenario
+    from fuzz import draws
 
-    return scenario(Seeded(seed, index))
+    kinds = draws.EXTREME if extreme(index) else draws.USUAL
+    return draws.scenario(draws.Seeded(seed, index, kinds), turns=turns)
 
 
-def work(pipe: Connection, seed: int) -> None:
+def work(pipe: Connection, seed: int, turns: float | None) -> None:
     """Answer indices until there are no more."""
     from fuzz.checks import outcome, warm_up
 
     warm_up()
     pipe.send(None)
     while (index := pipe.recv()) is not None:
-        keys = keys_of(seed, index)
+        keys = keys_of(seed, index, turns)
         began = time.process_time()
         found = outcome(keys, with_file=index % FEW == 0, elsewhere=moved(index))
         pipe.send(Answer(index, keys["contact"]["model"], found, time.process_time() - began))
@@ -77,14 +84,14 @@ def moved(index: int) -> bool:
 class Worker:
     """A process that computes, and when it was last heard of."""
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, turns: float | None) -> None:
         self.context = multiprocessing.get_context("spawn")
-        self.seed = seed
+        self.given = seed, turns
         self.begin()
 
     def begin(self) -> None:
         self.pipe, other = self.context.Pipe()
-        self.process = self.context.Process(target=work, args=(other, self.seed), daemon=True)
+        self.process = self.context.Process(target=work, args=(other, *self.given), daemon=True)
         self.process.start()
         other.close()
         self.pipe.recv()
@@ -101,10 +108,12 @@ class Worker:
         self.pipe.close()
 
 
-def run(indices: Iterable[int], seed: int, processes: int, seconds: float, watch: Callable[[Night], None]) -> Night:
+def run(
+    indices: Iterable[int], seed: int, turns: float | None, processes: int, seconds: float, watch: Callable[[Night], None]
+) -> Night:
     """Compute these scenarios, or as many as the time allows; `watch` sees what has come now and then."""
     began = written = time.monotonic()
-    workers = [Worker(seed) for _ in range(processes)]
+    workers = [Worker(seed, turns) for _ in range(processes)]
     answers: list[Answer] = []
     failed: list[tuple[int, str]] = []
     coming = iter(indices)
@@ -144,10 +153,10 @@ def run(indices: Iterable[int], seed: int, processes: int, seconds: float, watch
     return Night(answers, failed, time.monotonic() - began)
 
 
-def again(night: Night, seed: int) -> Night:
+def again(night: Night, seed: int, turns: float | None) -> Night:
     """The same with some scenarios computed once more, by a process that has just been spawned."""
     first = {answer.index: answer.found.digest for answer in night.answers if moved(answer.index)}
-    second = run(first, seed, 1, math.inf, lambda _: None)
+    second = run(first, seed, turns, 1, math.inf, lambda _: None)
     differ = [
         (one.index, "a spawned process gives other bits") for one in second.answers if one.found.digest != first[one.index]
     ]
@@ -158,6 +167,7 @@ def again(night: Night, seed: int) -> Night:
 def table(night: Night, seed: int) -> str:
     """What came, in Markdown."""
     import hophoop as hh
+    from hophoop.invariants import INVARIANTS
 
     answers, failed = night.answers, night.failed
     spent = sum(answer.spent for answer in answers)
@@ -165,31 +175,46 @@ def table(night: Night, seed: int) -> str:
         f"{len(answers):,} scenarios of seed {seed} with version {hh.__version__}, in {night.wall:,.0f} s; they took "
         f"{spent:,.0f} s of one processor.",
         "",
-        "| | rigid | compliant |",
-        "| --- | --- | --- |",
+        "| | " + " | ".join(KINDS) + " |",
+        "| --- |" + " --- |" * len(KINDS),
     ]
-    kinds = ("rigid", "compliant")
-    count = collections.Counter((answer.contact, answer.found.word) for answer in answers)
-    lines.append("| scenarios | " + " | ".join(f"{sum(count[k, w] for w in (*WORDS, 'raised')):,}" for k in kinds) + " |")
+    of_kind = [[one for one in answers if kind_of(one) == kind] for kind in KINDS]
+
+    def row(title: str, cell: Callable[[list[Answer]], str]) -> None:
+        lines.append(f"| {title} | " + " | ".join(map(cell, of_kind)) + " |")
+
+    row("scenarios", lambda ones: f"{len(ones):,}")
     for word in WORDS:
-        lines.append(f"| `{word}` | " + " | ".join(f"{count[kind, word]:,}" for kind in kinds) + " |")
-    computed = [answer for answer in answers if answer.found.word not in ("refused", "raised")]
-    for title, pick, form in (
-        ("largest ledger, of the energy range", lambda found: found.ledger, "{:.0e}"),
-        ("slowest, s of the processor", lambda found: found.seconds, "{:.1f}"),
-    ):
-        worst = [max((pick(one.found) for one in computed if one.contact == kind), default=0.0) for kind in kinds]
-        lines.append(f"| {title} | " + " | ".join(form.format(number) for number in worst) + " |")
-    for title, chosen in (
-        ("saved and loaded", [one for one in computed if one.index % FEW == 0]),
-        ("in eight threads, forked and spawned", [one for one in computed if moved(one.index)]),
-    ):
-        numbers = collections.Counter(one.contact for one in chosen)
-        lines.append(f"| {title} | " + " | ".join(f"{numbers[kind]:,}" for kind in kinds) + " |")
-    lines.append(f"| **broken laws, hangs, exceptions** | {len(failed)} in all | |")
-    for index, problem in sorted(failed)[:40]:
-        lines.append(f"| {index} | {problem} | |")
+        row(f"`{word}`", lambda ones, word=word: f"{sum(one.found.word == word for one in ones):,}")
+    row("slowest, s of the processor", lambda ones: f"{max((one.found.seconds for one in ones), default=0.0):.1f}")
+    row("saved and loaded", lambda ones: f"{sum(bool(one.found.deviations) for one in ones if one.index % FEW == 0):,}")
+    row(
+        "in eight threads, forked and spawned",
+        lambda ones: f"{sum(bool(one.found.deviations) for one in ones if moved(one.index)):,}",
+    )
+    lines += ["", "| breaches; largest deviation | " + " | ".join(KINDS) + " |", "| --- |" + " --- |" * len(KINDS)]
+    for name in (*INVARIANTS, "mirror", "units"):
+
+        def cell(ones: list[Answer], name: str = name) -> str:
+            found = [one.found.deviations[name] for one in ones if name in one.found.deviations]
+            largest = max((value for value, _ in found), default=0.0)
+            return f"{sum(broken for _, broken in found):,}; {largest:.0e}".replace("; 0e+00", "; 0")
+
+        row(name, cell)
+    others = [problem for _, problem in failed if problem.partition(":")[0] not in (*INVARIANTS, "mirror", "units")]
+    lines += [
+        "",
+        f"Exceptions, hangs, other bits: {len(others)}. Scenarios with a breach: {len({index for index, _ in failed}):,}.",
+    ]
+    if failed:
+        lines += ["", "| scenario | breach |", "| --- | --- |"]
+        lines += [f"| {index} | {problem} |" for index, problem in sorted(failed)[:40]]
     return "\n".join(lines) + "\n"
+
+
+def kind_of(answer: Answer) -> str:
+    """The column of the table that an answer is in."""
+    return KINDS[2] if extreme(answer.index) else answer.contact
 
 
 def main() -> int:
@@ -197,6 +222,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=100_000, help="scenarios")
     parser.add_argument("--first", type=int, default=0, help="index of the first")
     parser.add_argument("--seed", type=int, default=SEED)
+    parser.add_argument("--turns", type=float, help="shorten each to about so many revolutions")
     parser.add_argument("--seconds", type=float, default=math.inf, help="begin no more after this time")
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--markdown", type=Path, help="write the table to this file")
@@ -206,7 +232,7 @@ def main() -> int:
         import hophoop as hh
         from fuzz.checks import outcome
 
-        keys = keys_of(given.seed, given.show)
+        keys = keys_of(given.seed, given.show, given.turns)
         print(hh.Scenario.from_dict(keys).to_toml())
         print(outcome(keys, with_file=True, elsewhere=True))
         return 0
@@ -219,7 +245,7 @@ def main() -> int:
         return text
 
     indices = range(given.first, given.first + given.count)
-    night = again(run(indices, given.seed, given.processes, given.seconds, write), given.seed)
+    night = again(run(indices, given.seed, given.turns, given.processes, given.seconds, write), given.seed, given.turns)
     print(write(night))
     return 1 if night.failed else 0
 

@@ -20,8 +20,9 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from fuzz.checks import PATIENCE, digest, outcome, rounded_away, warm_up
-from fuzz.draws import Seeded, scenario
+from fuzz.checks import PATIENCE, digest, outcome, warm_up
+from fuzz.draws import EXTREME, USUAL, Seeded, scenario
+from hophoop.invariants import rounded_away
 
 TURNS = 200.0  # so short that thousands of them take half a minute
 ONE_IN = 8  # is compliant
@@ -31,6 +32,8 @@ LONGEST = 20.0
 
 class Drawn:
     """A source of numbers that hypothesis chooses."""
+
+    kinds = USUAL
 
     def __init__(self, draw: Any) -> None:
         self._draw = draw
@@ -67,6 +70,14 @@ def test_any_magnitude(keys):
 @given(drawn())
 def test_any_magnitude_at_length(keys):
     check(keys)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", [1, 2])
+def test_any_extreme(seed):
+    """Every number of any magnitude, at an end of its range or next to one; the night draws every tenth scenario so."""
+    problems = {index: outcome(scenario(Seeded(seed, index, EXTREME), ONE_IN, TURNS)).problems for index in range(200)}
+    assert {index: found for index, found in problems.items() if found} == {}
 
 
 @pytest.mark.compiled

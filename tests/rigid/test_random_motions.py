@@ -11,6 +11,7 @@ from hypothesis import assume, example, given, note, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
+from hophoop import invariants
 
 LAWS = ("newton", "poisson", "stronge")
 STATUSES = {"completed", "at_rest", "jammed", "undetermined", "event_limit"}
@@ -86,44 +87,13 @@ def build(hoop, plane, start, duration=3.0):
 
 def check(motion):
     """What any motion keeps."""
-    plane, hoop = motion.scenario.plane, motion.scenario.hoop
+    invariants.check(motion)
     assert motion.status in STATUSES
-    times = [event.t for event in motion.events]
-    assert times == sorted(times)
-    ledger = motion.ledger
-    assert abs(ledger.residual) <= 1e-11 * ledger.range
-    assert ledger.friction >= -1e-12 * ledger.range
-    assert ledger.impact_tangential >= -1e-12 * ledger.range
-    gains = motion.find("kane_gain")
-    if plane.impact_law != "newton":
-        assert not gains
+    if motion.scenario.plane.impact_law != "newton":
+        ledger = motion.ledger
+        assert not motion.find("kane_gain")
         total = ledger.friction + ledger.impact_normal + ledger.impact_tangential
         assert total >= -1e-12 * ledger.range
-
-    sample = motion.at(motion.times(41)) if motion.duration > 0.0 else motion.at(np.zeros(1))
-    size = hoop.mass * (plane.gravity + hoop.radius * np.max(sample.omega**2) + 1e-300)
-    assert (sample.height >= 0.0).all()
-    touching = np.isin(sample.mode, ["R", "S", "K"])
-    assert (sample.height[touching] == 0.0).all()
-    normal, friction = sample.normal_force, sample.friction_force
-    assert (normal[touching] >= -1e-10 * size).all()
-    assert (normal[~touching] == 0.0).all()
-    if math.isfinite(plane.mu_static):
-        slack = 1e-10 * size * max(1.0, plane.mu_static)
-        assert (np.abs(friction) <= plane.mu_static * np.maximum(normal, 0.0) * (1 + 1e-9) + slack).all()
-    sliding = np.isin(sample.mode, ["S", "K"])
-    assert (friction[sliding] * sample.slip[sliding] <= 1e-10 * size * (1 + np.abs(sample.slip[sliding]))).all()
-    sign = np.where(sample.mode == "K", 1.0, -1.0)
-    # beside the rounding of θ, which at an equilibrium makes speeds of its own
-    speed = hoop.radius * np.abs(sample.omega) + np.abs(sample.slip) + 1e-5 * math.sqrt(plane.gravity * hoop.radius)
-    assert (sign[sliding] * sample.slip[sliding] >= -1e-9 * speed[sliding]).all()
-    assert (sample.slip[sample.mode == "R"] == 0.0).all()
-    # the ledger closes at every time, not just at the end
-    lost = sample.friction + sample.impact_normal + sample.impact_tangential
-    begin = motion.at(0.0, side="left")
-    start = motion.events[0]
-    origin = begin.total + begin.friction + begin.impact_normal + begin.impact_tangential
-    assert np.abs(sample.total + lost - origin).max() <= 1e-10 * ledger.range, start
 
 
 @pytest.mark.long

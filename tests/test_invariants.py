@@ -1,0 +1,245 @@
+"""The checker of invariants sees each of them broken, where one number of a good motion is changed."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop import simulation
+from hophoop.invariants import INVARIANTS, BrokenInvariantError, check, findings
+from hophoop.symmetries import mirror_finding, mirrored, scaled, units_finding
+from hophoop.trajectory import Trajectory
+
+
+@pytest.fixture(autouse=True)
+def interpreted(monkeypatch):
+    monkeypatch.setenv("HOPHOOP_KERNELS", "interpreted")
+
+
+class Changed(Trajectory):
+    """A motion some of whose events, samples or tables are changed."""
+
+    def __init__(self, motion, events=None, sample=None, **values):
+        tables = motion.tables
+        super().__init__(
+            motion.scenario, motion._status, tables["events"], tables["segments"].copy(), motion.version, motion._doubt
+        )
+        self.events = motion.events if events is None else tuple(events)
+        self.sample = sample
+        self.__dict__.update(values)
+
+    def at(self, t, side="right"):
+        sample = super().at(t, side)
+        if self.sample is None or not np.shape(t):
+            return sample
+        name, mode, value = self.sample
+        column = np.array(getattr(sample, name))
+        index = np.flatnonzero(np.equal(sample.mode, mode))
+        if index.size:
+            which = index if name == "mode" else index[-1:]
+            column[which] = value(column[which])
+        return dataclasses.replace(sample, **{name: column})
+
+
+@pytest.fixture(scope="module")
+def motion():
+    """It rolls, skids, spins, flies and strikes, with rolling resistance."""
+    scenario = hh.Scenario(plane=hh.Plane(rolling_resistance=0.01, restitution=0.3), start=hh.Start.rolling(3.1), duration=2.5)
+    return hh.simulate(scenario)
+
+
+def broken(motion):
+    """Names of the invariants that a motion breaks."""
+    return {each.invariant for each in findings(motion) if each.broken}
+
+
+def with_event(motion, index, **values):
+    """A motion with numbers of one event changed."""
+    events = list(motion.events)
+    events[index] = dataclasses.replace(events[index], **values)
+    return Changed(motion, events)
+
+
+def test_a_good_motion_breaks_none(motion):
+    assert set("RSKH") <= set(motion.sequence) | {"S", "K"}
+    assert {each.invariant for each in findings(motion)} == set(INVARIANTS)
+    assert broken(motion) == set()
+    assert broken(Changed(motion)) == set()
+    check(motion)
+
+
+def test_time_that_runs_backward(motion):
+    assert broken(with_event(motion, -1, t=motion.events[-2].t * 0.9)) == {"time"}
+    assert broken(with_event(motion, -1, t=float("nan"))) == {"time"}
+    other = Changed(motion)
+    other.tables["segments"]["t_end"][3] *= 0.5
+    assert broken(other) == {"time"}
+    other = Changed(motion)
+    other.tables["segments"]["t_end"][-1] = -3.0
+    assert broken(other) == {"time"}
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_numbers_that_are_not_finite(motion, value):
+    assert broken(with_event(motion, 2, x=value)) == {"finite numbers"}
+    assert broken(Changed(motion, sample=("kinetic", "R", lambda _: value))) == {"finite numbers"}
+
+
+def test_modes_of_events_and_samples(motion):
+    takeoff = next(k for k, event in enumerate(motion.events) if event.kind == "takeoff")
+    assert "modes" in broken(with_event(motion, takeoff, from_mode="R" if motion.events[takeoff].from_mode != "R" else "S"))
+    assert {"modes", "sequence"} <= broken(Changed(motion, sample=("mode", "H", lambda _: "K")))
+
+
+def test_a_sequence_without_its_last_letter(motion):
+    assert broken(Changed(motion, sequence=motion.sequence[:-1])) == {"sequence"}
+    assert broken(Changed(motion, sequence=motion.sequence[1:])) == {"sequence"}
+
+
+def test_slip_in_rolling(motion):
+    assert broken(Changed(motion, sample=("slip", "R", lambda _: 1e-300))) == {"rolling"}
+    stick = next(k for k, event in enumerate(motion.events) if event.to_mode == "R")
+    assert broken(with_event(motion, stick, slip=1e-9)) == {"rolling"}
+
+
+def test_slip_against_its_letter(motion):
+    mode = next(letter for letter in motion.sequence if letter in "SK")
+    assert broken(Changed(motion, sample=("slip", mode, lambda _: 1e-3 if mode == "S" else -1e-3))) == {"direction of slip"}
+
+
+def test_a_rim_that_leaves_the_plane(motion):
+    assert broken(Changed(motion, sample=("height", "R", lambda _: 1e-200))) == {"contact"}
+    assert broken(Changed(motion, sample=("vy", "R", lambda _: 1e-200))) == {"contact"}
+    assert broken(Changed(motion, sample=("height", "H", lambda _: -1e-200))) == {"contact"}
+
+
+def test_a_rim_in_the_plane(motion):
+    takeoff = next(k for k, event in enumerate(motion.events) if event.kind == "takeoff")
+    assert broken(with_event(motion, takeoff, vy=-1e-6)) == {"gap"}
+    assert broken(with_event(motion, takeoff + 1, height=motion.events[takeoff + 1].height - 1e-6)) == {"gap"}
+
+
+def test_a_plane_that_pulls(motion):
+    assert "normal force" in broken(Changed(motion, sample=("normal_force", "R", lambda _: -1e-9)))
+    assert broken(Changed(motion, sample=("normal_force", "H", lambda _: 1e-9))) == {"normal force"}
+
+
+def test_friction_beyond_its_cone(motion):
+    assert broken(Changed(motion, sample=("friction_force", "R", lambda force: force + 1e3))) == {"friction cone"}
+
+
+def test_friction_that_is_not_coulombs(motion):
+    mode = next(letter for letter in motion.sequence if letter in "SK")
+    for factor in (-1.0, 1.0 + 1e-13):
+        found = broken(Changed(motion, sample=("friction_force", mode, lambda force, factor=factor: force * factor)))
+        assert found == {"sliding friction"}
+
+
+@pytest.mark.parametrize("name", ["kinetic", "potential", "friction", "rolling_resistance", "impact_normal"])
+def test_energy_that_is_lost(motion, name):
+    for mode in "RH":
+        assert broken(Changed(motion, sample=(name, mode, lambda energy: energy + 1e-9))) == {"ledger"}
+    ledger = motion.ledger
+    assert broken(Changed(motion, ledger=dataclasses.replace(ledger, residual=ledger.residual + 1e-9))) == {"ledger"}
+
+
+@pytest.mark.parametrize("name", ["friction", "rolling_resistance", "impact_tangential"])
+def test_losses_that_come_back(motion, name):
+    assert getattr(motion.events[-2], name) > 1e-9
+    assert broken(with_event(motion, -1, **{name: getattr(motion.events[-2], name) - 1e-9})) == {"losses"}
+
+
+@pytest.mark.parametrize("friction", ["tanh", "linear", "bristle"])
+def test_a_compliant_contact(friction):
+    scenario = hh.Scenario(start=hh.Start.rolling(3.1), duration=1.2, contact=hh.Compliant(stiffness=1e5, friction=friction))
+    motion = hh.simulate(scenario)
+    assert set("RH") <= set(motion.sequence)
+    assert broken(motion) == set()
+    mode = next(letter for letter in motion.sequence if letter in "SK")
+    assert "sliding friction" in broken(Changed(motion, sample=("friction_force", mode, lambda force: -force)))
+    assert broken(Changed(motion, sample=("normal_force", "R", lambda force: 1e-3 * force))) >= {"friction cone"}
+    assert broken(Changed(motion, sample=("damping", "R", lambda energy: energy + 1e-3))) == {"ledger"}
+    assert broken(Changed(motion, sequence="R")) == {"sequence"}
+
+
+def test_symmetries_see_one_last_bit(motion):
+    image = hh.simulate(mirrored(motion.scenario))
+    assert not mirror_finding(motion, image).broken
+    other, factors = scaled(motion.scenario)
+    same = hh.simulate(other)
+    assert not units_finding(motion, same, factors).broken
+    for name in ("t", "x", "angle", "vx", "omega", "friction", "impulse_normal"):
+        values = [getattr(event, name) for event in motion.events]
+        index = int(np.argmax(np.abs(values)))
+        changed = with_event(motion, index, **{name: float(np.nextafter(values[index], np.inf))})
+        assert mirror_finding(changed, image).broken
+        assert units_finding(changed, same, factors).broken
+    less = Changed(motion, motion.events[:-1])
+    assert mirror_finding(less, image).broken
+    assert units_finding(less, same, factors).broken
+    assert mirror_finding(with_event(motion, 2, kind="turn"), image).broken
+
+
+def test_what_has_no_image():
+    assert mirrored(hh.Scenario(start=hh.Start(angle=np.pi))) is None
+    assert mirrored(hh.Scenario(contact=hh.Compliant())) is None
+    assert mirrored(hh.Scenario(plane=hh.Plane(mu_static=1.0, mu_kinetic=0.0))) is None
+    assert scaled(hh.Scenario(plane=hh.Plane(restitution=5e-324))) is None
+
+
+def test_units_of_parts_and_of_a_compliant_contact():
+    hoop = hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(0.5, at=0.3)])
+    for law in ("kelvin-voigt", "hunt-crossley"):
+        contact = hh.Compliant(stiffness=1e4, damping=3.0, law=law, slip_speed=1e-3)
+        scenario = hh.Scenario(hoop=hoop, start=hh.Start.rolling(2.0), duration=0.3, contact=contact)
+        other, factors = scaled(scenario)
+        assert not units_finding(hh.simulate(scenario), hh.simulate(other), factors).broken
+
+
+def test_simulate_checks_where_it_is_asked_to(motion, monkeypatch):
+    monkeypatch.setattr(simulation, "CHECKED", True)
+    assert hh.simulate(motion.scenario).fingerprint == motion.fingerprint
+    monkeypatch.setattr(simulation, "Trajectory", lambda *arguments: Changed(motion, sequence="R"))
+    with pytest.raises(BrokenInvariantError, match=r"sequence at t = .* s: the sequence goes on with .*duration=2\.5"):
+        hh.simulate(motion.scenario)
+
+
+def test_the_environment_variable():
+    code = "from hophoop import Scenario, simulation; simulation.simulate(Scenario(duration=0.1)); print(simulation.CHECKED)"
+    for value, expected in (("1", "True"), ("0", "False"), ("", "False")):
+        environment = {**os.environ, "HOPHOOP_CHECK": value, "HOPHOOP_KERNELS": "interpreted"}
+        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+        assert done.stdout.startswith(expected)
+
+
+KNOWN = {
+    "sequence": hh.Scenario(
+        hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=0.0, rolling_resistance=0.05), start=hh.Start(angle=2.0), duration=6.0
+    ),
+    "modes": hh.Scenario(
+        hoop=hh.Hoop(eccentricity=0.15, inertia_ratio=0.0045),
+        plane=hh.Plane(mu=0.21, rolling_resistance=1.0),
+        start=hh.Start(vx=2.4, omega=1.0, angle=-213.57),
+        duration=1.0,
+    ),
+    "limit": hh.Scenario(plane=hh.Plane(mu=0.1), start=hh.Start(angle=2.0, height=0.1), contact=hh.Rigid(max_events=8)),
+    "compliant limit": hh.Scenario(start=hh.Start.rolling(3.1), duration=2.0, contact=hh.Compliant(max_events=7)),
+    "held slip": hh.Scenario(
+        hoop=hh.Hoop(radius=0.00019217056231712746, mass=1e12, eccentricity=0.0, inertia_ratio=5.79010011140085e-05),
+        plane=hh.Plane(gravity=8540.967397232022, mu=1e6, restitution=1.0, impact_law="newton"),
+        start=hh.Start(angle=np.pi, vx=0.9999999999999999, omega=1.0),
+        duration=0.017484476528125212,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_what_the_checker_found(name):
+    """Each broke an invariant once: a turn that changed the mode, an end in another mode, a last phase left out, a sample."""
+    assert broken(hh.simulate(KNOWN[name])) == set()
