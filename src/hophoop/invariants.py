@@ -29,6 +29,7 @@ TINY = 1e-290  # numbers below it are near those that have fewer digits
 ROUNDED = 1e-12  # of the forces at work: what rounding leaves of them where they cancel
 SLIPPED = 1e-13  # of the velocities on the way: what rounding leaves of slip where it vanishes
 LEDGER = 1e-11  # of the energies at work, with rigid contact
+LEDGER_OF_SKIM = 1e-9  # ... of a massless hoop, whose load may be taken for being at the top
 LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
 LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is a thousand times less exact
 STATE = ("x", "height", "angle", "vx", "vy", "omega", "slip")
@@ -259,6 +260,10 @@ def _direction(course: _Course) -> Finding:
     every = course.samples
     speed = np.max(scenario.hoop.radius * np.abs(every.omega) + np.abs(every.vx) + np.abs(every.slip))
     size = speed + math.sqrt(scenario.plane.gravity * scenario.hoop.radius)
+    if scenario.plane.mu_kinetic == 0.0 < scenario.hoop.inertia_ratio:
+        # v_t may have the rounding of the speed that the rim has where the load passes its lowest point
+        eccentricity, inertia = scenario.hoop.eccentricity, scenario.hoop.inertia_ratio
+        size *= 1.0 + (1.0 - eccentricity) * math.sqrt(4.0 * eccentricity / inertia)
     share = _shares(course)
     allowed = SLIPPED + (EPSILON / np.min(share) if share.size else 0.0)
     return worst("direction of slip", "slip is against its mode", sample.t, wrong, size, allowed)
@@ -346,7 +351,8 @@ def _ledger_allowed(course: _Course, size: float) -> float:
         allowed = 1e-8 + (LEDGER_OF_STEPS + LEDGER_OF_STEP * len(motion.tables["segments"])) * rtol
         return allowed * (LEDGER_OF_STEPS if hoop.inertia_ratio < LIGHT or plane.mu_static > ROUGH else 1.0)
     # the friction in slip is so many times the load, whose last digits it has
-    allowed = LEDGER + EPSILON * (plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else 0.0)
+    exact = LEDGER if hoop.inertia_ratio > 0.0 else LEDGER_OF_SKIM
+    allowed = exact + EPSILON * (plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else 0.0)
     share = _shares(course)
     lost = float(np.max(course.samples.friction)) / size if size > 0.0 else 0.0
     return allowed + (rounded_away(motion) / size if size > 0.0 else 0.0) + lost * float(np.sum(EPSILON / share**2))

@@ -28,11 +28,11 @@ def mirrored(scenario: Scenario) -> Scenario | None:
     -------
     mirrored : Scenario or None
         None with compliant contact; at starts with the load at the bottom, where −π and π are one angle; and with kinetic
-        friction that is as good as none where static friction is not, since rounding decides there whether slip begins.
+        friction that is as good as none below some static friction, since rounding decides there whether slip begins.
     """
     plane, angle = scenario.plane, scenario.start.angle
     bottom = math.cos(angle) < 0.0 and abs(math.sin(angle)) < 1e-6
-    if scenario.contact.model != "rigid" or bottom or plane.mu_kinetic < 1e-12 < plane.mu_static:
+    if scenario.contact.model != "rigid" or bottom or (plane.mu_kinetic < 1e-12 and plane.mu_static > 0.0):
         return None
     keys = scenario.to_dict()
     for section in ("plane", "start"):  # 0 stays 0, not −0

@@ -265,6 +265,15 @@ def test_slip_that_ends_where_the_hoop_turns_is_rolling() -> None:
         assert event.kind != "turn" or event.from_mode == event.to_mode
 
 
+def test_a_rotation_below_all_doubles_is_none_after_an_impact() -> None:
+    """Its square is 0, and the couple that it has would only slow it down; friction drove the hoop up to 5e-6 m/s."""
+    hoop, plane = hh.Hoop.ideal(0.0), hh.Plane(mu_static=0.0013, mu_kinetic=0.001, rolling_resistance=0.004)
+    motion = hh.simulate(hoop, plane, hh.Start(vy=-1e-197, omega=1e-222), duration=1.0)
+    assert motion.status == "at_rest"
+    assert motion.sequence == "R"
+    assert motion.events[-1].vx == 0.0
+
+
 def test_impacts_are_as_without() -> None:
     start = hh.Start(height=0.3, vx=1.0, omega=3.0, angle=0.5)
     plain, rough = (

@@ -14,7 +14,7 @@ from hophoop.rigid.contact_phase import contact_step
 from hophoop.rigid.flight_phase import flight_step, land
 from hophoop.rigid.limits import limits_of
 from hophoop.rigid.massless_phase import let_go, skim_step
-from hophoop.rigid.panel_events import ON, SMALLEST_SQUARE
+from hophoop.rigid.panel_events import ON
 from hophoop.rigid.phase import GOING, ended, entered
 from hophoop.rigid.script import repeat
 from hophoop.rigid.transitions import settle
@@ -59,8 +59,6 @@ def begin(body, start, log, scratch):
         if state.y == 0.0 and state.vn < 0.0:
             return land(body, state, 0.0, log, scratch)
         return entered(body, FLIGHT, state, 0.0, ON, scratch)
-    if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it
-        state = with_velocities(state, state.vt, state.vn, 0.0)
     mode, state = settle(body, state, quiet(START, -1, state), log, scratch)
     return entered(body, mode, state, 0.0, ON, scratch)
 

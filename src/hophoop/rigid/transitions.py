@@ -23,6 +23,7 @@ from hophoop.physics.resistance import resistance_arm
 from hophoop.records.state import with_anchor, with_losses, with_resisted, with_velocities
 from hophoop.records.writing import Cause, note, quiet, write_event
 from hophoop.rigid.doubts import CLOSE, mode_is_in_doubt, note_doubt
+from hophoop.rigid.panel_events import SMALLEST_SQUARE
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF = (
@@ -93,6 +94,8 @@ def settle(body, state, cause, log, scratch):
         if state.vn > 0.0:
             write_cause(log, cause, FLIGHT, state)
             return FLIGHT, state
+        if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it
+            state = with_velocities(state, state.vt, state.vn, 0.0)
         if mode_is_in_doubt(body, state):
             note_doubt(scratch, state.t, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
