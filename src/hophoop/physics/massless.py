@@ -30,7 +30,7 @@ def skim_duration(body, c, sink):
 @lean_jit
 def turns_before(th, way):
     """Whole turns on this way up to the top that the load falls from, which it may still be before by its rounding."""
-    return math.floor(way * (0.5 * th / math.pi) + TOP_ROUNDING)
+    return 1.0 * math.floor(way * (0.5 * th / math.pi) + TOP_ROUNDING)
 
 
 @lean_jit
