@@ -100,10 +100,11 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     others = set(multiprocessing.active_children())
     with temporary_folder() as scratch, contextlib.ExitStack() as stack:
         stack.enter_context(need("dask.config", "cluster").set({"temporary-directory": str(scratch)}))
-        options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None}
+        # any port that is free, also where there is another cluster
+        options = {"threads_per_worker": 1, "dashboard_address": None, "scheduler_kwargs": {"dashboard_address": ":0"}}
         try:
             with ignored_by_children():
-                cluster = stack.enter_context(distributed.LocalCluster(n_workers=0, **options))
+                cluster = stack.enter_context(distributed.LocalCluster(n_workers=0, processes=True, **options))
             # the thread that starts workers, and workers anew, is there now
             stack.enter_context(when_stopped(lambda: _kill(cluster, others)))
             cluster.scale(workers)
