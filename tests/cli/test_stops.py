@@ -12,6 +12,8 @@ import time
 
 import pytest
 
+from random_stops import drawn, prepare, stopped_at_random, whole_map
+
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="POSIX only")
 SIGNALS = pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 LONG = 120.0  # seconds that a command takes that does not stop
@@ -170,3 +172,16 @@ def test_ctrl_c_in_a_terminal_ends_a_map_over_workers_by_one_sentence(number, st
     said = process.communicate(timeout=SOON)[1]
     assert (process.returncode, said) == (status, f"Stopped; what is done is kept in {out}, and --resume goes on.\n")
     assert [path.name for path in tmp_path.iterdir()] == ["map.zarr"]
+
+
+@pytest.mark.long
+@pytest.mark.compiled
+def test_six_random_stops(tmp_path):
+    """Of the hundred of benchmarks/stops.py, whose table holds the times."""
+    names = ["animate, .mp4", "map, .nc", "run, many samples into .csv"]
+    (tmp_path / "inputs").mkdir()
+    prepare(tmp_path / "inputs")
+    map_whole = whole_map(tmp_path)
+    for k, stop in enumerate(drawn(6, names, 2026)):
+        one = stopped_at_random(*stop, tmp_path / str(k), tmp_path / "inputs", map_whole)
+        assert not one.wrong, (stop, one.wrong)
