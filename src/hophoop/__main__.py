@@ -1,5 +1,15 @@
-"""`python -m hophoop`: the command line."""
+"""`python -m hophoop` and `hophoop`: the command line."""
 
-from hophoop.cli import app
+from hophoop._stopping import heeded
 
-app()
+
+def main() -> None:
+    """Run the command that the process was started with."""
+    with heeded(alone=True):
+        from hophoop.cli import app  # takes a tenth of a second, in which Ctrl-C is heard already
+
+        app()
+
+
+if __name__ == "__main__":
+    main()

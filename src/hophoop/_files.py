@@ -9,12 +9,13 @@ import re
 import shutil
 import stat
 import sys
-import tempfile
 import uuid
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+from hophoop._stopping import temporary, temporary_folder
 
 
 @contextmanager
@@ -56,25 +57,22 @@ def replacing(target: Path) -> Iterator[Path]:
     through = there is not None and (_descriptor(target) is not None or _is_stream(there, target))
     place = Path(os.path.realpath(target)) if target.is_symlink() and not through else target
     require_folder_of(place, target)
-    with tempfile.TemporaryDirectory() if through else contextlib.nullcontext(place.parent) as folder:
-        temporary = Path(folder) / f".{uuid.uuid4().hex[:12]}.{target.name}"
+    with (
+        temporary_folder() if through else contextlib.nullcontext(place.parent) as folder,
+        temporary(folder / f".{uuid.uuid4().hex[:12]}.{target.name}") as fresh,
+    ):
         try:
-            yield temporary
+            yield fresh
             if through:
-                _pour(temporary, target)
-            elif temporary.is_dir():
-                _put_folder(temporary, place)
+                _pour(fresh, target)
+            elif fresh.is_dir():
+                _put_folder(fresh, place)
             else:
                 if there is not None:
-                    _keep(there, temporary)
-                os.replace(temporary, place)
+                    _keep(there, fresh)
+                os.replace(fresh, place)
         except OSError as error:
-            raise _named(error, temporary, target) from None
-        finally:
-            if temporary.is_dir():
-                shutil.rmtree(temporary)
-            else:
-                temporary.unlink(missing_ok=True)
+            raise _named(error, fresh, target) from None
 
 
 def require_folder_of(place: Path, target: Path) -> None:
@@ -140,11 +138,11 @@ def _keep(there: os.stat_result, fresh: Path) -> None:
         fresh.chmod(mode)
 
 
-def _named(error: OSError, temporary: Path, target: Path) -> OSError:
+def _named(error: OSError, fresh: Path, target: Path) -> OSError:
     """The error with the path that the caller gave."""
     if error.errno is None:
-        return OSError(str(error).replace(str(temporary), str(target)))
-    ours = error.filename is None or temporary.name.removesuffix(target.name) in str(error.filename)
+        return OSError(str(error).replace(str(fresh), str(target)))
+    ours = error.filename is None or fresh.name.removesuffix(target.name) in str(error.filename)
     return OSError(error.errno, error.strerror, str(target)) if ours else error
 
 
@@ -155,18 +153,18 @@ def _put_folder(fresh: Path, target: Path) -> None:
             shutil.rmtree(fresh, ignore_errors=True)
             return
         old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
-        with contextlib.suppress(FileNotFoundError):
-            target.rename(old)
         try:
+            with contextlib.suppress(FileNotFoundError):
+                target.rename(old)
             fresh.rename(target)
             return
         except OSError as error:
             # another process was there first
             if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
-                if old.exists():
-                    old.rename(target)
                 raise
         finally:
+            if old.exists() and not target.exists():  # it was stopped between the two
+                old.rename(target)
             shutil.rmtree(old, ignore_errors=True)
 
 

@@ -19,6 +19,7 @@ import numpy as np
 
 from hophoop._extras import need
 from hophoop._files import replacing, require_folder_of
+from hophoop._stopping import child, temporary_folder
 from hophoop.animate.canvas import Bytes
 
 Progress = Callable[[int, int], None]
@@ -109,10 +110,10 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
     if kind == "png":
         return _write_png(pictures, target, progress)
     check_film(kind, pictures.size, pictures.fps)
-    with tempfile.TemporaryDirectory() as folder, replacing(target) as part:
+    with temporary_folder() as folder, replacing(target) as part:
         inputs: list[str] = []
         if kind == "gif":
-            palette = Path(folder) / "palette.png"
+            palette = folder / "palette.png"
             _encode(_sampled(pictures), _command(pictures, _PALETTE, palette))
             inputs = ["-i", str(palette)]
         _encode(_all(pictures, progress), _command(pictures, _OPTIONS[kind], part, inputs))
@@ -188,8 +189,10 @@ def _sampled(pictures: Pictures) -> Iterator[Bytes]:
 
 def _encode(pictures: Iterable[Bytes], command: list[str]) -> None:
     """Send pictures to the encoder, drawing the next while it takes the last."""
-    with tempfile.TemporaryFile() as said:
-        encoder = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
+    with (
+        tempfile.TemporaryFile() as said,
+        child(subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)) as encoder,
+    ):
         assert encoder.stdin is not None
         waiting: queue.Queue[bytes | None] = queue.Queue(WAITING)
         broken = threading.Event()
@@ -237,16 +240,16 @@ def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> P
             raise FileExistsError(f"{folder} is there already and not an empty folder.")
     home = folder if target.suffix else folder.parent
     home.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".film-", dir=home) as part:
+    with temporary_folder(".film-", home) as part:
         for k, picture in enumerate(_all(pictures, progress)):
-            save_png(picture, Path(part) / f"{stem}{k:05d}.png")
+            save_png(picture, part / f"{stem}{k:05d}.png")
         folder.mkdir(exist_ok=True)
         if target.suffix:
             # a longer film of before must not go on behind this one
             for old in folder.iterdir():
                 if re.fullmatch(re.escape(stem) + r"\d{5,}\.png", old.name):
                     old.unlink()
-        for file in sorted(Path(part).iterdir()):
+        for file in sorted(part.iterdir()):
             shutil.move(file, folder / file.name)
     return folder
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import base64
 import html
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from hophoop._stopping import temporary_folder
 from hophoop.animate.canvas import Bytes
 from hophoop.animate.export import Progress, check_film, format_of, write
 from hophoop.animate.frames import Timing
@@ -208,8 +208,8 @@ def player(motions: Motions, timing: Timing = Timing(), look: Look | Look3D = Lo
     ImportError
         If the extra 'films' is not installed.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "film.mp4"
+    with temporary_folder() as folder:
+        path = folder / "film.mp4"
         if isinstance(look, Look3D):
             film_3d(motions, path, timing, look)
         else:

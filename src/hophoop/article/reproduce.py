@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -17,6 +16,7 @@ import hophoop
 from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop._processes import python_beside
+from hophoop._stopping import heeded, remove, temporary, undoing
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, drawn
 from hophoop.article.runs import Runs
@@ -25,6 +25,7 @@ from hophoop.article.statements import count, statements
 from hophoop.simulation import compile_beside
 
 DPI = 160
+TIDIES = 0.5  # seconds that the process of the films has to end when it is stopped
 
 Progress = Callable[[str, int, int], None]
 
@@ -86,8 +87,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     runs = Runs()
     job = compile_beside(compliant=True)
     # beside figures and statements, which take as long
-    beside = _films_beside(folder / "films") if with_films else None
-    try:
+    with _films_beside(folder / "films") if with_films else nullcontext() as beside:
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
             if figure.long and job is not None and not job.done:
                 job.wait(lambda done, total: say("kernels", done, total))
@@ -110,9 +110,6 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
                 reason = ""
             except ImportError as error:
                 reason = str(error)
-    finally:
-        if beside is not None:
-            beside.stop()
     with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made, runs), encoding="utf-8")
     return Reproduction(folder, checked, tuple(made), reason)
@@ -141,24 +138,28 @@ def films(out: Path, progress: Progress) -> list[Path]:
         raise ImportError("this version makes no films.")
     from hophoop.animate import article_films
 
-    fresh = out.with_name(f".{out.name}-new")
-    shutil.rmtree(fresh, ignore_errors=True)
-    fresh.mkdir(parents=True)
-    try:
+    fresh = _fresh(out)
+    shutil.rmtree(fresh, ignore_errors=True)  # of one that was killed
+    with temporary(fresh):
+        fresh.mkdir(parents=True)
         made = article_films(fresh, lambda done, total: progress("films", done, total))
         out.mkdir(exist_ok=True)
         for still in fresh.glob("*.png"):
             still.replace(out / still.name)
         return [path.replace(out / path.name) for path in made]
-    finally:
-        shutil.rmtree(fresh, ignore_errors=True)
+
+
+def _fresh(out: Path) -> Path:
+    """Where films are until all are there."""
+    return out.with_name(f".{out.name}-new")
 
 
 class _Beside:
     """A process that makes the films."""
 
-    def __init__(self, process: subprocess.Popen[bytes]) -> None:
+    def __init__(self, process: subprocess.Popen[bytes], out: Path) -> None:
         self._process = process
+        self._out = out
 
     def finish(self, progress: Progress) -> list[Path]:
         """Wait for the films; none where the process failed."""
@@ -177,21 +178,31 @@ class _Beside:
         """End it, where it is still at work because something else went wrong."""
         if self._process.poll() is None:
             self._process.terminate()
+            try:
+                self._process.wait(TIDIES)
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+                self._process.wait()
+            remove(_fresh(self._out))
         if self._process.stdout is not None:
             self._process.stdout.close()
-        self._process.wait()
 
 
-def _films_beside(out: Path) -> _Beside | None:
-    with contextlib.suppress(OSError):
+@contextmanager
+def _films_beside(out: Path) -> Iterator[_Beside | None]:
+    try:
         process = python_beside(
             f"from hophoop.article.reproduce import films_for_another; films_for_another({str(out)!r})",
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         )
-        return _Beside(process)
-    return None
+    except OSError:
+        yield None
+        return
+    beside = _Beside(process, out)
+    with undoing(beside.stop):
+        yield beside
 
 
 def films_for_another(out: str) -> None:
@@ -200,8 +211,9 @@ def films_for_another(out: str) -> None:
     def say(_: str, done: int, total: int) -> None:
         print(json.dumps({"done": done, "total": total}), flush=True)
 
-    made = films(Path(out), say)
-    print(json.dumps({"made": [str(path) for path in made]}), flush=True)
+    with heeded(alone=True):
+        made = films(Path(out), say)
+        print(json.dumps({"made": [str(path) for path in made]}), flush=True)
 
 
 def _checked(runs: Runs, progress: Progress) -> tuple[Statement, ...]:

@@ -6,11 +6,8 @@ are loaded when asked for; heavy imports stand inside the functions, so that ``h
 
 from __future__ import annotations
 
-import signal
 import sys
-import threading
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
@@ -18,12 +15,14 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from hophoop._stopping import Stopping, heeded
+
 # In the order in which --help shows them.
 COMMANDS = (
     "run", "prove", "theory", "reproduce", "claims", "animate", "map", "track", "fit", "plan", "compare", "lab",
 )  # fmt: skip
 
-DONE, NO_ANSWER, BAD_INPUT, STOPPED, TERMINATED = 0, 1, 2, 130, 143
+DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
 
 
 class Commands(TyperGroup):
@@ -117,56 +116,39 @@ class Commands(TyperGroup):
             # a letter that a terminal does not know is no reason to end
             if hasattr(stream, "reconfigure") and (stream.encoding or "").lower().replace("-", "") != "utf8":
                 stream.reconfigure(errors="replace")
-        try:
-            with _terminable():
+        with heeded(alone=args is None) as stopping:
+            try:
                 status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
-        except Failed as error:
-            _say_error(str(error))
-            status = BAD_INPUT
-        except (typer.Abort, Stopped, KeyboardInterrupt) as error:
-            say("Stopped.")
-            status = stopped_by(error.__cause__ or error)
-        except Exception as error:
-            # a mistake in the arguments themselves, which the parser reports
-            describe = getattr(error, "format_message", None)
-            if describe is None:
-                raise
-            text = " ".join(str(describe()).split())
-            command = getattr(getattr(error, "ctx", None), "command_path", "hophoop")
-            if "\n" in str(describe()) or not text:  # the help, where a command was left out
-                typer.echo(str(describe()), err=True)
-            else:
-                _say_error(f"{text.rstrip('.')}. See {command} --help.")
-            status = int(getattr(error, "exit_code", BAD_INPUT))
-        sys.exit(status if isinstance(status, int) else DONE)
+            except BaseException as error:
+                if stopping.heard:
+                    raise
+                status = _told(error, stopping)
+            sys.exit(status if isinstance(status, int) else DONE)
+
+
+def _told(error: BaseException, stopping: Stopping) -> int:
+    """Say what went wrong; returns the exit status."""
+    if isinstance(error, Failed):
+        _say_error(str(error))
+        return BAD_INPUT
+    if isinstance(error, (typer.Abort, Stopped, KeyboardInterrupt)):
+        stopping.say()
+        return STOPPED
+    # a mistake in the arguments themselves, which the parser reports
+    describe = getattr(error, "format_message", None)
+    if describe is None:
+        raise error
+    text = " ".join(str(describe()).split())
+    command = getattr(getattr(error, "ctx", None), "command_path", "hophoop")
+    if "\n" in str(describe()) or not text:  # the help, where a command was left out
+        typer.echo(str(describe()), err=True)
+    else:
+        _say_error(f"{text.rstrip('.')}. See {command} --help.")
+    return int(getattr(error, "exit_code", BAD_INPUT))
 
 
 class Stopped(Exception):
     """Ctrl-C or SIGTERM, by a name of ours: of a KeyboardInterrupt Typer makes status 130 without a word."""
-
-
-class Terminated(KeyboardInterrupt):
-    """The system asks the program to end (SIGTERM), which it does as after Ctrl-C."""
-
-
-def stopped_by(error: BaseException) -> int:
-    """Exit status after Ctrl-C or SIGTERM: 128 and the number of the signal, as shells count."""
-    return TERMINATED if isinstance(error, Terminated) else STOPPED
-
-
-@contextmanager
-def _terminable() -> Iterator[None]:
-    def terminate(number: int, frame: object) -> None:
-        raise Terminated
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGTERM, terminate)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
 
 
 class Failed(Exception):

@@ -78,16 +78,15 @@ def open_fit(
     names: Sequence[str] = (),
 ) -> None:
     """Open the lab with a fit's scenario, and its film under the hoop."""
-    from tempfile import TemporaryDirectory
-
+    from hophoop._stopping import temporary_folder
     from hophoop.animate.export import bar
     from hophoop.lab.app import serve
 
-    with TemporaryDirectory(prefix="hophoop-") as folder:
+    with temporary_folder() as folder:
         backdrop = None
         if film is not None:
             from hophoop.fitting import backdrop as prepared
 
             with bar("preparing the film") as progress:
-                backdrop = prepared(found, film, Path(folder) / "film.mp4", progress)
+                backdrop = prepared(found, film, folder / "film.mp4", progress)
         serve(host, port, workers, browser, found.scenario.to_query(), names, backdrop)

@@ -67,11 +67,11 @@ def map(
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
     from hophoop._files import replacing
-    from hophoop.cli import stopped_by
+    from hophoop._stopping import say_when_stopped
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
     from hophoop.maps.axes import parse_axis
     from hophoop.maps.memory import check_memory
-    from hophoop.maps.sweeping import place_of, sweep
+    from hophoop.maps.sweeping import sweep
     from hophoop.scenario import InputError, Scenario
 
     if out is None and plot is None:
@@ -99,26 +99,21 @@ def map(
         # a picture takes its values, their colours and its mesh at once
         shape = [len(values) for values in axes.values()]
         check_memory(shape, ["f8"] * 6, "draw fewer values, or leave --plot out and name a file with --out")
-    try:
-        with named_options({"axes": "--axis"}):
-            dataset = sweep(
-                base,
-                axes,
-                quantities,
-                span,
-                out=out,
-                resume=resume,
-                threads=threads,
-                workers=workers,
-                scheduler=scheduler,
-                device="gpu" if gpu else "cpu",
-                progress=not quiet,
-            )
-    except KeyboardInterrupt as error:
-        place = None if out is None else place_of(out)
-        kept = f"; what is done is kept in {place}, and --resume goes on" if place is not None and place.exists() else ""
-        typer.echo(f"Stopped{kept}.", err=True)
-        raise typer.Exit(stopped_by(error)) from None
+    say_when_stopped(lambda: _stopped(out))
+    with named_options({"axes": "--axis"}):
+        dataset = sweep(
+            base,
+            axes,
+            quantities,
+            span,
+            out=out,
+            resume=resume,
+            threads=threads,
+            workers=workers,
+            scheduler=scheduler,
+            device="gpu" if gpu else "cpu",
+            progress=not quiet,
+        )
     if plot is not None:
         from hophoop.plots.maps import motion_map
 
@@ -127,3 +122,12 @@ def map(
             drawn.figure.savefig(picture)
     if out is not None:
         typer.echo(f"{dataset[quantities[0]].size:,} motions in {out}", err=True)
+
+
+def _stopped(out: Path | None) -> str:
+    """What a stop is told by."""
+    from hophoop.maps.sweeping import place_of
+
+    place = None if out is None else place_of(out)
+    kept = f"; what is done is kept in {place}, and --resume goes on" if place is not None and place.exists() else ""
+    return f"Stopped{kept}."

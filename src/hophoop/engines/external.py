@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from hophoop._stopping import child
 from hophoop.engines.recording import Recording, read_csv
 from hophoop.engines.task import Task
 
@@ -67,27 +68,21 @@ def run_command(
         If what it writes is not a record.
     """
     began = time.perf_counter()
+    pipe = subprocess.PIPE
     try:
-        done = subprocess.run(
-            list(command),
-            input=job_text(task, dt, settings or {}),
-            capture_output=True,
-            text=True,
-            timeout=limit,
-            cwd=folder,
-            check=False,
-        )
+        with child(subprocess.Popen(list(command), stdin=pipe, stdout=pipe, stderr=pipe, text=True, cwd=folder)) as process:
+            written, said = process.communicate(job_text(task, dt, settings or {}), limit)
     except FileNotFoundError:
         raise RuntimeError(f"{command[0]} is not installed.") from None
     except subprocess.TimeoutExpired:
         raise RuntimeError(f"it took more than {limit:g} s.") from None
     took = time.perf_counter() - began
-    if done.returncode != 0:
-        lines = [line for line in done.stderr.strip().splitlines() if line.strip()]
+    if process.returncode != 0:
+        lines = [line for line in said.strip().splitlines() if line.strip()]
         named = [line for line in lines if re.match(r"\s*[\w.]*(Error|Exception)\b.*:", line)]
-        said = (named or lines[-1:] or ["nothing"])[0].strip()
-        raise RuntimeError(f"{command[0]} ended with {done.returncode} and said: {said}")
-    record = read_csv(done.stdout, "what the command wrote")
+        last = (named or lines[-1:] or ["nothing"])[0].strip()
+        raise RuntimeError(f"{command[0]} ended with {process.returncode} and said: {last}")
+    record = read_csv(written, "what the command wrote")
     if record.wall_seconds is None:
         return Recording(record.states, took, record.steps or task.steps(dt), record.notes)
     return record

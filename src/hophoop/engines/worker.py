@@ -7,9 +7,11 @@ import os
 import sys
 import time
 from collections.abc import Mapping
+from contextlib import ExitStack
 from multiprocessing.connection import Connection
 from typing import Any
 
+from hophoop._stopping import ignored_by_children, undoing
 from hophoop.engines.adapters.npm import npm_folder
 from hophoop.engines.external import run_command
 from hophoop.engines.phases import thinned
@@ -61,6 +63,7 @@ class Worker:
         self.engine = one
         self._process: Any = None
         self._pipe: Connection | None = None
+        self._undoing = ExitStack()
 
     def run(self, task: Task, dt: float, settings: Mapping[str, Any], limit: float) -> Recording:
         """Run the engine; whatever goes wrong is a RuntimeError with one sentence.
@@ -105,11 +108,9 @@ class Worker:
 
     def close(self) -> None:
         """End the process."""
+        self._undoing.close()
         if self._process is not None:
-            self._process.terminate()
-            self._process.join(5.0)
-            if self._process.is_alive():
-                self._process.kill()
+            self._process.join()
         if self._pipe is not None:
             self._pipe.close()
         self._process = self._pipe = None
@@ -117,8 +118,12 @@ class Worker:
     def _start(self) -> None:
         context = multiprocessing.get_context("spawn")
         self._pipe, theirs = context.Pipe()
-        self._process = context.Process(target=_serve, args=(theirs, self.engine.name), daemon=True)
-        self._process.start()
+        process = context.Process(target=_serve, args=(theirs, self.engine.name), daemon=True)
+        with ignored_by_children():
+            process.start()
+        self._process = process
+        self._undoing = ExitStack()
+        self._undoing.enter_context(undoing(process.kill))
         theirs.close()
 
 

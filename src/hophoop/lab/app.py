@@ -16,6 +16,7 @@ from urllib.request import urlopen
 from hophoop._extras import need
 from hophoop._jit import mode
 from hophoop._jit.beside import launch
+from hophoop._stopping import forget
 from hophoop.lab.limits import USUAL
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.simulation import simulate
@@ -130,6 +131,7 @@ def serve(
         limit_concurrency=CONNECTIONS,
         h11_max_incomplete_event_size=32768,
     )
+    forget()  # Ctrl-C is how a server ends
 
 
 def _free_port(host: str) -> int:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
+from hophoop._stopping import temporary_folder
 from hophoop.io import write_csv
 from hophoop.lab.limits import Limits, TooMuch, within
 from hophoop.scenario import Scenario
@@ -67,8 +67,8 @@ def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
 
 
 def _through_file(write: Callable[[Path], object], name: str) -> bytes:
-    with tempfile.TemporaryDirectory(prefix="hophoop-lab-") as folder:
-        path = Path(folder) / name
+    with temporary_folder("hophoop-lab-") as folder:
+        path = folder / name
         write(path)
         return path.read_bytes()
 

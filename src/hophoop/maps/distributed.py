@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import contextlib
+import logging
+import multiprocessing
+import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
+from multiprocessing import util
 from pathlib import Path
 from typing import Any
 
 from hophoop._extras import need
+from hophoop._stopping import end_now, ignored_by_children, temporary_folder, when_stopped
 from hophoop.maps.evaluate import wait_for_kernel
 from hophoop.maps.store import compute_chunk
 
@@ -93,8 +99,38 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             yield client
         return
     wait_for_kernel()
-    with (
-        distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        yield client
+    others = set(multiprocessing.active_children())
+    with temporary_folder() as scratch, contextlib.ExitStack() as stack:
+        stack.enter_context(need("dask.config", "cluster").set({"temporary-directory": str(scratch)}))
+        # any port that is free, also where there is another cluster
+        options = {"threads_per_worker": 1, "dashboard_address": None, "scheduler_kwargs": {"dashboard_address": ":0"}}
+        try:
+            with ignored_by_children():
+                cluster = stack.enter_context(distributed.LocalCluster(n_workers=0, processes=True, **options))
+            # the thread that starts workers, and workers anew, is there now
+            stack.enter_context(when_stopped(lambda: _kill(cluster, others)))
+            cluster.scale(workers)
+            client = stack.enter_context(distributed.Client(cluster))
+            client.wait_for_workers(workers)
+            yield client
+        except KeyboardInterrupt:
+            end_now()  # a cluster that closes while it computes takes seconds, and says so in many lines
+            raise
+
+
+def _kill(cluster: Any, others: set[Any]) -> None:
+    """End the workers of a cluster at once, without a word."""
+    logging.disable()
+    frozen = threading.Event()
+
+    def freeze() -> None:
+        frozen.set()
+        time.sleep(60.0)
+
+    cluster.loop.add_callback(freeze)  # else it starts others in their place
+    frozen.wait(1.0)
+    for process in set(multiprocessing.active_children()) - others:
+        process.kill()
+        process.join()
+    # else a process of multiprocessing says that they were left
+    util._run_finalizers(0)  # type: ignore[attr-defined]

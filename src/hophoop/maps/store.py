@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
 from hophoop._files import replacing, strangers_unsaid
+from hophoop._stopping import temporary
 from hophoop.maps.axes import Axis
 from hophoop.maps.evaluate import Plan, Results, run_chunk
 from hophoop.maps.quantities import Quantity, attributes, distinct, encode, table_of
@@ -131,8 +132,7 @@ def _create(path: Path, plan: Plan) -> None:
     zarr = need("zarr", "maps")
     if path.is_symlink():  # to a folder that is not there yet; the link stays
         path = Path(os.path.realpath(path))
-    fresh = path.with_name(f".{os.urandom(6).hex()}.{path.name}")
-    try:
+    with temporary(path.with_name(f".{os.urandom(6).hex()}.{path.name}")) as fresh:
         group = zarr.open_group(str(fresh), mode="w", zarr_format=3)
         for axis in plan.axes:
             write_axis(group, axis)
@@ -141,13 +141,12 @@ def _create(path: Path, plan: Plan) -> None:
         group.attrs.update(provenance(plan))
         (fresh / UNFINISHED).mkdir()
         (fresh / UNFINISHED / PLAN).write_text(plan.to_text(), encoding="utf-8")
-        # where another process has just made it, this fails, and that one has it
-        fresh.rename(path)
-    except OSError:
-        if not (path / UNFINISHED).exists():
-            raise
-    finally:
-        shutil.rmtree(fresh, ignore_errors=True)
+        try:
+            fresh.rename(path)
+        except OSError:
+            # another process may have just made it: that one has it
+            if not (path / UNFINISHED).exists():
+                raise
 
 
 def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwrite: bool = False) -> Any:

@@ -8,7 +8,7 @@ from hophoop._jit import apart_jit, aside_jit, outer_jit, unit_jit
 from hophoop.numerics.circular import cosine
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import can_roll, slip_mode
-from hophoop.records.state import moved, with_velocities
+from hophoop.records.state import moved
 from hophoop.records.writing import count_panel, has_room, new_log, note, quiet
 from hophoop.rigid.contact_phase import contact_step
 from hophoop.rigid.flight_phase import flight_step, land

@@ -1,0 +1,298 @@
+"""Ctrl-C and SIGTERM: a command ends soon, by one sentence and the right status, and leaves nothing half-done behind.
+
+A signal is raised where the command is, as KeyboardInterrupt. What is raised can be lost: in a callback that Python calls
+from C, in a library that makes another error of it, or in a compiled kernel that listens to nothing. So a thread waits
+beside, and ends a process that is still there after `PATIENCE`.
+"""
+
+from __future__ import annotations
+
+import _thread
+import atexit
+import contextlib
+import os
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+import warnings
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from types import FrameType
+from typing import Any, TypeVar
+
+Child = TypeVar("Child", str, bytes)
+
+PATIENCE = 1.0  # seconds from the signal until the process is ended at once
+LOOKS = 0.02  # seconds between two looks whether an interrupt was lost
+TRIES = 20  # to remove a folder into which another thread still writes
+STOPS = (signal.SIGINT, signal.SIGTERM)
+
+_undo: dict[object, Callable[[], object]] = {}
+
+
+@contextlib.contextmanager
+def when_stopped(undo: Callable[[], object]) -> Iterator[None]:
+    """Call `undo`, perhaps twice, where the process is stopped within the block."""
+    key = object()
+    _undo[key] = undo
+    try:
+        yield
+    finally:
+        del _undo[key]
+
+
+@contextlib.contextmanager
+def undoing(undo: Callable[[], object]) -> Iterator[None]:
+    """Call `undo` at the end of the block, or of the process where it is stopped."""
+    key = object()
+    _undo[key] = undo
+    try:
+        yield
+    finally:
+        undo()
+        del _undo[key]  # where that was interrupted, it is done again
+
+
+@contextlib.contextmanager
+def temporary(path: Path) -> Iterator[Path]:
+    """A path for a file or a folder that is removed at the end."""
+    with undoing(partial(remove, path)):
+        yield path
+
+
+@contextlib.contextmanager
+def temporary_folder(prefix: str = "hophoop-", home: Path | None = None) -> Iterator[Path]:
+    """A folder for this user alone that is removed at the end, in that for temporary files unless told otherwise."""
+    if home is None:
+        from tempfile import gettempdir
+
+        home = Path(gettempdir())
+    with temporary(home / f"{prefix}{os.urandom(6).hex()}") as folder:
+        folder.mkdir(0o700)
+        yield folder
+
+
+@contextlib.contextmanager
+def child(process: subprocess.Popen[Child]) -> Iterator[subprocess.Popen[Child]]:
+    """A process that is ended at the end, where it has not ended itself."""
+    with undoing(partial(_end, process)):
+        yield process
+
+
+def remove(path: Path) -> None:
+    """Remove a file or a folder that may be there."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def _end(process: subprocess.Popen[Any]) -> None:
+    if process.poll() is None:
+        process.kill()
+        process.wait()
+
+
+def _undo_all() -> None:
+    """Undo the last first: a process ends before the folder goes that it writes to."""
+    for _ in range(TRIES):
+        failed = False
+        for undo in reversed(list(_undo.values())):
+            try:
+                undo()
+            except OSError:
+                failed = True
+        if not failed:
+            return
+        time.sleep(LOOKS)
+
+
+@contextlib.contextmanager
+def ignored_by_children() -> Iterator[None]:
+    """Processes and threads that are started within, and what these start, hear no stop: this process kills them."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # started later, it would unblock them
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+class Stopping:
+    """Within, a command heeds Ctrl-C and SIGTERM; a stop is its last word, whatever else went wrong because of it.
+
+    Parameters
+    ----------
+    alone : bool
+        Whether the process is there for the command, so that it can be ended.
+
+    Attributes
+    ----------
+    heard : int
+        The signal that came; 0 for none.
+    words : callable
+        What is said of the stop.
+    """
+
+    def __init__(self, alone: bool) -> None:
+        self.alone = alone
+        self.heard = 0
+        self.words: Callable[[], str] = lambda: "Stopped."
+        self._running = True
+        self._raised = False
+        self._lost = False
+        self._said = False
+        self._pipe = 0
+        self._watched = False
+        self._handlers: dict[int, Any] = {}
+
+    def __enter__(self) -> Stopping:
+        global _now
+        _now, self._hooks = self, (sys.unraisablehook, threading.excepthook)
+        if threading.current_thread() is not threading.main_thread():
+            return self
+        sys.unraisablehook, threading.excepthook = self._unraisable, self._in_thread
+        if self.alone:
+            self._watch()
+            atexit.register(self._ignore)
+        for number in STOPS:
+            # a shell leaves SIGINT ignored for what it runs in the background
+            if callable(signal.getsignal(number)) or signal.getsignal(number) is signal.SIG_DFL:
+                self._handlers[number] = signal.signal(number, self._handle)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        global _now
+        self._running = False
+        if self.heard and self.alone:
+            _undo_all()
+            warnings.simplefilter("ignore")  # of what was begun and not ended
+            self.say()
+            with contextlib.suppress(OSError, ValueError, AttributeError):
+                sys.stdout.flush()
+            atexit._run_exitfuncs()
+            os._exit(128 + self.heard)  # without waiting for threads that still compute
+        if self.heard:
+            self.say()
+        if not self.alone:  # else the thread waits until the process has ended
+            for number, handler in self._handlers.items():
+                signal.signal(number, handler)
+            sys.unraisablehook, threading.excepthook = self._hooks
+            _now = None
+        if self.heard:
+            raise SystemExit(128 + self.heard) from None  # as shells count
+
+    def say(self) -> None:
+        """Say, once, that it is stopped."""
+        if self._said or sys.stderr is None:
+            return
+        self._said = True
+        with contextlib.suppress(OSError, ValueError):  # nobody reads it
+            print(self.words(), file=sys.stderr, flush=True)
+
+    def forget(self) -> None:
+        """Go on as if no signal had come: it was for somebody else, such as a server, which has ended."""
+        self.heard, self._raised = 0, False
+
+    def _handle(self, number: int, frame: FrameType | None) -> None:
+        self.heard = self.heard or number
+        if self._pipe:
+            with contextlib.suppress(OSError):
+                os.write(self._pipe, bytes([number]))
+        if self._running and not (self._watched and self._raised):  # what is tidied up after the first is not interrupted
+            self._raised = True
+            raise KeyboardInterrupt
+
+    def _ignore(self) -> None:
+        """Let a command that has ended exit with its own status: from here on Python heeds no signal itself."""
+        for number in self._handlers:
+            signal.signal(number, signal.SIG_IGN)
+
+    def _unraisable(self, found: Any) -> None:
+        if self.heard and isinstance(found.exc_value, KeyboardInterrupt):
+            self._raised, self._lost = False, True
+        elif not self.heard:
+            self._hooks[0](found)
+
+    def _in_thread(self, found: Any) -> None:
+        if not self.heard:  # what a thread misses then has gone with the command
+            self._hooks[1](found)
+
+    def _watch(self) -> None:
+        with contextlib.suppress(OSError, ValueError, RuntimeError, AttributeError):  # not on every system
+            reading, self._pipe = os.pipe()
+            os.set_blocking(self._pipe, False)
+            # Python writes there at once, also where it comes to no handler
+            signal.set_wakeup_fd(self._pipe, warn_on_full_buffer=False)
+            threading.Thread(target=self._wait, args=(reading,), name="stopping", daemon=True).start()
+            self._watched = True
+
+    def _wait(self, reading: int) -> None:
+        while True:
+            numbers = [number for number in os.read(reading, 64) if number in STOPS and _is_ours(number)]
+            if not numbers:
+                continue
+            self.heard = self.heard or numbers[0]
+            late = time.monotonic() + PATIENCE
+            while self.heard and time.monotonic() < late:
+                time.sleep(LOOKS)
+                if self._lost:
+                    self._lost = False
+                    _thread.interrupt_main(signal.Signals(self.heard))
+            if self.heard:
+                self.end_now()
+
+    def end_now(self) -> None:
+        """Undo, say so and end the process."""
+        self._running = False
+        try:
+            _undo_all()
+            if not self._said:
+                # a bar of progress has hidden the cursor
+                shown = "\r\x1b[K\x1b[?25h" if os.isatty(2) and os.environ.get("TERM", "dumb") != "dumb" else ""
+                # what waits for a reader that reads no more would wait for ever
+                if select.select([], [2], [], 0.0)[1]:
+                    os.write(2, f"{shown}{self.words()}\n".encode())
+        finally:
+            os._exit(128 + self.heard)
+
+
+def _is_ours(number: int) -> bool:
+    """Whether a signal comes to a handler of this package; a server that has taken its place ends by itself."""
+    return str(getattr(signal.getsignal(number), "__module__", "")).startswith("hophoop.")
+
+
+_now: Stopping | None = None
+
+
+def heeded(alone: bool) -> contextlib.AbstractContextManager[Stopping]:
+    """`Stopping`, or the one that there is already."""
+    return Stopping(alone) if _now is None else contextlib.nullcontext(_now)
+
+
+def say_when_stopped(words: Callable[[], str]) -> None:
+    """What a stop is told by from now on, instead of 'Stopped.'."""
+    if _now is not None:
+        _now.words = words
+
+
+def end_now() -> None:
+    """End the process after a stop, where it is there for the command alone."""
+    if _now is not None and _now.alone and _now.heard:
+        _now.end_now()
+
+
+def forget() -> None:
+    """Go on as if no signal had come."""
+    if _now is not None:
+        _now.forget()

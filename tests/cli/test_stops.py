@@ -1,0 +1,187 @@
+"""Ctrl-C and SIGTERM are the last word of a command: one sentence, the status of the signal, nothing left behind."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+import pytest
+
+from random_stops import drawn, prepare, stopped_at_random, whole_map
+
+pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="POSIX only")
+SIGNALS = pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+LONG = 120.0  # seconds that a command takes that does not stop
+SOON = 60.0  # seconds in which it has to, on a machine that is as busy as may be
+
+# `hophoop run`, which comes to `work` where it would compute
+START = """
+import ctypes, os, signal, subprocess, sys, threading, time, weakref
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background leaves it ignored
+from pathlib import Path
+import hophoop.cli._work
+from hophoop._files import replacing
+from hophoop.cli import app
+number, folder = int(sys.argv.pop(1)), Path(sys.argv.pop(1))
+def stop():
+    os.kill(os.getpid(), number)
+def wait():
+    end = time.monotonic() + {long}
+    while time.monotonic() < end:
+        time.sleep(0.01)
+def work(*_):
+{body}
+hophoop.cli._work.work_ahead = work
+app()
+"""
+HEARS = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+RUN = "from hophoop.cli import app; app()"
+
+# what a library does with an exception that comes at the wrong moment
+LOSES = {
+    "a callback that Python calls from C": """
+        class Thing: pass
+        thing = Thing()
+        kept = weakref.ref(thing, lambda _: stop())
+        del thing
+        wait()
+    """,
+    "a library that makes another error of it": """
+        try:
+            stop()
+            wait()
+        except BaseException:
+            raise ValueError("Invalid affine transformation matrix") from None
+    """,
+    "a loop that goes on": """
+        with replacing(folder / "half.csv") as path:
+            path.write_text("half")
+            end = time.monotonic() + 120
+            stopped = False
+            while time.monotonic() < end:
+                try:
+                    if not stopped:
+                        stopped = True
+                        stop()
+                    time.sleep(0.01)
+                except KeyboardInterrupt:
+                    pass
+    """,
+    "code that listens to nothing": """
+        with replacing(folder / "half.csv") as path:
+            path.write_text("half")
+            threading.Timer(0.3, stop).start()
+            lock, lib = ctypes.create_string_buffer(128), ctypes.CDLL(None)
+            lib.pthread_mutex_lock(lock)
+            lib.pthread_mutex_lock(lock)
+    """,
+}
+
+
+def stopped(body, number, folder):
+    """What `hophoop run` gives whose work is `body`."""
+    lines = body.strip("\n").splitlines()
+    margin = min(len(line) - len(line.lstrip()) for line in lines if line.strip())
+    text = "\n".join("    " + line[margin:] for line in lines)
+    began = time.monotonic()
+    done = subprocess.run(
+        [sys.executable, "-c", START.format(long=LONG, body=text), str(int(number)), str(folder), "run"],
+        capture_output=True,
+        text=True,
+        env=os.environ | {"HOPHOOP_KERNELS": "interpreted", "TMPDIR": str(folder)},
+        check=False,
+        timeout=2 * LONG,
+    )
+    assert time.monotonic() - began < SOON
+    return done.returncode, done.stdout, done.stderr, sorted(path.name for path in folder.iterdir())
+
+
+@SIGNALS
+@pytest.mark.parametrize("where", LOSES)
+def test_a_stop_that_would_be_lost_is_the_last_word(where, number, status, tmp_path):
+    assert stopped(LOSES[where], number, tmp_path) == (status, "", "Stopped.\n", [])
+
+
+CHILD = """
+        from hophoop._stopping import child
+        with child(subprocess.Popen(["sleep", "600"])) as process:
+            (folder.parent / "pid").write_text(str(process.pid))
+            stop()
+            try:
+                wait()
+            except BaseException:
+                wait()
+"""
+
+
+@SIGNALS
+def test_a_stop_ends_children(number, status, tmp_path):
+    folder = tmp_path / "here"
+    folder.mkdir()
+    assert stopped(CHILD, number, folder) == (status, "", "Stopped.\n", [])
+    with pytest.raises(ProcessLookupError):
+        os.kill(int((tmp_path / "pid").read_text()), 0)
+
+
+LOADED = """
+import os, runpy, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+class Finder:
+    def find_spec(self, name, *_):
+        if name == "hophoop.cli":
+            os.kill(os.getpid(), {number})
+sys.meta_path.insert(0, Finder())
+sys.argv = ["hophoop", "run"]
+runpy.run_module("hophoop", run_name="__main__")
+"""
+
+
+@SIGNALS
+def test_a_stop_while_the_command_is_loaded(number, status, tmp_path):
+    """Python itself would show a traceback."""
+    code = LOADED.format(number=int(number))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=SOON)
+    assert (done.returncode, done.stdout, done.stderr) == (status, "", "Stopped.\n")
+
+
+@SIGNALS
+def test_ctrl_c_in_a_terminal_ends_a_map_over_workers_by_one_sentence(number, status, tmp_path):
+    """A terminal sends it to all processes. Dask printed up to five tracebacks, and four lines where it runs already."""
+    out = tmp_path / "map.zarr"
+    words = f"map --workers 2 --axis plane.mu=0.05:1.95:400 --axis start.speed=0.05:5:400 --out {out} --quiet"
+    with socket.socket() as another:
+        with contextlib.suppress(OSError):  # there is another cluster
+            another.bind(("", 8787))
+            another.listen()
+        process = subprocess.Popen(
+            [sys.executable, "-c", f"{HEARS}; {RUN}", *words.split()],
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+            env=os.environ | {"HOPHOOP_KERNELS": "interpreted", "TMPDIR": str(tmp_path)},
+        )
+        while not list(out.glob("*/lock")) or sum(1 for _ in tmp_path.glob("hophoop-*/*/worker-*")) < 2:
+            assert process.poll() is None
+            time.sleep(0.05)
+    os.killpg(process.pid, number)
+    said = process.communicate(timeout=SOON)[1]
+    assert (process.returncode, said) == (status, f"Stopped; what is done is kept in {out}, and --resume goes on.\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["map.zarr"]
+
+
+@pytest.mark.long
+@pytest.mark.compiled
+def test_six_random_stops(tmp_path):
+    """Of the hundred of benchmarks/stops.py, whose table holds the times."""
+    names = ["animate, .mp4", "map, .nc", "run, many samples into .csv"]
+    (tmp_path / "inputs").mkdir()
+    prepare(tmp_path / "inputs")
+    map_whole = whole_map(tmp_path)
+    for k, stop in enumerate(drawn(6, names, 2026)):
+        one = stopped_at_random(*stop, tmp_path / str(k), tmp_path / "inputs", map_whole)
+        assert not one.wrong, (stop, one.wrong)
