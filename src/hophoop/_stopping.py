@@ -28,6 +28,7 @@ from typing import Any, TypeVar
 Child = TypeVar("Child", str, bytes)
 
 PATIENCE = 1.0  # seconds from the signal until the process is ended at once
+GRACE = 0.5  # seconds for a child process to end by itself
 LOOKS = 0.02  # seconds between two looks whether an interrupt was lost
 TRIES = 20  # to remove a folder into which another thread still writes
 STOPS = (signal.SIGINT, signal.SIGTERM)
@@ -94,8 +95,12 @@ def remove(path: Path) -> None:
 
 def _end(process: subprocess.Popen[Any]) -> None:
     if process.poll() is None:
-        process.kill()
-        process.wait()
+        process.terminate()  # so that it can remove what it has made
+        try:
+            process.wait(GRACE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
 
 
 def _undo_all() -> None:

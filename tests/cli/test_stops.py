@@ -185,3 +185,25 @@ def test_six_random_stops(tmp_path):
     for k, stop in enumerate(drawn(6, names, 2026)):
         one = stopped_at_random(*stop, tmp_path / str(k), tmp_path / "inputs", map_whole)
         assert not one.wrong, (stop, one.wrong)
+
+
+def test_a_child_is_let_end_by_itself(tmp_path):
+    """It was killed at once, and what it had made in the folder for temporary files stayed."""
+    from hophoop._stopping import child
+
+    made = tmp_path / "made"
+    tidy = f"""
+import pathlib, signal, sys, time
+made = pathlib.Path({str(made)!r})
+def end(*_):
+    time.sleep(0.1)
+    made.unlink()
+    sys.exit(0)
+signal.signal(signal.SIGTERM, end)
+made.touch()
+time.sleep({LONG})
+"""
+    with child(subprocess.Popen([sys.executable, "-c", tidy])):
+        while not made.exists():
+            time.sleep(0.01)
+    assert not made.exists()
