@@ -32,7 +32,7 @@ FILMED = hh.Scenario(
 )
 
 
-RESULTS = ("hophoop compiles", "The lab is", "Found in", "The page:", "The report:")  # what is said without a stop
+RESULTS = ("hophoop compiles", "Of the article only", "The lab is", "Found in", "The page:", "The report:")  # what is said without a stop
 
 
 @dataclass(frozen=True)
