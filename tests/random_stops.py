@@ -32,7 +32,9 @@ FILMED = hh.Scenario(
 )
 
 
-RESULTS = ("hophoop compiles", "Of the article only", "The lab is", "Found in", "The page:", "The report:")  # what is said without a stop
+RESULTS = (  # what is said without a stop
+    "hophoop compiles", "Of the article only", "The lab is", "Found in", "The page:", "The report:",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
