@@ -210,4 +210,6 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         row["after_mode"] = record.after_mode
         row["collision"] = -1 if record.collision is None else int(record.collision)
         row["stable"] = -1 if record.stable is None else int(record.stable)
+    late = script["t"] > last  # by the rounding of the duration in these units
+    script["t"][late], script["t_low"][late] = last, 0.0
     return script

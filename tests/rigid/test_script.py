@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from bits_tools import kept_scenarios
 from hophoop._jit import interpreted
 from hophoop.panels.anchor import FREE, ROLLING
 from hophoop.panels.panel import FLY, HOLD
@@ -182,3 +183,13 @@ def test_a_script_that_ends_with_an_event_begins_the_phase_after_it(plane, zeros
     kinds = [Event.START, Event.SLIP_START, Event.IMPACT, Event.IMPACT]
     phase, _ = repeated(body, state, kinds, int(Mode.SKID), [0.0, 0.0, 0.5, 0.5])
     assert (phase.begins, phase.zeros, phase.bounce) == (True, 1, 0.0)
+
+
+def test_no_decided_event_is_after_the_end():
+    """The duration in the kernel's units is rounded, and the digits go on to the exact one: time ran back by its last digit."""
+    digits = [one for one in kept_scenarios() if one.kind == "digits"]
+    assert len(digits) > 10
+    for one in digits:
+        tables = hh.simulate(one.scenario).tables
+        assert np.all(np.diff(tables["events"]["t"]) >= 0.0), one.index
+        assert tables["segments"]["t_end"][-1] <= max(tables["events"]["t"][-1], tables["segments"]["t"][-1]), one.index
