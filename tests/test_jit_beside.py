@@ -91,7 +91,7 @@ def test_workers_start_when_the_kernel_of_maps_is_compiled(monkeypatch, capsys):
 
     monkeypatch.setattr(beside.Waiting, "told", False)
     monkeypatch.setattr(evaluate, "precompile", lambda wanted: Job())
-    monkeypatch.setattr(distributed, "need", lambda *_: type("distributed", (), {"LocalCluster": staticmethod(cluster)}))
+    monkeypatch.setattr(pytest.importorskip("distributed"), "LocalCluster", cluster)
     with pytest.raises(OSError), distributed._client(None, 2):
         pass
     assert done == ["compiled", "cluster"]
