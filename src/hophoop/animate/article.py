@@ -110,6 +110,7 @@ def article_films(
     for name in given:
         if name not in names:
             raise ValueError(f"scenarios names {name!r}, which is not one of {', '.join(names)}.")
+    Path(out_dir).mkdir(parents=True, exist_ok=True)
     paths = []
     for done, each in enumerate(ARTICLE_FILMS):
         path = Path(out_dir) / f"{each.name}.mp4"
