@@ -4,7 +4,7 @@ import pytest
 
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
-from lab_page_tools import wait_for  # noqa: E402
+from lab_page_tools import until, wait_for  # noqa: E402
 
 
 def fingers(page):
@@ -16,6 +16,19 @@ def fingers(page):
         session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
 
     return touch
+
+
+def at_rest(page, target):
+    """Where a part of the page is when what is computed for the page moves it no more."""
+    boxes = [target.bounding_box()]
+
+    def rests():
+        page.wait_for_timeout(100)
+        boxes.append(target.bounding_box())
+        return boxes[-1] == boxes[-2]
+
+    until(page, rests)
+    return boxes[-1]
 
 
 # what two fingers zoom, and how wide the part is that it shows
@@ -36,7 +49,7 @@ def test_two_fingers_zoom_and_take_no_motion(visit):
         target.scroll_into_view_if_needed()
         wait_for(page, "!lab.surrounding")
         before = page.evaluate(width)
-        box = target.bounding_box()
+        box = at_rest(page, target)
         x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
         touch("touchStart", (x - 20, y))
         touch("touchStart", (x - 20, y), (x + 20, y))
@@ -44,7 +57,7 @@ def test_two_fingers_zoom_and_take_no_motion(visit):
             touch("touchMove", (x - spread, y), (x + spread, y))
         touch("touchEnd", (x - 80, y))
         touch("touchEnd")
-        assert page.evaluate(width) == pytest.approx(before / 4, rel=0.15), selector
+        until(page, lambda width=width, wanted=pytest.approx(before / 4, rel=0.15): page.evaluate(width) == wanted)
     page.wait_for_timeout(300)
     assert page.evaluate("hophoopLab.motions.history.past.length") == 0
     assert page.evaluate("hophoopLab.film().query") == ""
