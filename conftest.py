@@ -14,6 +14,9 @@ if "NUMBA_CACHE_DIR" not in os.environ:
     user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
     os.environ["NUMBA_CACHE_DIR"] = str(Path(tempfile.gettempdir()) / f"hophoop-tests-{user}")
 
+# They are about the sources: a library of compiled kernels is used by those that build one, or where it is named.
+os.environ.setdefault("HOPHOOP_LIBRARY", str(Path(tempfile.gettempdir()) / "no hophoop library"))
+
 # Some tests are about Ctrl-C, which a shell has what it starts in the background ignore; workers take over what is set here.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -24,7 +24,7 @@ def noted(kernel, monkeypatch):
 
 @pytest.mark.parametrize(
     ("contact", "parts"),
-    [(hh.Rigid(), [sampling.sample, simulation.run]), (hh.Compliant(), [compliant.run])],
+    [(hh.Rigid(), [sampling.sample, simulation.run]), (hh.Compliant(), [compliant.run_into])],
 )
 def test_code_is_compiled_for_the_arguments_that_come(monkeypatch, contact, parts):
     asked = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import threading
 from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, overload
@@ -247,6 +248,16 @@ def script_of(scenario: Scenario, contact: Rigid) -> np.ndarray:
     return _simulate_rigid(scenario, contact)[3]
 
 
+class _Tables(threading.local):
+    """The first tables that a motion of this thread is written into, and copied from."""
+
+    def __init__(self) -> None:
+        self.events, self.segments = np.empty(FIRST_EVENTS, EVENT), np.empty(FIRST_SEGMENTS, SEGMENT)
+
+
+_tables = _Tables()
+
+
 def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray, np.ndarray, float]:
     """Status, events, segments, the script of what was decided in more digits, and when doubles first were in doubt."""
     start = start_of(scenario)
@@ -260,8 +271,8 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     budget: Budget | None = None
     doubt = math.inf
     while True:
-        events = np.empty(events_size, EVENT)
-        segments = np.empty(segments_size, SEGMENT)
+        events = _tables.events if events_size == len(_tables.events) else np.empty(events_size, EVENT)
+        segments = _tables.segments if segments_size == len(_tables.segments) else np.empty(segments_size, SEGMENT)
         status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
         if not script.size and not math.isnan(scratch.doubt[0]):
             doubt = float(scratch.doubt[0])
@@ -284,14 +295,14 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
             script = found
         else:
             break
-    segments = first_rows(segments, pieces)
+    events, segments = first_rows(events, count), first_rows(segments, pieces)
     if len(script) > 1:
         segments = np.concatenate((segments_of_script(body, script), segments))
         pieces = len(segments)
     if pieces == 0:  # the motion ends at its start: a piece of no length holds its state
         segments = np.empty(1, SEGMENT)
         _hold_at(events[count - 1], segments[0])
-    return status, first_rows(events, count), segments, script, doubt
+    return status, events, segments, script, doubt
 
 
 def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:

@@ -6,8 +6,9 @@ imported. When that has taken `PATIENCE_TO_LOAD`, compiled code is loaded if it 
 compiles it from `PATIENCE_TO_COMPILE` on, and the kernel changes over when that is done, in the middle of a call if need be:
 a kernel writes nothing but its results, so that it can begin again.
 
-The environment variable HOPHOOP_KERNELS says otherwise: `compiled` waits for compiled code at the first call, `interpreted`
-never asks for it. NUMBA_DISABLE_JIT=1 means `interpreted` as well.
+Where a library of compiled kernels is built (`python -m hophoop.kernel.build`), what it has is called from the start, and
+Numba is not asked. The environment variable HOPHOOP_KERNELS says otherwise: `compiled` waits for compiled code at the first
+call, `interpreted` never asks for it. NUMBA_DISABLE_JIT=1 means `interpreted` as well.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ import numpy as np
 
 from hophoop._jit import beside, signals, store
 from hophoop._jit.kernels import Namespaces, Options, Source, describe
+from hophoop._jit.library import library
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -144,6 +146,17 @@ class Kernel(Source):
 
         return dispatchers.inner(self)
 
+    @property
+    def built(self) -> Callable[..., Any] | None:
+        """What the library that was built ahead makes of the kernel: what is not in it is quick interpreted.
+
+        None where there is no library, and for kernels of other packages.
+        """
+        found = library()
+        if found is None or not self.py_func.__module__.startswith("hophoop."):
+            return None
+        return found.call(f"{self.py_func.__module__}.{self.py_func.__qualname__}") or self._interpret
+
     def load(self, kinds: Any) -> Callable[..., Any]:
         """Compiled code for arguments of such kinds, waited for where there is none yet."""
         if kinds not in self._loaded:
@@ -159,6 +172,10 @@ class Kernel(Source):
         if wanted == "interpreted":
             self._target = self._interpret
             return self._interpret(*arguments)
+        built = self.built
+        if built is not None:
+            self._target = built
+            return built(*arguments)
         kinds = tuple(describe(value) for value in arguments)
         if wanted == "compiled" or kinds in self._loaded:
             return self.load(kinds)(*arguments)
@@ -200,7 +217,7 @@ class Kernel(Source):
 def compiled(function: Any, *arguments: Any) -> Callable[..., Any]:
     """A kernel as compiled code for arguments like these, waited for where it must be compiled first."""
     kernel = cast(Kernel, function)
-    if mode() == "interpreted":
+    if mode() == "interpreted" or kernel.built is not None:
         return kernel
     return kernel.load(tuple(describe(value) for value in arguments))
 
@@ -209,7 +226,7 @@ def precompile(wanted: Sequence[tuple[Any, Sequence[Any]]]) -> beside.Job | None
     """Compile kernels in a process beside, as for a call with such arguments; None where nothing is to be compiled."""
     if mode() == "interpreted":
         return None
-    kinds = [(kernel, tuple(describe(value) for value in arguments)) for kernel, arguments in wanted]
+    kinds = [(kernel, tuple(describe(value) for value in arguments)) for kernel, arguments in wanted if kernel.built is None]
     missing = [(kernel, kind) for kernel, kind in kinds if not store.is_ready(kernel, kind)]
     return beside.start(missing) if missing else None
 

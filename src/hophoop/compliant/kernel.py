@@ -123,16 +123,26 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     return COMPLETED if phase.status == GOING else phase.status, log.written[0], rows, log.written[1]
 
 
+@jit
+def run_into(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached, kept):
+    """`run` with its segments copied into `kept`, as many as it has room for; (status, number of events, of segments)."""
+    status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached)
+    for k in range(min(pieces, kept.shape[0])):
+        kept[k] = rows[k]
+    return status, count, pieces
+
+
 def run_call() -> tuple[Any, tuple[Any, ...]]:
-    """`run`, and arguments that it could be called with: to compile it before it is."""
+    """`run_into`, and arguments that it could be called with: to compile it before it is."""
     scenario = Scenario(contact=Compliant())
     body, comp, t_end, rtol = to_compliance(scenario)
     start, touching = to_start(scenario, body, comp)
-    nothing = np.empty(0, RIGID_SEGMENT)
-    return run, (body, comp, start, touching, t_end, rtol, MAX_STEPS, np.empty(1, EVENT), nothing, np.zeros(1))
+    nothing, rows = np.empty(0, RIGID_SEGMENT), np.empty((1, WIDTH))
+    return run_into, (body, comp, start, touching, t_end, rtol, MAX_STEPS, np.empty(1, EVENT), nothing, np.zeros(1), rows)
 
 
 FIRST_EVENTS = 256
+FIRST_ROWS = 20_000  # 9 MB, of which only what is written is taken from the system
 MAX_STEPS = 300_000  # some seconds, and some 140 MB
 
 
@@ -159,11 +169,16 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
     limit = scenario.contact.max_events
     size = min(FIRST_EVENTS, limit)
     reached = np.zeros(1) if reached is None else reached
+    room = FIRST_ROWS
     while True:
         events = np.empty(size, EVENT)
-        status, count, rows, pieces = run(
-            body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT), reached
+        rows = np.empty((room, WIDTH))
+        status, count, pieces = run_into(
+            body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT), reached, rows
         )
+        if pieces > room:
+            room = MAX_STEPS
+            continue
         if status != EVENT_LIMIT or count < size or size == limit:
             break
         size = min(8 * size, limit)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import re
 import subprocess
 import sys
 import sysconfig
@@ -20,6 +19,7 @@ from typing import Any
 
 from hophoop._extras import need
 from hophoop._files import replacing
+from hophoop.kernel.build.link import optimised
 from hophoop.module.layout import layout
 from hophoop.module.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources
 
@@ -79,54 +79,9 @@ def joined(code: Mapping[str, tuple[str, str, tuple[Any, ...]]]) -> str:
     return str(whole)
 
 
-def optimised(
-    text: str, names: Iterable[str], triple: str, cpu: str = "", features: str = "", reloc: str = "pic"
-) -> tuple[Any, Any]:
-    """The code made ready for a machine.
-
-    Parameters
-    ----------
-    text : str
-        LLVM's code.
-    names : iterable of str
-        Functions that stay visible.
-    triple, cpu, features : str
-        The machine, as LLVM names it; by default the plainest of its kind.
-    reloc : str, default 'pic'
-        How addresses are written.
-
-    Returns
-    -------
-    machine : llvmlite.binding.TargetMachine
-    module : llvmlite.binding.ModuleRef
-        For `machine.emit_object` or `machine.emit_assembly`.
-    """
-    import llvmlite.binding as llvm
-
-    llvm.initialize_all_targets()
-    llvm.initialize_all_asmprinters()
-    target = llvm.Target.from_triple(triple)
-    machine = target.create_target_machine(cpu=cpu, features=features, opt=3, reloc=reloc, codemodel="default")
-    text = re.sub(r'target triple = "[^"]*"', f'target triple = "{triple}"', text)
-    text = re.sub(r'target datalayout = "[^"]*"', f'target datalayout = "{machine.target_data}"', text)
-    # Numba's pointers to environments, which this code never reads: WebAssembly has no common symbols
-    text = "\n".join(line.replace(" = common ", " = internal ") if line.startswith("@") else line for line in text.splitlines())
-    module = llvm.parse_assembly(text)
-    module.verify()
-    visible = set(names)
-    for function in module.functions:
-        if not function.is_declaration:
-            function.linkage = "external" if function.name in visible else "internal"
-    options = llvm.create_pipeline_tuning_options(speed_level=3)
-    options.loop_vectorization = options.slp_vectorization = True
-    builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(module, builder)
-    return machine, module
-
-
 def retargeted(text: str, names: Iterable[str]) -> bytes:
     """The object file for WebAssembly."""
-    machine, module = optimised(text, names, TRIPLE, features="+simd128", reloc="static")
+    machine, module = optimised(text, names, TRIPLE, "", "static", "+simd128")
     made: bytes = machine.emit_object(module)
     return made
 

@@ -35,5 +35,4 @@ SEGMENT = np.dtype(
 
 def first_rows(table: np.ndarray, count: int) -> np.ndarray:
     """A copy of the first rows of a table, as bytes: NumPy copies records number by number, which takes three times as long."""
-    result: np.ndarray = table.view(np.uint8)[: count * table.itemsize].copy().view(table.dtype)
-    return result
+    return np.ndarray(count, table.dtype, bytearray(table[:count].tobytes()))

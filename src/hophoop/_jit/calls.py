@@ -1,0 +1,169 @@
+"""Calls of the library's functions: arguments are packed into plain memory, in which the results come back.
+
+A function takes one address. Behind it lie, eight bytes each, the numbers that it is given, and for an array its address and
+its shape; the results follow. A function lets go of the interpreter, and threads share nothing.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+import threading
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any, cast
+
+import numpy as np
+
+MOST_KNOWN, MOST_BYTES = 16, 1 << 20  # tables and named tuples that an entry knows again, if they are no larger
+CODES = {"float": "d", "int": "q", "bool": "?7x"}
+
+
+def _address(array: np.ndarray) -> int:
+    if array.size and array.flags.writeable:  # a quarter of the time of the other way
+        return ctypes.addressof(ctypes.c_char.from_buffer(cast(Any, array)))
+    return int(array.ctypes.data)
+
+
+class Memory(threading.local):
+    """The plain memory of an entry, and the arrays that come again and again; of this thread."""
+
+    def __init__(self, size: int) -> None:
+        self.block = ctypes.create_string_buffer(size)
+        self.address = ctypes.addressof(self.block)
+        self.known: dict[int, tuple[Any, tuple[int, ...]]] = {}
+
+    def numbers_of(self, array: np.ndarray, dtype: np.dtype[Any], dimensions: int) -> tuple[int, ...]:
+        """Address and shape of an array of this kind."""
+        if dtype.names is not None:  # tables of records come again, other arrays do not
+            known = self.known.get(id(array))
+            if known is not None and known[0] is array:
+                return known[1]
+        if not (array.flags.c_contiguous and array.ndim == dimensions and array.dtype == dtype):
+            raise TypeError(f"The compiled kernel takes no such array: {array.dtype} array of shape {array.shape}.")
+        found = (_address(array), *array.shape)
+        if dtype.names is not None and array.nbytes <= MOST_BYTES:
+            self._remember(array, found)
+        return found
+
+    def numbers_of_all(self, arrays: Any, kinds: tuple[tuple[np.dtype[Any], int], ...]) -> tuple[int, ...]:
+        """Addresses and shapes of the arrays of a named tuple, which comes again and again."""
+        known = self.known.get(id(arrays))
+        if known is None or known[0] is not arrays:
+            found: tuple[int, ...] = ()
+            for array, kind in zip(arrays, kinds, strict=True):
+                found += self.numbers_of(array, *kind)
+            self._remember(arrays, found)
+            return found
+        return known[1]
+
+    def _remember(self, given: Any, found: tuple[int, ...]) -> None:
+        if len(self.known) >= MOST_KNOWN:
+            self.known.clear()
+        self.known[id(given)] = given, found
+
+
+class Packing:
+    """How the arguments of an entry are packed: their formats, the source of each, the kinds of arrays.
+
+    Parameters
+    ----------
+    takes : list
+        As the build has told it: 'float', 'int' or 'bool'; {"array": [dtype, dimensions]}; {"tuple": [...]}.
+    """
+
+    def __init__(self, takes: list[Any]) -> None:
+        self.codes: list[str] = []
+        self.parts: list[str] = []
+        self.kinds: list[Any] = []  # (dtype, dimensions) of each array, or those of all in a named tuple
+        self.names = [f"a{i}" for i in range(len(takes))]
+        for name, kind in zip(self.names, takes, strict=True):
+            self._add(kind, name)
+
+    def _add(self, kind: Any, place: str) -> None:
+        if isinstance(kind, str):
+            self.codes.append(CODES[kind])
+            self.parts.append(place)
+            return
+        if "array" in kind:
+            self.codes.append("q" * (1 + kind["array"][1]))
+            self.parts.append(f"*memory.numbers_of({place}, *kinds[{len(self.kinds)}])")
+            self.kinds.append(_kind(kind))
+            return
+        items = kind["tuple"]
+        if all(isinstance(each, dict) and "array" in each for each in items):
+            self.codes.extend("q" * (1 + each["array"][1]) for each in items)
+            self.parts.append(f"*memory.numbers_of_all({place}, kinds[{len(self.kinds)}])")
+            self.kinds.append(tuple(_kind(each) for each in items))
+            return
+        plain = next((i for i, each in enumerate(items) if not isinstance(each, str)), len(items))
+        self.codes.extend(CODES[each] for each in items[:plain])
+        self.parts.append(f"*{place}" if plain == len(items) else f"*{place}[:{plain}]")
+        for i, each in enumerate(items[plain:], plain):
+            self._add(each, f"{place}[{i}]")
+
+
+def _kind(told: dict[str, Any]) -> tuple[np.dtype[Any], int]:
+    described, dimensions = told["array"]
+    return np.dtype(described if isinstance(described, str) else [tuple(field) for field in described]), dimensions
+
+
+def _unpacked(told: Any, values: str, at: list[int], classes: list[Any]) -> str:
+    """The source of a result, from the numbers that came back."""
+    if isinstance(told, dict):
+        inner = ", ".join(_unpacked(each, values, at, classes) for each in told["items"])
+        if told["class"] is None:
+            return f"({inner},)"
+        module, _, name = told["class"].partition(":")
+        classes.append(getattr(import_module(module), name))
+        return f"classes[{len(classes) - 1}]({inner})"
+    at[0] += 1
+    return f"{values}[{at[0] - 1}]"
+
+
+def _codes(told: Any) -> str:
+    if isinstance(told, dict):
+        return "".join(_codes(each) for each in told["items"])
+    return str(told)
+
+
+def caller(function: Any, takes: list[Any], gives: Any) -> Callable[..., Any]:
+    """What calls a function of the library.
+
+    Parameters
+    ----------
+    function : ctypes function
+    takes : list
+        As `Packing` takes it.
+    gives : str, dict or None
+        'd', 'q' or '?7x'; several with their class; None for nothing.
+
+    Returns
+    -------
+    call : callable
+    """
+    packing = Packing(takes)
+    given = struct.Struct("=" + "".join(packing.codes))
+    back = struct.Struct("=" + (_codes(gives) if gives is not None else ""))
+    classes: list[Any] = []
+    result = _unpacked(gives, "values", [0], classes) if gives is not None else "None"
+    function.argtypes = (ctypes.c_void_p,)
+    function.restype = ctypes.c_int32
+    names = ", ".join(packing.names)
+    lines = [f"def call({names}):"]
+    lines += [f"    pack(memory.block, 0, {', '.join(packing.parts)})"]
+    lines += ["    status = function(memory.address)", "    if status:", "        fail(status)"]
+    if gives is not None:
+        lines += [f"    values = unpack(memory.block, {given.size})"]
+    lines += [f"    return {result}"]
+    space: dict[str, Any] = {
+        "pack": given.pack_into, "unpack": back.unpack_from, "memory": Memory(given.size + back.size + 8),
+        "function": function, "classes": classes, "kinds": packing.kinds, "fail": _fail,
+    }  # fmt: skip
+    exec("\n".join(lines), space)
+    made: Callable[..., Any] = space["call"]
+    return made
+
+
+def _fail(status: int) -> None:
+    raise RuntimeError(f"The compiled kernel ended with status {status}.")

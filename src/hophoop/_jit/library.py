@@ -1,0 +1,95 @@
+"""The library of compiled kernels: whether there is one for this machine and these sources, and its functions."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+import platform
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from hophoop._jit.calls import caller
+from hophoop._jit.sources import PACKAGE, stamp
+
+HERE = Path(os.environ.get("HOPHOOP_LIBRARY") or PACKAGE / "kernel" / "library")
+TOLD = "kernels.json"
+SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
+BUILD = "python -m hophoop.kernel.build"
+
+
+class Library:
+    """A library that is loaded.
+
+    Attributes
+    ----------
+    told : dict
+        What the build has written about it.
+    level : str
+        Which kind of processor it is made for.
+    """
+
+    def __init__(self, told: dict[str, Any], level: str, loaded: ctypes.CDLL) -> None:
+        self.told, self.level = told, level
+        self._loaded = loaded
+        self._calls: dict[str, Callable[..., Any]] = {}
+
+    def call(self, name: str) -> Callable[..., Any] | None:
+        """What calls an entry; None where it is none."""
+        if name not in self.told["entries"]:
+            return None
+        if name not in self._calls:
+            entry = self.told["entries"][name]
+            self._calls[name] = caller(getattr(self._loaded, entry["symbol"]), entry["takes"], entry["gives"])
+        return self._calls[name]
+
+
+def _levels(told: dict[str, Any]) -> list[str]:
+    """The libraries from the one that asks most of the processor to the one that asks least."""
+    return sorted(told["files"], reverse=True)
+
+
+def reason() -> str:
+    """Why there is no compiled code; empty where there is."""
+    found = _found()
+    return found if isinstance(found, str) else ""
+
+
+@cache
+def library() -> Library | None:
+    """The library of this machine, loaded; None where there is none. One that cannot be used is told of, once."""
+    found = _found()
+    if isinstance(found, str):
+        if (HERE / TOLD).exists() and sys.stderr is not None:
+            print(found, file=sys.stderr)
+        return None
+    return found
+
+
+@cache
+def _found() -> Library | str:
+    try:
+        told = json.loads((HERE / TOLD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return f"hophoop was installed without compiled kernels. To build them: {BUILD}"
+    if not {"machine", "sources", "files", "entries"} <= set(told):
+        return f"The library of compiled kernels is not whole. To build it anew: {BUILD}"
+    if told["machine"] != [sys.platform, platform.machine().lower()]:
+        return f"The compiled kernels are for {' '.join(told['machine'])}. To build them for this machine: {BUILD}"
+    if told["sources"] != stamp():
+        return f"The compiled kernels are older than their sources. To build them anew: {BUILD}"
+    levels = _levels(told)
+    try:
+        loaded = ctypes.CDLL(str(HERE / told["files"][levels[-1]]))
+        able = loaded.hophoop_level()
+        if able < int(levels[-1][1:]):
+            return "The compiled kernels ask more than this processor has."
+        best = next(level for level in levels if int(level[1:]) <= able)
+        if best != levels[-1]:
+            loaded = ctypes.CDLL(str(HERE / told["files"][best]))
+    except OSError as error:
+        return f"The compiled kernels cannot be loaded ({error}). To build them anew: {BUILD}"
+    return Library(told, best, loaded)

@@ -1,0 +1,31 @@
+"""The sources of the kernels: what the library and the browser's modules are made of."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+PACKAGE = Path(__file__).parents[1]
+# Rooms whose files are kernels, files of other rooms, and what says how they are compiled.
+ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives")
+FILES = (
+    "maps/friction_use.py", "maps/kernel.py", "kernel/entries.py", "_jit/kernels.py", "_jit/quicker.py",
+    "kernel/build/code.py", "kernel/build/link.py", "kernel/build/level.c", "module/nrt.c",
+)  # fmt: skip
+
+
+def files() -> list[Path]:
+    """The sources that decide the library's bytes, sorted."""
+    found = {PACKAGE / name for name in FILES}
+    for room in ROOMS:
+        found.update((PACKAGE / room).glob("*.py"))
+    return sorted(found)
+
+
+def stamp() -> str:
+    """Hash of these sources: equal stamps, equal sources."""
+    digest = hashlib.sha256()
+    for file in files():
+        digest.update(f"{file.relative_to(PACKAGE).as_posix()}\n".encode())
+        digest.update(file.read_bytes().replace(b"\r\n", b"\n"))
+    return digest.hexdigest()[:32]

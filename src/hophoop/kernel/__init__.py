@@ -1,0 +1,1 @@
+"""The compiled kernels: which there are, their library, and its build."""

@@ -1,0 +1,284 @@
+"""The entries as LLVM's code, by Numba: all that rests on its private names.
+
+Numba types and lowers each kernel once; none is optimised by itself, so that the code knows no machine. An entry is a function
+of one address, behind which its arguments lie (see `_jit.calls`).
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+import numba
+from numba import types
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
+from numba.core.compiler_lock import global_compiler_lock
+from numba.core.compiler_machinery import register_pass
+from numba.core.lowering import Lower
+from numba.core.typed_passes import NativeLowering
+from numba.extending import intrinsic
+
+from hophoop._jit import quicker
+from hophoop._jit.kernels import Namespaces, Source
+from hophoop._jit.sources import files
+from hophoop.kernel.entries import Array, fields_of, is_tuple, kernel_named
+
+
+class _Part(JITCodeLibrary):  # type: ignore[misc]
+    """Code that is only ever linked into that of an entry."""
+
+    _linking_libraries: list[Any]
+
+    def finalize(self) -> None:
+        self._raise_if_finalized()
+        self.parts = tuple(self._linking_libraries)
+        self._finalized = True
+
+
+class _Whole(JITCodeLibrary):  # type: ignore[misc]
+    """An entry with all of its parts, linked and left as it is."""
+
+    _linking_libraries: list[Any]
+
+    def _optimize_functions(self, module: Any) -> None:
+        module.data_layout = self._codegen._data_layout
+
+    def finalize(self) -> None:
+        found: dict[Any, None] = {}
+        waiting = list(self._linking_libraries)
+        while waiting:
+            library = waiting.pop(0)
+            if library not in found:
+                found[library] = None
+                waiting += getattr(library, "parts", ())
+        self._linking_libraries = list(found)
+        super().finalize()
+
+    def _optimize_final_module(self) -> None:
+        # LLVM drops what nothing calls yet: link again until nothing is missing
+        waiting = self._linking_libraries
+        while waiting:
+            missing = {function.name for function in self._final_module.functions if function.is_declaration}
+            waiting = [
+                library
+                for library in waiting
+                if any(not made.is_declaration and made.name in missing for made in library._get_module_for_linking().functions)
+            ]
+            for library in waiting:
+                self._final_module.link_in(library._get_module_for_linking(), preserve=True)
+
+    def _finalize_final_module(self) -> None:
+        self._finalize_dynamic_globals()
+        self._verify_declare_only_symbols()
+        self._finalized = True  # no machine code is made
+
+
+class _ApartLower(Lower):  # type: ignore[misc]
+    """Lowering of code that is never inlined."""
+
+    def setup_function(self, fndesc: Any) -> None:
+        super().setup_function(fndesc)
+        self.function.attributes.add("noinline")
+
+
+def _compiler(library: type[JITCodeLibrary], lower: type[Lower]) -> type[CompilerBase]:
+    class Lowering(NativeLowering):  # type: ignore[misc]
+        _name = f"{library.__name__}{lower.__name__}"
+        lowering_class = lower
+
+        def run_pass(self, state: Any) -> bool:
+            state.library = library(state.targetctx.codegen(), state.func_id.func_qualname)
+            state.flags.no_compile = True
+            super().run_pass(state)
+            made = state["cr"]
+            part: Any = {}.get  # Numba wants a builtin for a key, one for each; nobody calls it
+            state.targetctx.insert_user_function(part, made.fndesc, [state.library])
+            state["cr"] = _LowerResult(made.fndesc, made.call_helper, cfunc=part, env=made.env)
+            return True
+
+    lowering = register_pass(mutates_CFG=True, analysis_only=False)(Lowering)
+
+    class Compiler(CompilerBase):  # type: ignore[misc]
+        def define_pipelines(self) -> list[Any]:
+            pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
+            pipeline.passes = [(lowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
+            pipeline.finalize()
+            return [pipeline]
+
+    return Compiler
+
+
+_PART, _APART, _ENTRY = _compiler(_Part, Lower), _compiler(_Part, _ApartLower), _compiler(_Whole, Lower)
+
+
+def _dispatcher(function: FunctionType, pipeline: type[CompilerBase], **options: Any) -> Any:
+    options |= {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    made = numba.njit(pipeline_class=pipeline, **options)(function)  # noqa: TID251
+    general = made.get_call_template
+
+    def get_call_template(arguments: Any, keywords: Any) -> Any:
+        # Numba would compile a function anew for each constant that it is called with: a third of the time to compile
+        return general(
+            [types.unliteral(kind) for kind in arguments],
+            {name: types.unliteral(kind) for name, kind in keywords.items()},
+        )
+
+    made.get_call_template = get_call_template
+    return made
+
+
+def _callee(kernel: Source, function: FunctionType) -> Any:
+    options = {"forceinline": kernel.options.forceinline}  # also where it is False: a part that is inlined would hand it on
+    if not kernel.options.nrt:
+        options["_nrt"] = False
+    return _dispatcher(function, _APART if kernel.options.apart else _PART, **options)
+
+
+_callees = Namespaces(_callee)
+
+
+def numba_type(kind: Any) -> Any:
+    """Numba's type of a kind of argument."""
+    if isinstance(kind, Array):
+        return types.Array(numba.from_dtype(kind.dtype), kind.dimensions, "C")
+    if is_tuple(kind):
+        return types.BaseTuple.from_types([numba_type(each) for _, each in fields_of(kind)], kind)
+    return {float: types.float64, int: types.int64, bool: types.boolean}[kind]
+
+
+def _pointer_to(item: Any) -> Any:
+    pointer = types.CPointer(item)
+
+    @intrinsic  # type: ignore[untyped-decorator]
+    def made(typing_context: Any, address: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            return builder.inttoptr(arguments[0], context.get_value_type(pointer))
+
+        return pointer(types.int64), generate
+
+    return made
+
+
+class _Writer:
+    """Writes the source of an entry, which reads its arguments from memory and writes its results behind them."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, Any] = {"carray": numba.carray}
+        self.place = 0
+
+    def read(self, kind: Any) -> str:
+        """The expression of an argument."""
+        if isinstance(kind, Array):
+            item = numba.from_dtype(kind.dtype)
+            name = f"pointer{len(self.names)}"
+            self.names[name] = _pointer_to(item)
+            at = self.place
+            self.place += 1 + kind.dimensions
+            shape = "".join(f"wholes[{at + 1 + i}], " for i in range(kind.dimensions))
+            return f"carray({name}(wholes[{at}]), ({shape}))"
+        if is_tuple(kind):
+            name = f"class{len(self.names)}"
+            self.names[name] = kind
+            return f"{name}({', '.join(self.read(each) for _, each in fields_of(kind))})"
+        self.place += 1
+        return {float: "reals[{}]", int: "wholes[{}]", bool: "(wholes[{}] & 255) != 0"}[kind].format(self.place - 1)
+
+    def write(self, kind: Any, value: str, lines: list[str]) -> Any:
+        """Write a result of Numba's type `kind`; returns what is told of it."""
+        if isinstance(kind, types.BaseTuple):
+            items = [self.write(each, f"{value}[{i}]", lines) for i, each in enumerate(kind.types)]
+            made = getattr(kind, "instance_class", None)
+            return {"class": None if made is None else f"{made.__module__}:{made.__qualname__}", "items": items}
+        self.place += 1
+        if isinstance(kind, types.Float):
+            lines.append(f"    reals[{self.place - 1}] = {value}\n")
+            return "d"
+        if isinstance(kind, types.Boolean):
+            lines.append(f"    wholes[{self.place - 1}] = 1 if {value} else 0\n")
+            return "?7x"
+        if isinstance(kind, types.Integer):
+            lines.append(f"    wholes[{self.place - 1}] = {value}\n")
+            return "q"
+        raise TypeError(f"An entry cannot give a {kind}.")
+
+
+def entry_code(name: str, kinds: tuple[Any, ...], symbol: str) -> tuple[str, Any]:
+    """LLVM's code of an entry, and what is told of its result.
+
+    Parameters
+    ----------
+    name : str
+        Of the kernel, with its module.
+    kinds : tuple
+        Of its arguments.
+    symbol : str
+        Name of the function in the library.
+
+    Returns
+    -------
+    code : str
+    result : str, dict or None
+        As `calls.caller` takes it.
+    """
+    kernel = kernel_named(name)
+    part = _callees.of(kernel)
+    part.compile(tuple(numba_type(kind) for kind in kinds))
+    result_type = part.overloads[tuple(numba_type(kind) for kind in kinds)].signature.return_type
+    writer = _Writer()
+    writer.names["kernel"] = part
+    arguments = ", ".join(writer.read(kind) for kind in kinds)
+    lines: list[str] = []
+    told = None if isinstance(result_type, types.NoneType) else writer.write(result_type, "result", lines)
+    source = f"def {symbol}(reals, wholes):\n    result = kernel({arguments})\n{''.join(lines)}"
+    exec(source, writer.names)
+    made = _dispatcher(writer.names[symbol], _ENTRY)
+    pointers = (types.CPointer(types.float64), types.CPointer(types.int64))
+    made.compile(pointers)
+    compiled = made.overloads[pointers]
+    with global_compiler_lock:
+        compiled.library._ensure_finalized()
+    return compiled.library.get_llvm_str() + _wrapper(symbol, compiled.fndesc.llvm_func_name), told
+
+
+def _wrapper(symbol: str, mangled: str) -> str:
+    return (
+        f"\ndefine i32 @{symbol}(ptr %memory) {{\n  %ret = alloca ptr\n  %exc = alloca ptr\n"
+        f"  %status = call i32 @{mangled}(ptr %ret, ptr %exc, ptr %memory, ptr %memory)\n  ret i32 %status\n}}\n"
+    )
+
+
+def takes(kind: Any) -> Any:
+    """What is told of a kind of argument, as `_jit.calls` reads it."""
+    if isinstance(kind, Array):
+        return {"array": [kind.dtype.str if kind.dtype.names is None else kind.dtype.descr, kind.dimensions]}
+    if is_tuple(kind):
+        return {"tuple": [takes(each) for _, each in fields_of(kind)]}
+    return kind.__name__
+
+
+def group_code(entries: Mapping[str, tuple[Any, ...]]) -> tuple[str, dict[str, Any]]:
+    """LLVM's code of a group of entries, and what is told of each."""
+    import llvmlite.binding as llvm
+
+    whole, told = None, {}
+    for name, kinds in entries.items():
+        symbol = "hophoop_" + name.removeprefix("hophoop.").replace(".", "_")
+        with quicker.compiling():
+            text, result = entry_code(name, kinds, symbol)
+        told[name] = {"symbol": symbol, "takes": [takes(kind) for kind in kinds], "gives": result}
+        part = llvm.parse_assembly(text)
+        if whole is None:
+            whole = part
+        else:
+            whole.link_in(part)
+    return str(whole), told
+
+
+def reached() -> list[Path]:
+    """The kernels' sources that this process has imported: what it has compiled depends on no others."""
+    imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
+    return [file for file in files() if file in imported]

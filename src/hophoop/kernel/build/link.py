@@ -1,0 +1,119 @@
+"""From LLVM's code to a library: optimised as a whole for a kind of processor, and linked by zig, for any system."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+HERE = Path(__file__).parent
+SOURCES = (HERE / "level.c", HERE.parents[1] / "module" / "nrt.c")  # which processor there is; what Numba's code asks for
+
+
+class Target(NamedTuple):
+    """A kind of machine.
+
+    Attributes
+    ----------
+    machine : tuple of str
+        `sys.platform` and `platform.machine()` there, in small letters.
+    triple : str
+        As LLVM calls it.
+    zig : str
+        As zig calls it, with the oldest C library.
+    levels : dict
+        Kinds of processors, by the name of the library's file: LLVM's name of each.
+    suffix : str
+        Of the library's file.
+    """
+
+    machine: tuple[str, str]
+    triple: str
+    zig: str
+    levels: dict[str, str]
+    suffix: str
+
+
+_X86 = {"v2": "x86-64-v2", "v3": "x86-64-v3"}
+TARGETS = {
+    "linux-x86_64": Target(("linux", "x86_64"), "x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.28", _X86, ".so"),
+    "linux-aarch64": Target(
+        ("linux", "aarch64"), "aarch64-unknown-linux-gnu", "aarch64-linux-gnu.2.28", {"v1": "generic"}, ".so"
+    ),
+    "musllinux-x86_64": Target(("linux", "x86_64"), "x86_64-unknown-linux-musl", "x86_64-linux-musl", _X86, ".so"),
+    "musllinux-aarch64": Target(
+        ("linux", "aarch64"), "aarch64-unknown-linux-musl", "aarch64-linux-musl", {"v1": "generic"}, ".so"
+    ),
+    "macos-arm64": Target(("darwin", "arm64"), "arm64-apple-macosx11.0.0", "aarch64-macos.11.0", {"v1": "apple-m1"}, ".dylib"),
+    "macos-x86_64": Target(("darwin", "x86_64"), "x86_64-apple-macosx10.15.0", "x86_64-macos.11.0", _X86, ".dylib"),
+    "windows-amd64": Target(("win32", "amd64"), "x86_64-pc-windows-gnu", "x86_64-windows-gnu", _X86, ".dll"),
+}
+
+
+def own_target() -> str:
+    """The name of the target that is this machine.
+
+    Raises
+    ------
+    KeyError
+        If there is none.
+    """
+    import platform
+
+    own = sys.platform, platform.machine().lower()
+    musl = "musl" in (platform.libc_ver()[0] or "musl") if sys.platform == "linux" else False
+    for name, target in TARGETS.items():
+        if target.machine == own and name.startswith("musl") == musl:
+            return name
+    raise KeyError(f"There is no library for {' '.join(own)}.")
+
+
+def optimised(
+    text: str, names: Iterable[str], triple: str, cpu: str, reloc: str = "pic", features: str = ""
+) -> tuple[Any, Any]:
+    """The code made ready for a machine: (LLVM's machine, its module)."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    machine = llvm.Target.from_triple(triple).create_target_machine(
+        cpu=cpu, features=features, opt=3, reloc=reloc, codemodel="default"
+    )
+    text = re.sub(r'target triple = "[^"]*"', f'target triple = "{triple}"', text)
+    text = re.sub(r'target datalayout = "[^"]*"', f'target datalayout = "{machine.target_data}"', text)
+    # Numba's pointers to environments, which this code never reads
+    text = "\n".join(line.replace(" = common ", " = internal ") if line.startswith("@") else line for line in text.splitlines())
+    module = llvm.parse_assembly(text)
+    module.verify()
+    visible = set(names)
+    for function in module.functions:
+        if not function.is_declaration:
+            function.linkage = "external" if function.name in visible else "internal"
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    options.loop_vectorization = options.slp_vectorization = True
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(module, builder)
+    return machine, module
+
+
+def object_of(text: str, names: Iterable[str], target: Target, level: str) -> bytes:
+    """The object file of a group of entries for a kind of processor."""
+    machine, module = optimised(text, names, target.triple, target.levels[level])
+    made: bytes = machine.emit_object(module)
+    return made
+
+
+def linked(objects: Iterable[Path], target: Target, file: Path) -> None:
+    """Link object files into a library."""
+    command = [sys.executable, "-m", "ziglang", "cc", "-target", target.zig, "-shared", "-O2", "-g0"]
+    command += [*map(str, SOURCES), *map(str, objects), "-o", str(file)]
+    if target.suffix != ".dylib":
+        command += ["-Wl,-s"]
+    if target.suffix == ".so":
+        command += ["-lm", "-Wl,--gc-sections", f"-Wl,-soname,{file.name}"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RuntimeError(f"zig could not link {file.name}: {done.stderr.strip()[-2000:]}")

@@ -1,0 +1,199 @@
+"""The library of compiled kernels: equal to the interpreted kernels to the bit, and not used where it is not theirs."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import hophoop as hh
+from hophoop._jit import library as native
+from hophoop._jit import sources
+
+
+def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    path = os.pathsep.join([str(Path(hh.__file__).parents[1]), str(Path(__file__).parents[1])])
+    surroundings = os.environ | {"PYTHONPATH": path} | environment
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
+
+
+def build(folder: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    path = str(Path(hh.__file__).parents[1])
+    return subprocess.run(
+        [sys.executable, "-m", "hophoop.kernel.build", "--out", str(folder), *arguments],
+        capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": path} | environment,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The cache of builds that all workers of this run share."""
+    return tmp_path_factory.getbasetemp().parent / "kernels"
+
+
+@pytest.fixture(scope="session")
+def library(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A library of these sources."""
+    pytest.importorskip("ziglang")
+    filelock = pytest.importorskip("filelock")
+    folder = tmp_path_factory.mktemp("library")
+    with filelock.FileLock(f"{cache}.lock"):
+        done = build(folder, HOPHOOP_BUILD_CACHE=str(cache))
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def told(folder: Path) -> dict:
+    return json.loads((folder / native.TOLD).read_text(encoding="utf-8"))
+
+
+def test_no_entry_is_unknown_to_python():
+    """Each names a kernel, with as many arguments as it takes."""
+    from hophoop.kernel.entries import GROUPS, kernel_named
+
+    for group in GROUPS.values():
+        for name, kinds in group.items():
+            assert kernel_named(name).py_func.__code__.co_argcount == len(kinds), name
+
+
+def test_sources_are_those_that_the_build_reads():
+    files = [file.relative_to(sources.PACKAGE).as_posix() for file in sources.files()]
+    assert {"rigid/kernel.py", "numerics/constants.py", "maps/kernel.py", "kernel/build/code.py"} <= set(files)
+    assert all((sources.PACKAGE / file).is_file() for file in files)
+
+
+def test_an_old_library_is_told_of_and_not_used(tmp_path):
+    about = {"machine": list(_own_machine()), "sources": "0" * 32, "files": {"v2": "none.so"}, "entries": {}}
+    (tmp_path / native.TOLD).write_text(json.dumps(about))
+    done = python("import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)", HOPHOOP_LIBRARY=str(tmp_path))
+    assert done.returncode == 0
+    assert done.stdout == "R\n"
+    assert done.stderr == f"The compiled kernels are older than their sources. To build them anew: {native.BUILD}\n"
+
+
+@pytest.mark.parametrize(
+    "content", ["", "{}", '{"machine": ["beos", "ppc"], "sources": "", "files": {}, "entries": {}}', "no json"]
+)
+def test_a_library_that_is_no_use_is_not_used(content, tmp_path):
+    (tmp_path / native.TOLD).write_text(content)
+    code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
+    done = python(code, HOPHOOP_LIBRARY=str(tmp_path))
+    assert (done.returncode, done.stdout) == (0, "R\n")
+    assert "Traceback" not in done.stderr
+
+
+def _own_machine() -> tuple[str, str]:
+    import platform
+
+    return sys.platform, platform.machine().lower()
+
+
+def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
+    (tmp_path / native.TOLD).write_text("before")
+    code = (
+        "import importlib.metadata as m, sys\n"
+        "def version(name, real=m.version):\n"
+        "    if name == 'ziglang':\n"
+        "        raise m.PackageNotFoundError(name)\n"
+        "    return real(name)\n"
+        "m.version = version\n"
+        "from hophoop.kernel.build.__main__ import main\n"
+        f"sys.exit(main(['--out', {str(tmp_path)!r}]))"
+    )
+    done = python(code)
+    assert done.returncode == 1
+    assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[module]'. What there was before stays.\n"
+    assert (tmp_path / native.TOLD).read_text() == "before"
+
+
+def test_an_unknown_target_is_refused(tmp_path):
+    done = build(tmp_path, "amiga")
+    assert done.returncode == 2
+    assert "target = 'amiga' must be one of linux-x86_64" in done.stderr
+
+
+@pytest.mark.long
+def test_kept_motions_have_their_bits(library):
+    """Events, samples and ledgers, by the code for each kind of processor that this machine can run; Numba is not imported."""
+    import bits_tools
+
+    kept = bits_tools.kept_hashes()
+    about = told(library)
+    for level in about["files"]:
+        folder = library.parent / f"only-{level}"
+        shutil.copytree(library, folder, dirs_exist_ok=True)
+        (folder / native.TOLD).write_text(json.dumps(about | {"files": {level: about["files"][level]}}))
+        code = f"""
+import sys
+import bits_tools
+from hophoop._jit.library import library
+if library() is None:
+    sys.exit(7)
+assert library().level == {level!r}
+bits = [bits_tools.bits_of(bits_tools.hh.simulate(one.scenario)) for one in bits_tools.kept_scenarios()]
+for name in bits_tools.TABLES:
+    print(bits_tools.hash_of(getattr(one, name) for one in bits))
+assert "numba" not in sys.modules
+"""
+        done = python(code, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="compiled")
+        if done.returncode == 7 and level == "v3":
+            continue
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.split() == [kept["events"], kept["samples"], kept["ledger"]]
+
+
+@pytest.mark.long
+def test_what_has_not_changed_is_not_compiled_again(library, cache, tmp_path):
+    done = build(tmp_path, HOPHOOP_BUILD_CACHE=str(cache))
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert told(tmp_path) == told(library)
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_cannot_be_written_to(library, cache, tmp_path):
+    tmp_path.chmod(0o500)
+    done = build(tmp_path / "there", HOPHOOP_BUILD_CACHE=str(cache))
+    assert done.returncode == 1
+    assert "Permission denied" in done.stderr
+
+
+@pytest.mark.long
+def test_maps_derivatives_and_theory_are_those_of_numba(library):
+    """Everything else that Python calls in compiled form."""
+    code = """
+import hashlib, sys
+import numpy as np
+import hophoop as hh
+from hophoop import theory
+from hophoop.maps import sweep
+hoop, plane = hh.Hoop.ideal(0.75), hh.Plane(mu=1.0)
+digest = hashlib.sha256()
+def take(*values):
+    for value in values:
+        digest.update((np.asarray(value, dtype=float) + 0.0).tobytes())
+take(theory.first_slip_speed(hoop, plane), theory.first_hop_speed(hoop, plane), theory.needed_friction(hoop, 1.0, plane)[0])
+take(theory.rolling_time([0.5, 1.0, 3.0], hoop, 2.0, plane))
+take(theory.painleve_threshold([0.5, 1.0], hoop))
+motion = hh.simulate(hh.Scenario(duration=2.0))
+of = ["hop.height", "at(1.0).angle", "greatest_utilization"]
+take(motion.sensitivity(of, ["plane.mu", "hoop.load_fraction"]).derivatives)
+axes = {"start.speed": np.linspace(0.5, 6.0, 12), "plane.mu": np.linspace(0.1, 2.0, 10)}
+found = sweep(hh.Scenario(), axes, ["time", "distance"])
+take(found["time"], found["distance"])
+soft = hh.simulate(hh.Scenario(duration=0.5, contact=hh.Compliant()))
+take(soft.at(soft.times(50)).omega, soft.at(soft.times(50)).normal_force)
+print(digest.hexdigest(), "numba" in sys.modules)
+"""
+    done = python(code, HOPHOOP_LIBRARY=str(library), HOPHOOP_KERNELS="compiled")
+    assert done.returncode == 0, done.stderr
+    mine, imported = done.stdout.split()
+    assert imported == "False"
+    other = python(code, HOPHOOP_LIBRARY=str(library / "none"), HOPHOOP_KERNELS="compiled")
+    assert other.returncode == 0, other.stderr
+    assert other.stdout.split() == [mine, "True"]
