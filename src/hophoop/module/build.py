@@ -81,7 +81,7 @@ def joined(code: Mapping[str, tuple[str, str, tuple[Any, ...]]]) -> str:
 
 def retargeted(text: str, names: Iterable[str]) -> bytes:
     """The object file for WebAssembly."""
-    machine, module = optimised(text, names, TRIPLE, "", "static", "+simd128")
+    machine, module = optimised(text, names, TRIPLE, features="+simd128", reloc="static")
     made: bytes = machine.emit_object(module)
     return made
 

@@ -14,7 +14,7 @@ MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layou
 ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives", "module")
 FILES = (
     *(f"_jit/{name}.py" for name in ("__init__", "dispatchers", "kernels", "plain", "quicker")),  # how they are compiled
-    "maps/friction_use.py", "maps/kernel.py",
+    "kernel/build/link.py", "maps/friction_use.py", "maps/kernel.py",
 )  # fmt: skip
 
 

@@ -72,9 +72,27 @@ def own_target() -> str:
 
 
 def optimised(
-    text: str, names: Iterable[str], triple: str, cpu: str, reloc: str = "pic", features: str = ""
+    text: str, names: Iterable[str], triple: str, cpu: str = "", features: str = "", reloc: str = "pic"
 ) -> tuple[Any, Any]:
-    """The code made ready for a machine: (LLVM's machine, its module)."""
+    """The code made ready for a machine, the plainest of its kind by default.
+
+    Parameters
+    ----------
+    text : str
+        LLVM's code.
+    names : iterable of str
+        Functions that stay visible.
+    triple, cpu, features : str
+        The machine, as LLVM names it.
+    reloc : str, default 'pic'
+        How addresses are written.
+
+    Returns
+    -------
+    machine : llvmlite.binding.TargetMachine
+    module : llvmlite.binding.ModuleRef
+        For `machine.emit_object` or `machine.emit_assembly`.
+    """
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources ba268cd7bcf5eafe58593d83dbc32300 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 845b9121109550a390a410dca319f743 */
 var ql=Object.create;var ro=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Bl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,Wl=Object.prototype.hasOwnProperty;var $l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Hl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Bl(e))!Wl.call(s,i)&&i!==t&&ro(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
 return s};var Gl=(s,e,t)=>(t=s!=null?ql(Fl(s)):{},Hl(e||!s||!s.__esModule?ro(t,"default",{value:s,enumerable:!0}):t,s));var Ga=$l(Cs=>{"use strict";Object.defineProperty(Cs,"__esModule",{value:!0});function Wa(s){return!s||typeof s=="string"?s:s+""}var Vn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1761,7 +1761,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Bo,je=s=>s==="inf"?1/0:s;var _={sources:"0989c9fd185725462d735eac934d6aa2",module:"b78ad6071b500a27",derivatives:"e7f42e7162832560",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Bo,je=s=>s==="inf"?1/0:s;var _={sources:"b6397ada70ee444fc3792ce12a7ad552",module:"b78ad6071b500a27",derivatives:"e7f42e7162832560",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
