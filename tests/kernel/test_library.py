@@ -197,3 +197,14 @@ print(digest.hexdigest(), "numba" in sys.modules)
     other = python(code, HOPHOOP_LIBRARY=str(library / "none"), HOPHOOP_KERNELS="compiled")
     assert other.returncode == 0, other.stderr
     assert other.stdout.split() == [mine, "True"]
+
+
+@pytest.mark.long
+def test_it_is_built_for_another_kind_of_processor(library, cache, tmp_path):
+    """Numba's own code for counts of references had been made for this one."""
+    done = build(tmp_path, "linux-aarch64", HOPHOOP_BUILD_CACHE=f"{cache}-other")
+    assert done.returncode == 0, done.stderr
+    (name,) = told(tmp_path)["files"].values()
+    head = (tmp_path / name).read_bytes()[:20]
+    assert head[:4] == b"\x7fELF"
+    assert int.from_bytes(head[18:20], "little") == 183  # AArch64

@@ -14,6 +14,7 @@ from typing import Any
 
 import numba
 from numba import types
+from numba.core import codegen
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
 from numba.core.compiler_lock import global_compiler_lock
@@ -261,9 +262,12 @@ def takes(kind: Any) -> Any:
 
 
 def group_code(entries: Mapping[str, tuple[Any, ...]]) -> tuple[str, dict[str, Any]]:
-    """LLVM's code of a group of entries, and what is told of each."""
+    """LLVM's code of a group of entries, and what is told of each; for a process that builds something and ends."""
     import llvmlite.binding as llvm
 
+    # what Numba adds by itself, for counts of references, would be optimised for this machine
+    codegen.CPUCodeLibrary._optimize_functions = lambda self, module: None
+    codegen.CPUCodeLibrary._optimize_final_module = lambda self: None
     whole, told = None, {}
     for name, kinds in entries.items():
         symbol = "hophoop_" + name.removeprefix("hophoop.").replace(".", "_")
