@@ -31,10 +31,8 @@ if TYPE_CHECKING:
     from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
-CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in (
-    "",
-    "0",
-)  # read once: a look at the environment takes a tenth of a motion
+# Read once: a look at the environment takes a tenth of a motion.
+CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
 
 @overload

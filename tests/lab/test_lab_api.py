@@ -52,7 +52,7 @@ def test_an_empty_body_is_the_reference_case(client):
 @pytest.mark.parametrize(
     ("path", "body", "status", "said"),
     [
-        ("/api/v1/simulate", {"hoop": {"mass": -1}}, 422, "hoop.mass = -1 must be greater than 0."),
+        ("/api/v1/simulate", {"hoop": {"mass": -1.5}}, 422, "hoop.mass = -1.5 must be greater than 0."),
         ("/api/v1/simulate", {"hop": 1}, 422, "hop is not a known key; did you mean hoop?"),
         ("/api/v1/simulate", [], 422, "the scenario = [] must be a table of keys."),
         ("/api/v1/simulate", {"duration": 1e9}, 413, "duration = 1e+09 must be at most 600 s"),
@@ -66,7 +66,12 @@ def test_an_empty_body_is_the_reference_case(client):
         ("/lab/film", 3, 422, "The body must be a JSON object, not 3."),
         ("/lab/film", {"changes": 1}, 422, "changes = 1 must be a list"),
         ("/lab/film", {"scenario": {"contact": {"model": "soft"}}}, 422, "scenario.contact.model = 'soft' must be 'rigid' or"),
-        ("/lab/film", {"changes": [["hoop.radius", -1], ["start.omega", 2]]}, 422, "hoop.radius = -1 must be greater than 0."),
+        (
+            "/lab/film",
+            {"changes": [["hoop.radius", -1.5], ["start.omega", 2]]},
+            422,
+            "hoop.radius = -1.5 must be greater than 0.",
+        ),
         ("/lab/nothing", {}, 404, "There is no call 'nothing'."),
     ],
 )
@@ -202,6 +207,7 @@ def test_every_default_and_word_in_the_document_is_accepted(client):
     }
 
     def resolved(schema):
+        (schema,) = schema.get("allOf", [schema])  # as pydantic before 2.9 has it
         return schemas[schema["$ref"].rpartition("/")[2]] if "$ref" in schema else schema
 
     request = schemas["MapRequest"]["properties"]

@@ -17,7 +17,6 @@ from hophoop._jit.sources import PACKAGE, stamp
 
 HERE = Path(os.environ.get("HOPHOOP_LIBRARY") or PACKAGE / "kernel" / "library")
 TOLD = "kernels.json"
-SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 BUILD = "python -m hophoop.kernel.build"
 
 
@@ -50,12 +49,6 @@ class Library:
 def _levels(told: dict[str, Any]) -> list[str]:
     """The libraries from the one that asks most of the processor to the one that asks least."""
     return sorted(told["files"], reverse=True)
-
-
-def reason() -> str:
-    """Why there is no compiled code; empty where there is."""
-    found = _found()
-    return found if isinstance(found, str) else ""
 
 
 @cache

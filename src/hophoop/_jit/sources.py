@@ -9,7 +9,7 @@ PACKAGE = Path(__file__).parents[1]
 # Rooms whose files are kernels, files of other rooms, and what says how they are compiled.
 ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives")
 FILES = (
-    "maps/friction_use.py", "maps/kernel.py", "kernel/entries.py", "_jit/kernels.py", "_jit/quicker.py",
+    "maps/friction_use.py", "maps/kernel.py", "kernel/entries.py", "_jit/kernels.py", "_jit/dispatchers.py", "_jit/quicker.py",
     "kernel/build/code.py", "kernel/build/link.py", "kernel/build/level.c", "module/nrt.c",
 )  # fmt: skip
 

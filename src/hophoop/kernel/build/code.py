@@ -1,4 +1,4 @@
-"""The entries as LLVM's code, by Numba: all that rests on its private names.
+"""The entries as LLVM's code, by Numba.
 
 Numba types and lowers each kernel once; none is optimised by itself, so that the code knows no machine. An entry is a function
 of one address, behind which its arguments lie (see `_jit.calls`).
@@ -15,62 +15,21 @@ from typing import Any
 import numba
 from numba import types
 from numba.core import codegen
-from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
 from numba.core.compiler_lock import global_compiler_lock
-from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
-from numba.core.typed_passes import NativeLowering
 from numba.extending import intrinsic
 
-from hophoop._jit import quicker
+from hophoop._jit import dispatchers, quicker
 from hophoop._jit.kernels import Namespaces, Source
 from hophoop._jit.sources import files
 from hophoop.kernel.entries import Array, fields_of, is_tuple, kernel_named
 
 
-class _Part(JITCodeLibrary):  # type: ignore[misc]
-    """Code that is only ever linked into that of an entry."""
-
-    _linking_libraries: list[Any]
-
-    def finalize(self) -> None:
-        self._raise_if_finalized()
-        self.parts = tuple(self._linking_libraries)
-        self._finalized = True
-
-
-class _Whole(JITCodeLibrary):  # type: ignore[misc]
+class _Whole(dispatchers._Library):
     """An entry with all of its parts, linked and left as it is."""
 
-    _linking_libraries: list[Any]
-
-    def _optimize_functions(self, module: Any) -> None:
-        module.data_layout = self._codegen._data_layout
-
-    def finalize(self) -> None:
-        found: dict[Any, None] = {}
-        waiting = list(self._linking_libraries)
-        while waiting:
-            library = waiting.pop(0)
-            if library not in found:
-                found[library] = None
-                waiting += getattr(library, "parts", ())
-        self._linking_libraries = list(found)
-        super().finalize()
-
     def _optimize_final_module(self) -> None:
-        # LLVM drops what nothing calls yet: link again until nothing is missing
-        waiting = self._linking_libraries
-        while waiting:
-            missing = {function.name for function in self._final_module.functions if function.is_declaration}
-            waiting = [
-                library
-                for library in waiting
-                if any(not made.is_declaration and made.name in missing for made in library._get_module_for_linking().functions)
-            ]
-            for library in waiting:
-                self._final_module.link_in(library._get_module_for_linking(), preserve=True)
+        self._link_again()
 
     def _finalize_final_module(self) -> None:
         self._finalize_dynamic_globals()
@@ -78,65 +37,12 @@ class _Whole(JITCodeLibrary):  # type: ignore[misc]
         self._finalized = True  # no machine code is made
 
 
-class _ApartLower(Lower):  # type: ignore[misc]
-    """Lowering of code that is never inlined."""
-
-    def setup_function(self, fndesc: Any) -> None:
-        super().setup_function(fndesc)
-        self.function.attributes.add("noinline")
-
-
-def _compiler(library: type[JITCodeLibrary], lower: type[Lower]) -> type[CompilerBase]:
-    class Lowering(NativeLowering):  # type: ignore[misc]
-        _name = f"{library.__name__}{lower.__name__}"
-        lowering_class = lower
-
-        def run_pass(self, state: Any) -> bool:
-            state.library = library(state.targetctx.codegen(), state.func_id.func_qualname)
-            state.flags.no_compile = True
-            super().run_pass(state)
-            made = state["cr"]
-            part: Any = {}.get  # Numba wants a builtin for a key, one for each; nobody calls it
-            state.targetctx.insert_user_function(part, made.fndesc, [state.library])
-            state["cr"] = _LowerResult(made.fndesc, made.call_helper, cfunc=part, env=made.env)
-            return True
-
-    lowering = register_pass(mutates_CFG=True, analysis_only=False)(Lowering)
-
-    class Compiler(CompilerBase):  # type: ignore[misc]
-        def define_pipelines(self) -> list[Any]:
-            pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
-            pipeline.passes = [(lowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
-            pipeline.finalize()
-            return [pipeline]
-
-    return Compiler
-
-
-_PART, _APART, _ENTRY = _compiler(_Part, Lower), _compiler(_Part, _ApartLower), _compiler(_Whole, Lower)
-
-
-def _dispatcher(function: FunctionType, pipeline: type[CompilerBase], **options: Any) -> Any:
-    options |= {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    made = numba.njit(pipeline_class=pipeline, **options)(function)  # noqa: TID251
-    general = made.get_call_template
-
-    def get_call_template(arguments: Any, keywords: Any) -> Any:
-        # Numba would compile a function anew for each constant that it is called with: a third of the time to compile
-        return general(
-            [types.unliteral(kind) for kind in arguments],
-            {name: types.unliteral(kind) for name, kind in keywords.items()},
-        )
-
-    made.get_call_template = get_call_template
-    return made
+_ENTRY = dispatchers._compiler(dispatchers._PartLowering, _Whole, Lower)
 
 
 def _callee(kernel: Source, function: FunctionType) -> Any:
-    options = {"forceinline": kernel.options.forceinline}  # also where it is False: a part that is inlined would hand it on
-    if not kernel.options.nrt:
-        options["_nrt"] = False
-    return _dispatcher(function, _APART if kernel.options.apart else _PART, **options)
+    left = Source(kernel.py_func, kernel.options._replace(outer=True))  # optimised only as a part of the whole
+    return dispatchers._dispatcher(left, function, entry=False)
 
 
 _callees = Namespaces(_callee)
@@ -236,7 +142,9 @@ def entry_code(name: str, kinds: tuple[Any, ...], symbol: str) -> tuple[str, Any
     told = None if isinstance(result_type, types.NoneType) else writer.write(result_type, "result", lines)
     source = f"def {symbol}(reals, wholes):\n    result = kernel({arguments})\n{''.join(lines)}"
     exec(source, writer.names)
-    made = _dispatcher(writer.names[symbol], _ENTRY)
+    made = numba.njit(  # noqa: TID251
+        error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True, pipeline_class=_ENTRY
+    )(writer.names[symbol])
     pointers = (types.CPointer(types.float64), types.CPointer(types.int64))
     made.compile(pointers)
     compiled = made.overloads[pointers]
