@@ -151,7 +151,6 @@ def errors() -> tuple[float, float]:
     return worst(ours), worst(theirs)
 
 
-@jit
 def again(number, body, start, t_end, events, segments, scratch):
     """The motion so many times over from compiled code, as maps call it."""
     found = 0

@@ -26,7 +26,6 @@ from typing import Any
 import numpy as np
 
 import hophoop as hh
-from hophoop._jit import jit
 from hophoop.arbitration import LATEST
 from hophoop.maps.kernel import CELL, DURATION, body_of, second_of, start_of
 from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
@@ -95,7 +94,6 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
     return np.array([float(values[name]) for name in CELL]) + 0.0
 
 
-@jit
 def energies(body, height, x, angle, low, slip, vy, omega):
     """Kinetic and potential energy, from the velocity of G; θ is angle + low."""
     s, c = math.sin(angle), math.cos(angle)
@@ -108,7 +106,6 @@ def energies(body, height, x, angle, low, slip, vy, omega):
     return kinetic, potential
 
 
-@jit
 def measure(body, events, count, segments, pieces, out, times, worst):
     """Fill `worst` with the largest violations of one motion, each beside what it is to be judged by."""
     first = events[0]
@@ -160,7 +157,6 @@ def measure(body, events, count, segments, pieces, out, times, worst):
         worst[POWER] = max(worst[POWER], friction * row[7] / ((force + abs(friction)) * (1.0 + abs(row[7]))))
 
 
-@jit
 def one_motion(cell, events, segments, scratch):
     """Status and numbers of events and segments."""
     second = second_of(cell, 0)
@@ -169,7 +165,6 @@ def one_motion(cell, events, segments, scratch):
     return run(body, start, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch, events[:0])
 
 
-@jit
 def evaluate(cells, mirrors, kinds, worst, doubts):
     """Rows of statuses, numbers of events of each kind, and worst violations."""
     scratch = new_scratch()

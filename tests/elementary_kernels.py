@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arccosine, arcsine, arctangent, arctangent2, hypotenuse
 from hophoop.numerics.circular import cosine, sine, sine_and_cosine, tangent
 from hophoop.numerics.exponentials import binary_logarithm, exponential, logarithm, logarithm_1p, power
@@ -18,7 +17,6 @@ NAMES = [*ONE, *TWO]
 BOTH = len(NAMES)  # the two rows of sine_and_cosine
 
 
-@jit
 def evaluate(x, y, out):
     """All functions of every x, or of x and y."""
     for i in range(x.shape[0]):

@@ -13,7 +13,6 @@ import platform
 import shutil
 import zipfile
 from collections.abc import Mapping
-from importlib.metadata import version as installed_version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._checksum import CHECKSUM, checksum, seal
 from hophoop._extras import need
 from hophoop._files import replacing
+from hophoop._native.sources import stamp
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
 from hophoop.results import Motion, Sample
 from hophoop.scenario import InputError
@@ -282,7 +282,7 @@ def _attributes(motion: Motion) -> dict[str, str]:
             {
                 "python": platform.python_version(),
                 "numpy": np.__version__,
-                "numba": installed_version("numba"),
+                "kernels": stamp(),
                 "machine": f"{platform.system()} {platform.machine()}",
             }
         ),

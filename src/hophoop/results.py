@@ -9,6 +9,7 @@ from typing import Any, Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._native import compiled
 from hophoop.physics.friction import utilizations
 from hophoop.scenario import Plane, Scenario
 from hophoop.units import Units
@@ -362,7 +363,7 @@ def utilization_of(
     columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)
     share = np.empty(columns[0].shape)
     slipping, force, pressure, mu_s, mu_k = (np.array(column).reshape(-1) for column in columns)
-    utilizations(slipping, force, pressure, mu_s, mu_k, share.reshape(-1))
+    compiled(utilizations)(slipping, force, pressure, mu_s, mu_k, share.reshape(-1))
     return share
 
 

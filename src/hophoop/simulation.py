@@ -12,15 +12,13 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 import hophoop
-from hophoop._jit import interpreted, precompile
-from hophoop._jit.beside import Job
+from hophoop._native import compiled
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Body, Status
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
 from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
-from hophoop.rigid import sampling
-from hophoop.rigid.kernel import run
+from hophoop.rigid import kernel
 from hophoop.rigid.script import fill_script
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
 from hophoop.scenario.scenario import time_unit, to_body
@@ -31,6 +29,7 @@ if TYPE_CHECKING:
     from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
+_run = compiled(kernel.run)
 # Read once: a look at the environment takes a tenth of a motion.
 CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
@@ -172,37 +171,6 @@ def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence
     return simulate(scenario).sensitivity(of, wrt)
 
 
-def compile_beside(compliant: bool = False) -> Job | None:
-    """Compile what motions need in a process beside, where there is no compiled code yet.
-
-    For what computes motions for long enough to be worth it; `simulate` does the same by itself after a while.
-
-    Parameters
-    ----------
-    compliant : bool, default False
-        Whether motions with compliant contact are among them.
-
-    Returns
-    -------
-    job : hophoop._jit.beside.Job, or None where nothing is to be compiled
-    """
-    scenario = Scenario()
-    body = to_body(scenario.hoop, scenario.plane)
-    events, segments, scratch = np.empty(1, EVENT), np.empty(1, SEGMENT), new_scratch()
-    start = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    times = np.zeros(1)
-    out = np.empty((1, len(sampling.COLUMNS)))
-    calls = [  # the quickest first: who draws can go on
-        (sampling.sample, (body, segments, times, False, out)),
-        (run, (body, start, 1.0, math.nan, 0, events, segments, scratch, NO_SCRIPT)),
-    ]
-    if compliant:
-        from hophoop.compliant.kernel import run_call
-
-        calls.append(run_call())
-    return precompile(calls)
-
-
 def start_of(scenario: Scenario) -> State:
     """The start of a motion in the kernel's units.
 
@@ -218,7 +186,7 @@ def start_of(scenario: Scenario) -> State:
     second = time_unit(hoop, scenario.plane)
     given = scenario.start.state(hoop)
     speed = hoop.radius / second
-    start: State = interpreted(start_state)(
+    start: State = start_state(
         given.x / hoop.radius,
         given.height / hoop.radius,
         given.angle,
@@ -271,7 +239,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     while True:
         events = _tables.events if events_size == len(_tables.events) else np.empty(events_size, EVENT)
         segments = _tables.segments if segments_size == len(_tables.segments) else np.empty(segments_size, SEGMENT)
-        status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
+        status, count, pieces = _run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
         if not script.size and not math.isnan(scratch.doubt[0]):
             doubt = float(scratch.doubt[0])
         if status == Status.BUFFER:
@@ -321,7 +289,7 @@ def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:
     while True:
         segments = np.empty(length, SEGMENT)
         with np.errstate(all="ignore"):
-            count = interpreted(fill_script)(body, script, segments, new_scratch())
+            count = fill_script(body, script, segments, new_scratch())
         if count >= 0:
             return first_rows(segments, count)
         length *= 16

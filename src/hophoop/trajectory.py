@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop import export, portrait
 from hophoop._fingerprint import STATE, fingerprint
-from hophoop._jit import interpreted
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
 from hophoop.physics.energy import energies_after
 from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
@@ -422,7 +421,7 @@ class Trajectory:
 
     def _energies(self, row: np.void) -> tuple[float, float]:
         """Kinetic and potential energy just after an event."""
-        kinetic, potential = interpreted(energies_after)(self.scenario.to_body(), row)
+        kinetic, potential = energies_after(self.scenario.to_body(), row)
         return float(kinetic) * self.units.energy, float(potential) * self.units.energy
 
     def _stored(self, t: float, left: bool) -> dict[str, float]:

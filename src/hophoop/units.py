@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._jit import interpreted
+from hophoop._native import compiled
 from hophoop.records.times import kernel_times
 from hophoop.records.units import Scales, scales_from
 from hophoop.scenario import Scenario
@@ -40,7 +40,7 @@ class Units:
     @cached_property
     def scales(self) -> Scales:
         """All of them, as the kernels have them."""
-        found: Scales = interpreted(scales_from)(self.length, self.time, self.mass)
+        found: Scales = scales_from(self.length, self.time, self.mass)
         return found
 
     @property
@@ -64,7 +64,7 @@ class Units:
             At most the end of the motion [√(R/g)].
         """
         found: NDArray[np.float64] = np.empty(times.shape)
-        kernel_times(np.ascontiguousarray(segments["t"]), float(segments["t_end"][-1]), times, self.time, found)
+        compiled(kernel_times)(np.ascontiguousarray(segments["t"]), float(segments["t_end"][-1]), times, self.time, found)
         return found
 
     def of(self, name: str) -> float:

@@ -77,7 +77,6 @@ def test_compiled_and_interpreted_agree(away, monkeypatch):
     assert found.tobytes() == compiled.tobytes()
 
 
-@jit
 def reduced(angle):
     """What the compiled kernel makes of an angle."""
     return nearest_whole(angle), from_top(angle), turns_and_rest(angle)

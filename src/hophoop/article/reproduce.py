@@ -22,7 +22,6 @@ from hophoop.article.figures import FIGURES, drawn
 from hophoop.article.runs import Runs
 from hophoop.article.statement import FAILS, Statement
 from hophoop.article.statements import count, statements
-from hophoop.simulation import compile_beside
 
 DPI = 160
 TIDIES = 0.5  # seconds that the process of the films has to end when it is stopped
@@ -64,7 +63,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         Folder to write to, made if it is not there: ``index.html``, ``statements.json``, ``figures/`` and
         ``films/``.
     progress : callable, optional
-        Called with the name of a stage ('kernels', 'statements', 'figures', 'films'), how many steps are done
+        Called with the name of a stage ('statements', 'figures', 'films'), how many steps are done
         and of how many.
     with_films : bool, default True
         Whether films are made, where the extra ``films`` is installed.
@@ -85,13 +84,9 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     (folder / "figures").mkdir(parents=True, exist_ok=True)
     say = progress or _silent
     runs = Runs()
-    job = compile_beside(compliant=True)
     # beside figures and statements, which take as long
     with _films_beside(folder / "films") if with_films else nullcontext() as beside:
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
-            if figure.long and job is not None and not job.done:
-                job.wait(lambda done, total: say("kernels", done, total))
-                say("kernels", job.total, job.total)
             with _style():
                 sheet = drawn(figure, runs)
                 for ending in ("png", "svg"):
@@ -99,7 +94,6 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
                         sheet.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
                     sheet.set_layout_engine("none")  # it is laid out; doing so again takes half of the time
             say("figures", k + 1, len(FIGURES))
-        # some of them follow a motion for very long, by when compiled code is there
         checked = _checked(runs, say)
         _write_json(folder, checked)
         made: list[Path] = []

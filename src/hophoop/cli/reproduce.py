@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from hophoop.article import Statement
 
 STAGES = {
-    "kernels": "compiling, this once",
     "statements": "checking statements",
     "figures": "drawing figures",
     "films": "making films",

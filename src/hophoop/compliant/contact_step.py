@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.compliant.events import FRICTION_CHANGE, GUARDS, NONE, first_exit, guard, remaining, sign_change
 from hophoop.compliant.motion import rates
 from hophoop.compliant.phase import FLIGHT, Phase, begun, ended, keep, mode_of, note, tried, within_turn
@@ -33,7 +32,6 @@ SHORTEST = 1e-40
 STILL = 1e-11
 
 
-@jit
 def first_step(body, comp, regime, u, rtol):
     """Length of a step that resolves the fastest transient of a contact that begins."""
     s, c = sine_and_cosine(u[TH])
@@ -49,7 +47,6 @@ def first_step(body, comp, regime, u, rtol):
     return 0.3 * power(rtol, 1.0 / ORDER_OF_ERROR) / speed
 
 
-@jit
 def at_rest(body, comp, regime, u, work):
     """(whether the hoop rests, whether stably)."""
     speed = max(abs(u[VT]), abs(u[VN]), abs(u[OM]))
@@ -65,7 +62,6 @@ def at_rest(body, comp, regime, u, work):
     return stable or speed < 1e-15, stable
 
 
-@jit
 def arm(comp, regime, armed, work):
     """Which guards can fall from here."""
     u = work.state
@@ -74,7 +70,6 @@ def arm(comp, regime, armed, work):
         armed[which] = value > floor
 
 
-@jit
 def come_to_rest(phase, t_end, stable, log, rows, work):
     """(the end at rest, segments)."""
     note(log, REST, phase.mode, phase.mode, phase.t, phase.turns, work.state)
@@ -84,7 +79,6 @@ def come_to_rest(phase, t_end, stable, log, rows, work):
     return ended(phase, t_end, AT_REST), rows
 
 
-@jit
 def shorten(body, comp, regime, which, s, length, rtol, work):
     """Step again, to end where a guard falls, and until it does so to its floor: (length, whether all steps held)."""
     for _ in range(6):
@@ -99,7 +93,6 @@ def shorten(body, comp, regime, which, s, length, rtol, work):
     return length, True
 
 
-@jit
 def accept(phase, after, behind, length, log, rows, work):
     """(the phase after a step, segments), with the turning point on the way."""
     u = work.state
@@ -121,7 +114,6 @@ def accept(phase, after, behind, length, log, rows, work):
     return Phase(after, turns, behind, phase.mode, phase.regime, False, phase.h, length, way, phase.status), rows
 
 
-@jit
 def change(comp, phase, which, armed, log, work):
     """The phase after a guard has fallen: another regime of the friction, or flight."""
     u = work.state
@@ -144,7 +136,6 @@ def change(comp, phase, which, armed, log, work):
     return Phase(phase.t, phase.turns, phase.behind, mode, regime, False, phase.h, phase.before, phase.way, phase.status)
 
 
-@jit
 def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     """(the phase one step later, segments); after a step that failed the phase is the same, with a shorter one."""
     u = work.state

@@ -7,42 +7,34 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 
-
-@jit
 def product(a, b):
     """a b of complex numbers."""
     return complex(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
 
 
-@jit
 def scaled(a, factor):
     """A complex number times a real one."""
     return complex(a.real * factor, a.imag * factor)
 
 
-@jit
 def divided(a, divisor):
     """A complex number over a real one."""
     return complex(a.real / divisor, a.imag / divisor)
 
 
-@jit
 def reciprocal(a):
     """1/a of a complex number."""
     square = a.real * a.real + a.imag * a.imag
     return complex(a.real / square, -a.imag / square)
 
 
-@jit
 def exchange_rows(matrix, one, other):
     """Exchange two rows in place."""
     for j in range(matrix.shape[1]):
         matrix[one, j], matrix[other, j] = matrix[other, j], matrix[one, j]
 
 
-@jit
 def exchange_entries(side, pivots):
     """Bring the right-hand side into the order of the factors."""
     for k in range(side.shape[0]):
@@ -51,7 +43,6 @@ def exchange_entries(side, pivots):
             side[k], side[best] = side[best], side[k]
 
 
-@jit
 def factor(matrix, pivots):
     """LU factors of a small real matrix in place; False where it is singular."""
     n = matrix.shape[0]
@@ -75,7 +66,6 @@ def factor(matrix, pivots):
     return True
 
 
-@jit
 def solve(matrix, pivots, side):
     """Solve with the factors, in place."""
     n = matrix.shape[0]
@@ -89,13 +79,11 @@ def solve(matrix, pivots, side):
         side[i] /= matrix[i, i]
 
 
-@jit
 def size_of(a):
     """abs(Re a) + abs(Im a), by which pivots are chosen."""
     return abs(a.real) + abs(a.imag)
 
 
-@jit
 def factor_complex(matrix, pivots):
     """LU factors of a small complex matrix in place, with reciprocals of the pivots; False where it is singular."""
     n = matrix.shape[0]
@@ -120,7 +108,6 @@ def factor_complex(matrix, pivots):
     return True
 
 
-@jit
 def solve_complex(matrix, pivots, side):
     """Solve with the complex factors, in place."""
     n = matrix.shape[0]

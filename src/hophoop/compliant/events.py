@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from hophoop._jit import jit
 from hophoop.compliant.records import VN, VT, Y, Z
 from hophoop.compliant.step import poly_value
 from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT, bristle_rate, creep_speed, normal_force
@@ -13,7 +12,6 @@ NONE = -1
 SAMPLES = 12  # places in a step at which every guard is looked at
 
 
-@jit
 def guard(comp, regime, which, y, vt, vn, z):
     """(value, floor): positive inside the regime; a guard is on its surface while within ± floor of 0."""
     normal = normal_force(comp, y, vn)[0]
@@ -36,7 +34,6 @@ def guard(comp, regime, which, y, vt, vn, z):
     return (limit - abs(vt) if regime == 0 else regime * vt - limit), 1e-8 * limit
 
 
-@jit
 def guard_at(comp, regime, which, poly, s):
     """`guard` on the dense output."""
     return guard(
@@ -45,7 +42,6 @@ def guard_at(comp, regime, which, poly, s):
     )  # fmt: skip
 
 
-@jit
 def first_exit(comp, regime, poly, armed):
     """(guard, s) of the first one to fall through zero in the step, or NONE.
 
@@ -79,7 +75,6 @@ def first_exit(comp, regime, poly, armed):
     return which, best
 
 
-@jit
 def _fall(comp, regime, which, poly, low, high):
     """Root of a guard that is positive at `low` and negative at `high`, by Illinois' secants."""
     f_low = guard_at(comp, regime, which, poly, low)[0]
@@ -111,7 +106,6 @@ def _fall(comp, regime, which, poly, low, high):
     return high
 
 
-@jit
 def remaining(comp, regime, which, poly):
     """Factor to the length of a step that was to end where a guard falls; 1 if it does."""
     value, floor = guard_at(comp, regime, which, poly, 1.0)
@@ -125,7 +119,6 @@ def remaining(comp, regime, which, poly):
     return min(max(1.0 - value / slope, 0.5), 1.5)
 
 
-@jit
 def sign_change(poly, m):
     """Place in the step where a variable that changes sign over it is zero."""
     low = 0.0

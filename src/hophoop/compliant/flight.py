@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note, turned, within_turn
 from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.numerics.circular import sine_and_cosine
@@ -26,7 +25,6 @@ PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J�
 LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
 
 
-@jit
 def fly_state(body, comp, begin, opening, tau, out):
     """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Returns the turns made."""
     s, c = sine_and_cosine(begin[TH])
@@ -51,7 +49,6 @@ def fly_state(body, comp, begin, opening, tau, out):
     return turns
 
 
-@jit
 def _regain(comp, y, vn):
     """Negative of what must be positive for the contact to act again below the plane's level."""
     if comp.law == KELVIN_VOIGT:
@@ -59,7 +56,6 @@ def _regain(comp, y, vn):
     return comp.d * vn - 1.0
 
 
-@jit
 def fly_below(body, comp, begin, opening, limit, work):
     """(what, τ): a flight below the plane's level gets CLEAR of it, has LANDED again, or LASTS; GIVEN_UP after many turns."""
     s, c = sine_and_cosine(begin[TH])
@@ -96,7 +92,6 @@ def fly_below(body, comp, begin, opening, limit, work):
     return GIVEN_UP, start
 
 
-@jit
 def fly_above(body, begin, opening, zeros, limit):
     """(what, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
     landing, apex, seen = first_landing(body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit)
@@ -105,7 +100,6 @@ def fly_above(body, begin, opening, zeros, limit):
     return (GIVEN_UP if seen < limit else LASTS), seen, apex
 
 
-@jit
 def flight_step(body, comp, phase, t_end, log, rows, work):
     """(the phase after a flight, segments)."""
     u = work.state

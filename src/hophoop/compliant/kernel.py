@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
-from hophoop._jit import jit
+from hophoop._native import compiled
 from hophoop.compliant.contact_step import contact_step
 from hophoop.compliant.events import GUARDS
 from hophoop.compliant.flight import flight_step
@@ -38,14 +37,13 @@ from hophoop.physics.compliant import BRISTLE, first_regime, normal_force
 from hophoop.records.layout import EVENT
 from hophoop.records.layout import SEGMENT as RIGID_SEGMENT
 from hophoop.records.writing import Log, count_panel, has_room
-from hophoop.scenario import Compliant, Scenario
+from hophoop.scenario import Scenario
 
 START, END = np.int64(Event.START), np.int64(Event.END)
 NO_MODE = np.int64(-1)
 COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 
 
-@jit
 def set_tolerances(body, comp, work):
     """Sizes of the variables beside which errors are measured."""
     work.atol[Y] = min(1.0, 1.0 / comp.k)
@@ -60,7 +58,6 @@ def set_tolerances(body, comp, work):
         work.atol[m] = 1.0
 
 
-@jit
 def begin(comp, touching, log, work):
     """The first phase of a motion."""
     u = work.state
@@ -74,7 +71,6 @@ def begin(comp, touching, log, work):
     return Phase(0.0, turns, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
 
 
-@jit
 def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached):
     """The motion from a state to the end of time.
 
@@ -123,22 +119,12 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     return COMPLETED if phase.status == GOING else phase.status, log.written[0], rows, log.written[1]
 
 
-@jit
 def run_into(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached, kept):
     """`run` with its segments copied into `kept`, as many as it has room for; (status, number of events, of segments)."""
     status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached)
     for k in range(min(pieces, kept.shape[0])):
         kept[k] = rows[k]
     return status, count, pieces
-
-
-def run_call() -> tuple[Any, tuple[Any, ...]]:
-    """`run_into`, and arguments that it could be called with: to compile it before it is."""
-    scenario = Scenario(contact=Compliant())
-    body, comp, t_end, rtol = to_compliance(scenario)
-    start, touching = to_start(scenario, body, comp)
-    nothing, rows = np.empty(0, RIGID_SEGMENT), np.empty((1, WIDTH))
-    return run_into, (body, comp, start, touching, t_end, rtol, MAX_STEPS, np.empty(1, EVENT), nothing, np.zeros(1), rows)
 
 
 FIRST_EVENTS = 256
@@ -173,7 +159,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
     while True:
         events = np.empty(size, EVENT)
         rows = np.empty((room, WIDTH))
-        status, count, pieces = run_into(
+        status, count, pieces = compiled(run_into)(
             body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT), reached, rows
         )
         if pieces > room:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from hophoop._jit import jit
 from hophoop.compliant.records import DAMPING, DYNAMIC, FRICTION, OM, RESISTED, TH, VN, VT, X, Y, Z
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force, resisting_couple, spring_energy
@@ -10,14 +9,12 @@ from hophoop.physics.contact import delassus, free_acceleration
 from hophoop.physics.energy import kinetic_energy, potential_energy
 
 
-@jit
 def contact_force(comp, regime, u):
     """(F, N) in contact."""
     normal = normal_force(comp, u[Y], u[VN])[0]
     return friction_force(comp, regime, normal, u[Z], u[VT])[0], normal
 
 
-@jit
 def rates(body, comp, regime, u, out):
     """Time derivatives of the dynamic variables."""
     s, c = sine_and_cosine(u[TH])
@@ -39,7 +36,6 @@ def rates(body, comp, regime, u, out):
         out[Z] = bristle_rate(comp, regime, normal, u[Z], u[VT])
 
 
-@jit
 def powers(body, comp, regime, u, out, begin):
     """ẋ and the power lost in friction, in the normal damper and to rolling resistance, from out[begin] on."""
     friction, normal = contact_force(comp, regime, u)
@@ -54,14 +50,12 @@ def powers(body, comp, regime, u, out, begin):
         out[begin + RESISTED - DYNAMIC] = -resisting_couple(comp, body.resist, normal, u[OM])[0] * u[OM]
 
 
-@jit
 def stored(body, comp, u):
     """(energy of motion and in the springs, potential energy as at x = 0)."""
     moving = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
     return moving + spring_energy(comp, u[Y], u[Z]), potential_energy(body, 0.0, u[Y], u[TH])
 
 
-@jit
 def jacobian(body, comp, regime, u, out):
     """∂(rates)/∂u."""
     s, c = sine_and_cosine(u[TH])

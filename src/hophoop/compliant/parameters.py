@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from hophoop._jit import interpreted, jit
 from hophoop.compliant.records import OM, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.physics.body import Body
@@ -33,7 +32,6 @@ RTOL = 1e-9
 ROUNDING = 1e-13  # of f_n, beside gravity and θ̇²
 
 
-@jit
 def least_restitution(k):
     """The restitution that stands for all smaller ones, which no finite damping gives.
 
@@ -42,7 +40,6 @@ def least_restitution(k):
     return min(0.1, 1.0 / math.sqrt(k))
 
 
-@jit
 def compliance_of(body, length, second, mass, law, friction, stiffness, damping, restitution, slip_speed, tangential):
     """The contact's numbers in the kernel's units from those in SI units; nan stands for what it chooses by itself."""
     k = STIFFNESS if math.isnan(stiffness) else stiffness * (second * second) / mass
@@ -73,7 +70,6 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
     return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
 
 
-@jit
 def chosen_in_si(comp, length, second, mass):
     """The stiffness [N/m] and the slip speed [m/s] of a contact in kernel units."""
     return comp.k * mass / (second * second), comp.v_s * length / second
@@ -106,7 +102,7 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
         math.nan if value is None else value
         for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
     ]
-    compliance: Compliance = interpreted(compliance_of)(body, hoop.radius, second, hoop.mass, law, friction, *given)
+    compliance: Compliance = compliance_of(body, hoop.radius, second, hoop.mass, law, friction, *given)
     rtol = RTOL if contact.rtol is None else contact.rtol
     return body, compliance, scenario.duration / second, rtol
 
@@ -136,11 +132,10 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     start[VT] = given.slip / speed
     start[VN] = given.vy / speed
     start[OM] = given.omega * second
-    touching: bool = interpreted(load_contact)(body, comp, start)
+    touching: bool = load_contact(body, comp, start)
     return start, touching
 
 
-@jit
 def load_contact(body, comp, start):
     """Whether the contact acts at a start, which is changed in place to have its spring loaded.
 
@@ -163,7 +158,6 @@ def load_contact(body, comp, start):
     return True
 
 
-@jit
 def rigid_force(body, start):
     """(F, N) that rigid contact would have in a state without approach."""
     s, c = sine_and_cosine(start[TH])
@@ -185,7 +179,6 @@ def rigid_force(body, start):
     return 0.0, 0.0
 
 
-@jit
 def direction(value):
     """Its sign, −1, 0 or 1."""
     return 1 if value > 0.0 else (-1 if value < 0.0 else 0)

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.compliant.records import (
     FIRST,
     FRICTION,
@@ -55,25 +54,21 @@ class Phase(NamedTuple):
     status: int  # GOING, or how the motion ended
 
 
-@jit
 def begun(phase, t, mode, regime):
     """The phase that begins at a time."""
     return Phase(t, phase.turns, phase.behind, mode, regime, True, phase.h, phase.before, phase.way, GOING)
 
 
-@jit
 def tried(phase, h, before):
     """The same phase, to be tried again with another step."""
     return Phase(phase.t, phase.turns, phase.behind, phase.mode, phase.regime, False, h, before, phase.way, GOING)
 
 
-@jit
 def ended(phase, t, status):
     """The motion ends in this phase."""
     return Phase(t, phase.turns, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.way, status)
 
 
-@jit
 def within_turn(turns, th):
     """(turns, θ) with θ counted in the turn it is in, once it is far from the present one."""
     if abs(th) <= FARTHEST:
@@ -82,7 +77,6 @@ def within_turn(turns, th):
     return turns + more, rest + low
 
 
-@jit
 def turned(phase, turns):
     """The same phase, so many turns further."""
     return Phase(
@@ -91,7 +85,6 @@ def turned(phase, turns):
     )  # fmt: skip
 
 
-@jit
 def mode_of(regime):
     """The mode that a regime of the friction is called."""
     if regime == 0:
@@ -99,7 +92,6 @@ def mode_of(regime):
     return SKID if regime > 0 else SPIN
 
 
-@jit
 def as_state(t, turns, u):
     """The state as events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
@@ -107,7 +99,6 @@ def as_state(t, turns, u):
     return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
 
 
-@jit
 def note(log, kind, before, after, t, turns, u):
     """Append an event that changes no velocity."""
     state = as_state(t, turns, u)
@@ -116,7 +107,6 @@ def note(log, kind, before, after, t, turns, u):
         log.events[log.written[0] - 1]["collision"] = 1
 
 
-@jit
 def keep(log, rows, phase, t_end, kind, length, work):
     """Append a segment; returns the array, which may be a longer copy."""
     pieces = log.written[1]

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.compliant.tableau import PAIRS, STAGES
 from hophoop.numerics.collocation import ORDER
 from hophoop.numerics.roots import DEPTH
@@ -59,7 +58,6 @@ class Work(NamedTuple):
     stack: np.ndarray
 
 
-@jit
 def new_work():
     """A fresh set of arrays."""
     return Work(
@@ -90,7 +88,6 @@ def new_work():
     )
 
 
-@jit
 def grown(rows, count):
     """`rows`, or a copy twice as long where `count` rows fill it."""
     if count < rows.shape[0]:

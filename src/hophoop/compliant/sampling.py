@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import jit
+from hophoop._native import compiled
 from hophoop.compliant.flight import fly_state
 from hophoop.compliant.motion import contact_force
 from hophoop.compliant.parameters import to_compliance
@@ -46,7 +46,6 @@ COLUMNS = (
 )  # fmt: skip
 
 
-@jit
 def find_row(rows, t, left):
     """Index of the segment that holds the time t; at a border the earlier one if `left`."""
     low = 0
@@ -61,7 +60,6 @@ def find_row(rows, t, left):
     return low
 
 
-@jit
 def sample(body, comp, rows, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     u = np.zeros(SIZE)
@@ -121,5 +119,5 @@ def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: b
     body, comp, _, _ = to_compliance(scenario)
     rows = np.ascontiguousarray(segments).view(np.float64).reshape(len(segments), WIDTH)
     out = np.empty((times.size, len(COLUMNS)))
-    sample(body, comp, rows, times, left, out)
+    compiled(sample)(body, comp, rows, times, left, out)
     return out

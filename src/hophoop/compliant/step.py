@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 from hophoop.compliant.elimination import divided, factor, factor_complex, product, scaled, solve, solve_complex
 from hophoop.compliant.motion import jacobian, powers, rates, stored
 from hophoop.compliant.records import DYNAMIC, MEASURED, OM, SIZE, VN, VT, X
@@ -32,7 +31,6 @@ ROUNDING = 4e-16  # of an energy, beside the speeds that it is a difference of
 FAILED = 1e300  # an error that no step may have
 
 
-@jit
 def predict(work, begin, stretch):
     """Start Newton's iteration from the polynomial in `work.poly`: its values at begin + stretch c_i."""
     for m in range(DYNAMIC):
@@ -41,7 +39,6 @@ def predict(work, begin, stretch):
             work.stages[i, m] = poly_value(work.poly, m, begin + stretch * NODES[i]) - base
 
 
-@jit
 def poly_value(poly, m, s):
     """Variable m of the dense output."""
     result = poly[m, STAGES]
@@ -50,7 +47,6 @@ def poly_value(poly, m, s):
     return result
 
 
-@jit
 def form_of(work):
     """The stages in the eigenvectors of A⁻¹."""
     for m in range(DYNAMIC):
@@ -65,7 +61,6 @@ def form_of(work):
             work.pair_form[k, m] = pair
 
 
-@jit
 def newton(body, comp, regime, work, start, h):
     """Solve for the stages; True if the iteration converged."""
     form_of(work)
@@ -122,7 +117,6 @@ def newton(body, comp, regime, work, start, h):
     return False
 
 
-@jit
 def scaled_square(work):
     """Return the sum of squares of the right-hand side over the scales."""
     total = 0.0
@@ -132,7 +126,6 @@ def scaled_square(work):
     return total
 
 
-@jit
 def attempt(body, comp, regime, work, start, h, rtol):
     """Try a step of length h from `start`, with `work.stages` as the first guess.
 
@@ -200,7 +193,6 @@ def attempt(body, comp, regime, work, start, h, rtol):
     return result
 
 
-@jit
 def ledger_error(body, comp, work, start, rtol):
     """What the ledger does not close by over a step, over its tolerance."""
     end = work.trial
@@ -217,7 +209,6 @@ def ledger_error(body, comp, work, start, rtol):
     return abs(gain) / (LEDGER * rtol * (1.0 + before + after) + ROUNDING * rounding)
 
 
-@jit
 def make_poly(work, start):
     """Write the dense output of the step in the stages to `work.poly`."""
     for m in range(SIZE):

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._jit import interpreted, jit
+from hophoop._native import compiled
 from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.friction_use import greatest_peaks, greatest_use, no_change, settled_by, use_rates
@@ -77,7 +77,6 @@ EXPONENTS = np.array(UNITS)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
 
 
-@jit
 def sizes_and_rates(scales: Any, units: Any) -> tuple[Any, Any]:
     """Sizes of UNITS, and their logarithmic rates in each direction, from those of length, time and mass."""
     sizes = np.array([
@@ -212,7 +211,7 @@ class Carried:
         states = np.empty((times.size, 6))
         out = np.empty((times.size, CARRIED, count))
         clock = -self.directions.units[1]
-        sample_changes(
+        compiled(sample_changes)(
             motion.scenario.to_body(), segments, self.at_segments, self.directions.changes, clock,
             motion.units.kernel_times(segments, times), left, states, out, thread_scratch(), _local(),
         )  # fmt: skip
@@ -285,7 +284,7 @@ class Carried:
     def _units(self) -> tuple[Floats, Floats]:
         """Sizes of UNITS and their logarithmic rates."""
         unit = self.motion.units
-        found: tuple[Floats, Floats] = interpreted(sizes_and_rates)(unit.scales, self.directions.units)
+        found: tuple[Floats, Floats] = sizes_and_rates(unit.scales, self.directions.units)
         return found
 
 
@@ -314,11 +313,11 @@ def doubtful_from(motion: Motion) -> float:
     """
     scenario = motion.scenario
     row = motion.tables["events"][0]
-    start = interpreted(start_state)(*(float(row[name]) for name in ("x", "height", "angle", "slip", "vy", "omega")))
+    start = start_state(*(float(row[name]) for name in ("x", "height", "angle", "slip", "vy", "omega")))
     events = np.empty(len(motion.tables["events"]) + 8, EVENT)
     scratch = new_scratch()
     second = time_unit(scenario.hoop, scenario.plane)
-    run(
+    compiled(run)(
         scenario.to_body(), start, scenario.duration / second, math.nan, 0, events, np.empty(0, SEGMENT), scratch,
         np.empty(0, EVENT),
     )  # fmt: skip
@@ -358,7 +357,7 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
     at_segments = np.zeros((len(segments), CARRIED, count))
     reasons, failed = np.zeros(count, np.int64), np.full(count, -1, np.int64)
     duration = scenario.duration / motion.units.time
-    go_through(
+    compiled(go_through)(
         scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration, motion.doubt, edges,
         at_events, at_segments, reasons, failed, thread_scratch(), _local(),
     )  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.layout import EPS, GN, KAP, MU_K, MU_S, OM, RESIST, RESISTED, TH, VT, Reason, T
 from hophoop.derivatives.moving import resisted_motion, step_along
@@ -28,7 +28,6 @@ GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BOR
 FLAT = 1e-9  # beside its natural size: a smaller rate is that of a quantity that only touches zero
 
 
-@lean_jit
 def fail(z, reasons, k, reason):
     """There is no derivative in a direction from here on; the first reason is kept."""
     for row in range(z.shape[0]):
@@ -37,14 +36,13 @@ def fail(z, reasons, k, reason):
         reasons[k] = reason
 
 
-@lean_jit
 def fail_all(z, reasons, reason):
     """There is no derivative in any direction from here on."""
     for k in range(z.shape[1]):
         fail(z, reasons, k, reason)
 
 
-@apart_jit
+@apart
 def meet_cone(body, state, rates, side, changes, z, reasons):
     """Rolling that comes to the friction cone, at side · F > 0: g = μs N − side · F, or N without a bound on F."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -65,7 +63,7 @@ def meet_cone(body, state, rates, side, changes, z, reasons):
             step_along(z, k, -dg / rate, state, rates)
 
 
-@apart_jit
+@apart
 def meet_opening(body, state, rates, changes, z, reasons):
     """Slip that lifts off: g = g_n − ε cos θ θ̇² comes to zero."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -80,7 +78,7 @@ def meet_opening(body, state, rates, changes, z, reasons):
             step_along(z, k, -dg / rate, state, rates)
 
 
-@apart_jit
+@apart
 def meet_row(row, rate, scale, state, rates, z, reasons):
     """A component of the state that comes to zero: the slip at its end, v_n at the apex, the gap at the landing."""
     for k in range(z.shape[1]):
@@ -91,14 +89,13 @@ def meet_row(row, rate, scale, state, rates, z, reasons):
             z[row, k] = 0.0
 
 
-@apart_jit
+@apart
 def meet_time(changes, row, state, rates, z):
     """The end of time, which itself may change."""
     for k in range(z.shape[1]):
         step_along(z, k, changes[row, k] - z[T, k], state, rates)
 
 
-@lean_jit
 def jam_angle_change(body, sigma, s, c, om, changes, k):
     """Change of the angle at which p_σ = 0."""
     signed_mu = sigma * body.mu_k
@@ -109,7 +106,7 @@ def jam_angle_change(body, sigma, s, c, om, changes, k):
     return -(changes[KAP, k] + changes[EPS, k] * s * q + body.eps * s * q_more) / slope
 
 
-@apart_jit
+@apart
 def go_with_jam(body, sigma, begin, jam, changes, z):
     """Tell each change of the moment at which it is as far from the jam as the motion itself.
 
@@ -123,7 +120,7 @@ def go_with_jam(body, sigma, begin, jam, changes, z):
         z[TH, k] = dth
 
 
-@apart_jit
+@apart
 def meet_jam(body, sigma, jam, before, changes, z):
     """The dynamic jam: p_σ = 0 says where, f_n = 0 how fast; `before` is the state that comes near.
 
@@ -149,7 +146,7 @@ def meet_jam(body, sigma, jam, before, changes, z):
         z[TH, k] = dth
 
 
-@apart_jit
+@apart
 def is_on_border(body, state):
     """Whether the mode after a state in contact is decided by a quantity that is zero but for rounding."""
     if body.kap == 0.0 or body.mu_s == 0.0:
@@ -178,7 +175,7 @@ def is_on_border(body, state):
     return abs(margin) <= scale * (1.0 + body.mu_s) or abs(normal) <= scale or (margin < 0.0 and opening <= scale)
 
 
-@apart_jit
+@apart
 def lose_slip(body, state, mode_sigma, changes, z, reasons):
     """A slip that is no more than the change of a start without slip: friction ends it at once, or it goes on.
 
@@ -212,7 +209,7 @@ def lose_slip(body, state, mode_sigma, changes, z, reasons):
             reasons[k] = SIDED
 
 
-@apart_jit
+@apart
 def part_at_rest(body, sigma, state, z, reasons):
     """A hoop that does not turn, and is about to: a little rotation has to do with another couple if it goes the other way."""
     if body.resist == 0.0 or state.om != 0.0:

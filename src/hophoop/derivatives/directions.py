@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import lean_jit
 from hophoop.numerics.circular import sine_and_cosine
 
 # A scenario's numbers, in SI units, and in the same order how each changes with a parameter.
@@ -18,7 +17,6 @@ NUMBERS = (
 ) = range(len(NUMBERS))  # fmt: skip
 
 
-@lean_jit
 def direction(given, more):
     """What changes in kernel units: of the body and the duration, of the start, of the logarithms of the units.
 

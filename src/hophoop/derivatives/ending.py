@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit, lean_jit
 from hophoop.derivatives.layout import CARRIED, IMPACT_N, IMPACT_T, KEPT, OM, P_N, P_T, VN, VT, Reason
 from hophoop.derivatives.replay import replay
 from hophoop.physics.body import Event
@@ -14,7 +13,6 @@ END = int(Event.END)
 LOST = (P_N, P_T, IMPACT_N, IMPACT_T)  # of the bounces that a small restitution makes, there is no derivative
 
 
-@lean_jit
 def end_at_landing(events, segments, landing, k, edges, at_events, at_segments):
     """Take away what bounces behind a landing, or the start, make different: velocities, later events, shares of the loss."""
     count = events.shape[0]
@@ -35,7 +33,6 @@ def end_at_landing(events, segments, landing, k, edges, at_events, at_segments):
                     at_segments[i, row, k] = math.nan
 
 
-@lean_jit
 def end_in_doubt(events, segments, doubt, at_events, at_segments, reasons, failed):
     """Take away what lies behind a time from which on doubles cannot tell what follows."""
     first = events.shape[0]
@@ -52,7 +49,6 @@ def end_in_doubt(events, segments, doubt, at_events, at_segments, reasons, faile
             reasons[k] = BORDER
 
 
-@jit
 def go_through(
     body, events, segments, changes, z, t_end, doubt, edges, at_events, at_segments, reasons, failed, scratch, local
 ):  # fmt: skip

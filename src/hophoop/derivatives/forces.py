@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import EPS, GN, GT, KAP, OM, RESIST, TH
 from hophoop.physics.resistance import resisted_acceleration, resisted_forces, resisted_inertia
 
 
-@apart_jit
+@apart
 def rolling_slopes(body, s, c, om, rho):
     """(F, N, θ̈, slopes of F, slopes of N) in rolling, by θ, u = θ̇², ε, κ, g_n, g_t and f.
 
@@ -40,13 +40,11 @@ def rolling_slopes(body, s, c, om, rho):
     return friction, normal, alpha, of_friction, of_normal
 
 
-@lean_jit
 def by_angle(slopes, alpha):
     """The rate by θ along the motion of what has such slopes."""
     return slopes[0] + 2.0 * slopes[1] * alpha
 
 
-@lean_jit
 def changed(slopes, om, z, changes, k):
     """The change in a direction of what has such slopes."""
     by_th, by_u, by_eps, by_kap, by_gn, by_gt, by_resist = slopes

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._native import compiled
 from hophoop.derivatives.layout import BEFORE_OM, CARRIED, OM, T
 from hophoop.derivatives.needs import need_at_rest, needs_on_panel, peak_on_panel, use_changes
 from hophoop.derivatives.sampling import sample_changes
@@ -55,7 +56,7 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     numbers = np.flatnonzero((segments["t"] >= begin) & (segments["t"] < end)).tolist()
     first = segments[numbers[0]]
     if first["kind"] == HOLD:
-        need, rho = need_at_rest(body, float(first["theta"]))
+        need, rho = compiled(need_at_rest)(body, float(first["theta"]))
         times = [begin + part * (end - begin) for part in (0.0, 0.3, 0.5, 0.8, 1.0)]
         return [Peak(float(need), -1, False, t, float(rho)) for t in times]
     room = np.empty((3, ORDER + 2))
@@ -64,14 +65,14 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     for number in numbers:
         row = segments[number]
         rho = float(row["way"] * body.resist)
-        count = needs_on_panel(body, segments, number, scratch, *room)
+        count = compiled(needs_on_panel)(body, segments, number, scratch, *room)
         places, needs, slopes = room[:, :count]
         if number == numbers[0] and not slopes[0] > 0.0:
             found.append(Peak(float(needs[0]), index, False, begin, rho))
         elif outer > 0.0 and not slopes[0] > 0.0:
             found.append(Peak(float(needs[0]), -1, False, float(row["t"]), rho))
         for k in np.flatnonzero((slopes[:-1] > 0.0) & ~(slopes[1:] > 0.0)).tolist():
-            need, t = peak_on_panel(body, segments, number, float(places[k]), float(places[k + 1]), scratch)
+            need, t = compiled(peak_on_panel)(body, segments, number, float(places[k]), float(places[k + 1]), scratch)
             found.append(Peak(float(need), -1, False, float(t), rho))
         outer = slopes[-1]
     if outer > 0.0:
@@ -181,10 +182,10 @@ def use_rates(
     else:
         states, rates = np.empty((1, 6)), np.empty((1, *carried[1].shape[1:]))
         still = np.zeros(changes.shape[1])
-        sample_changes(body, segments, carried[1], changes, still, np.array([peak.t]), False, states, rates, *room)
+        compiled(sample_changes)(body, segments, carried[1], changes, still, np.array([peak.t]), False, states, rates, *room)
         z, th, om = rates[0], states[0, 2], states[0, 3]
     larger, smaller = np.empty((2, changes.shape[1]))
-    use_changes(body, float(th), float(om), peak.rho, z, changes, larger, smaller)
+    compiled(use_changes)(body, float(th), float(om), peak.rho, z, changes, larger, smaller)
     return larger, smaller
 
 

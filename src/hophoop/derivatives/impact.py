@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import EPS, KAP, MU_K, REST, Reason
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.impact import NEWTON, POISSON, impulse_ratio, slip_rates, stick_rates
@@ -16,7 +16,6 @@ NONE, BORDER, PLASTIC, SIDED = int(Reason.NONE), int(Reason.BORDER), int(Reason.
 CLOSE = 1e-10  # beside its natural size: nearer to zero a quantity that decides may have either sign
 
 
-@lean_jit
 def stick_changes(body, arm, lever, darm, dlever, dkap):
     """Changes of `stick_rates`."""
     firm = body.kap + arm * arm
@@ -25,7 +24,6 @@ def stick_changes(body, arm, lever, darm, dlever, dkap):
     return darm * spin + arm * dspin, dspin, dlever * spin + lever * dspin
 
 
-@lean_jit
 def slip_changes(body, arm, lever, r, darm, dlever, dkap, dr):
     """Changes of `slip_rates`."""
     spin = (lever - arm * r) / body.kap
@@ -33,7 +31,7 @@ def slip_changes(body, arm, lever, r, darm, dlever, dkap, dr):
     return dspin, dr - darm * spin - arm * dspin, dlever * spin + lever * dspin
 
 
-@apart_jit
+@apart
 def impact_change(body, rest, s, c, vt, vn, dth, dvt, dvn, changes, k):
     """Changes of what `impact` returns, and why there are none.
 
@@ -185,7 +183,7 @@ def impact_change(body, rest, s, c, vt, vn, dth, dvt, dvn, changes, k):
     return dvt, dvn, dspin, dp_n, dp_t, -dwork_n, -dwork_t, reason
 
 
-@apart_jit
+@apart
 def pulled_back(body, s, c, vn, dth, dvn, changes, k):
     """Changes (dspin, dp_n, dp_t, dloss_n) by the impulse that pulls back a rim thrown up by infinite friction.
 

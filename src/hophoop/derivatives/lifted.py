@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import OM, RESISTED, TH, VN, VT, X, Y
 from hophoop.derivatives.moving import motion_against, resisted_motion
 from hophoop.derivatives.panels import momentum_change, place_change
@@ -31,7 +31,7 @@ from hophoop.physics.painleve import stiffness_slope
 SMALL = 2.0**-30  # of v_n beside the slip
 
 
-@apart_jit
+@apart
 def rebound(body, sigma, s, c, vt, vn):
     """Little v_n after a landing of rolling (sigma = 0) or slip, beside what it was; nan where the contact is another then."""
     if sigma != 0:
@@ -40,7 +40,7 @@ def rebound(body, sigma, s, c, vt, vn):
     return -after[1] / vn if after[0] == 0.0 else math.nan
 
 
-@apart_jit
+@apart
 def time_of_bounces(body, sigma, s, c, state, throw):
     """How long bounces last that begin with a small v_n = `throw`, beside its size; nan where that is not known."""
     along, away = free_acceleration(body, s, c, state.om * state.om)
@@ -51,7 +51,7 @@ def time_of_bounces(body, sigma, s, c, state, throw):
     return time
 
 
-@apart_jit
+@apart
 def loses_slip(body, s, c, om):
     """Whether a little slip of either direction ends at once in a hoop that rolls."""
     if math.isinf(body.mu_k):
@@ -63,7 +63,7 @@ def loses_slip(body, s, c, om):
     return True
 
 
-@apart_jit
+@apart
 def stop_throw(body, sigma, state, z, k):
     """A little v_n of a start in contact; returns whether there is a derivative."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -93,7 +93,7 @@ def stop_throw(body, sigma, state, z, k):
     return True
 
 
-@apart_jit
+@apart
 def let_fall(body, sigma, state, z, k):
     """A little height of a start in contact; returns whether there is a derivative."""
     s, c = sine_cosine(state.th, state.th_low)

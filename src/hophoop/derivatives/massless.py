@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import (
     BEFORE_OM,
     BEFORE_VN,
@@ -25,7 +25,6 @@ from hophoop.numerics.circular import cosine, sine_and_cosine
 from hophoop.physics.massless import strike
 
 
-@lean_jit
 def load_changes(begin, z, k):
     """Changes of the load: (its height at the begin, its rate of sinking, its speed along the plane)."""
     s, c = sine_and_cosine(begin.th)
@@ -36,7 +35,6 @@ def load_changes(begin, z, k):
     return fallen, sink, along
 
 
-@lean_jit
 def skim_rates(body, state):
     """(θ̈, v̇_t, v̇_n, 0) while the rim skims: the load falls freely, which gives θ̈ sin θ + θ̇² cos θ = g."""
     s, c = sine_and_cosine(state.th)
@@ -44,7 +42,7 @@ def skim_rates(body, state):
     return turning, state.om * state.om * s - turning * (1.0 + c), 0.0, 0.0
 
 
-@apart_jit
+@apart
 def follow_skim(body, begin, end, tau, z):
     """Carry all directions over the time tau of skimming."""
     s1, c1 = sine_and_cosine(end.th)
@@ -61,7 +59,7 @@ def follow_skim(body, begin, end, tau, z):
         z[OM, k] = dom
 
 
-@apart_jit
+@apart
 def follow_strike(body, begin, tau, changes, z, kept):
     """Carry all directions from the begin of the skimming to just after the load has struck, at the time tau."""
     s, c = sine_and_cosine(begin.th)

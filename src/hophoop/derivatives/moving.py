@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, RESISTED, TH, VN, VT, T, X, Y
 from hophoop.derivatives.panels import follow_slip
 from hophoop.numerics.circular import sine, sine_and_cosine
@@ -28,7 +28,7 @@ SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
 TOUCH = 1e-9  # a gap this small beside the hoop is none
 
 
-@apart_jit
+@apart
 def motion_against(body, sigma, state, rho):
     """(θ̈, v̇_t, 0, power lost to rolling resistance) in rolling (sigma = 0) or slip with the couple −ρ N."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -39,7 +39,7 @@ def motion_against(body, sigma, state, rho):
     return turning, along, 0.0, rho * state.om * normal
 
 
-@apart_jit
+@apart
 def resisted_motion(body, sigma, state, way):
     """`motion_against` the couple there is; `way` is where a hoop turns that is at rest, 0 where it is held or not known."""
     rho = way * body.resist
@@ -49,7 +49,7 @@ def resisted_motion(body, sigma, state, way):
     return motion_against(body, sigma, state, rho)
 
 
-@apart_jit
+@apart
 def accelerations(body, mode, state, way):
     """(θ̈, v̇_t, v̇_n, power lost to rolling resistance) of a state in a mode; `way` as in `resisted_motion`."""
     if mode != FLIGHT and body.resist > 0.0:
@@ -67,7 +67,6 @@ def accelerations(body, mode, state, way):
     return turning, along, 0.0, 0.0
 
 
-@lean_jit
 def step_along(z, k, dt, state, rates):
     """The same change of a direction, told of a moment of the motion that is later by the small dt."""
     turning, along, away, lost = rates
@@ -81,7 +80,7 @@ def step_along(z, k, dt, state, rates):
     z[RESISTED, k] += lost * dt
 
 
-@apart_jit
+@apart
 def follow_flight(body, opening, begin, end, tau, changes, z):
     """Carry all directions over the time tau of a flight whose f_n at the begin is `opening`, 0 after a lift-off."""
     s0, c0 = sine_cosine(begin.th, begin.th_low)
@@ -112,7 +111,7 @@ def follow_flight(body, opening, begin, end, tau, changes, z):
         z[TH, k] = dth1
 
 
-@apart_jit
+@apart
 def skims_plane(body, opening, begin, tau):
     """Whether the gap of a flight has a smallest value that is zero but for rounding: a touch without approach."""
     s, c = sine_cosine(begin.th, begin.th_low)
@@ -141,7 +140,6 @@ def skims_plane(body, opening, begin, tau):
     return False
 
 
-@lean_jit
 def disturbed(stiffness, drive, angle, rate, tau):
     """(δθ, δθ̇) after the time tau of δθ̈ = stiffness · δθ + drive."""
     pull = abs(stiffness)
@@ -164,7 +162,7 @@ def disturbed(stiffness, drive, angle, rate, tau):
     return angle * even + rate * odd + drive * bent, stiffness * angle * odd + rate * even + drive * odd
 
 
-@apart_jit
+@apart
 def follow_hold(body, sigma, begin, end, tau, changes, z):
     """Carry all directions over the time tau of rest (sigma = 0), or of slip without rotation."""
     s, c = sine_cosine(begin.th, begin.th_low)

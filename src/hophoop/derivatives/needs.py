@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, jit
+from hophoop._native import apart
 from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.layout import MU_S
 from hophoop.numerics.circular import sine_and_cosine
@@ -20,7 +20,7 @@ from hophoop.rigid.panel_choice import solve_aside
 HALVINGS = 60
 
 
-@apart_jit
+@apart
 def need_of(body, s, c, om, rho, way):
     """(abs(F)/N, its rate by the way that is turned, but for a positive factor)."""
     friction, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)
@@ -31,7 +31,6 @@ def need_of(body, s, c, om, rho, way):
     return abs(friction) / normal, way * slope
 
 
-@jit
 def needs_on_panel(body, segments, index, scratch, places, needs, slopes):
     """Fill in the friction needed at the ends and the nodes of a rolling piece, with its slopes; returns how many."""
     row = segments[index]
@@ -57,7 +56,6 @@ def needs_on_panel(body, segments, index, scratch, places, needs, slopes):
     return count + 1
 
 
-@jit
 def peak_on_panel(body, segments, index, low, high, scratch):
     """(abs(F)/N, time) of the peak between two places of a rolling piece."""
     row = segments[index]
@@ -80,7 +78,6 @@ def peak_on_panel(body, segments, index, low, high, scratch):
     return need, state.t
 
 
-@jit
 def need_at_rest(body, th):
     """(abs(F)/N, ρ) of a hoop that rests in contact."""
     s, c = sine_and_cosine(th)
@@ -88,7 +85,6 @@ def need_at_rest(body, th):
     return need_of(body, s, c, 0.0, rho, 1.0)[0], rho
 
 
-@jit
 def use_changes(body, th, om, rho, z, changes, larger, smaller):
     """Fill in how abs(F)/(μs N) changes in each direction at an angle of rolling, and to the other side."""
     s, c = sine_and_cosine(th)

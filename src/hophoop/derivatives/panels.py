@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.derivatives.layout import EPS, GN, GT, KAP, MU_K, OM, RESIST, RESISTED, TH, VT, T, X
 from hophoop.derivatives.resisted import loss_change, pressed_on, resistance_rates, resisted_rates, resists, weigh
 from hophoop.derivatives.rows import (
@@ -56,7 +56,6 @@ from hophoop.physics.contact import inertia_at_height, load_height
 FROM_BEGIN = np.ascontiguousarray(ANTIDERIVATIVE_T.T)
 
 
-@lean_jit
 def roll_rates_at(body, panel, sine, versine, offset, u):
     """dθ̇²/dθ and dθ̇²/d… by θ̇² and θ at the reference, ε, κ, g_n and g_t, at φ = offset from there, in rolling.
 
@@ -77,7 +76,7 @@ def roll_rates_at(body, panel, sine, versine, offset, u):
     )  # fmt: skip
 
 
-@apart_jit
+@apart
 def roll_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a rolling panel."""
     fill_geometry(panel, work)
@@ -88,7 +87,7 @@ def roll_rates(body, panel, work, local):
         local[BY_GN, i], local[BY_GT, i] = rates[5:]
 
 
-@apart_jit
+@apart
 def refine_rates(body, panel, xi, u, row):
     """What rolling has in closed form at ξ, in place of what is interpolated."""
     sine, versine = chord(panel, xi)
@@ -102,7 +101,7 @@ def refine_rates(body, panel, xi, u, row):
     row[SHIFT] = shift
 
 
-@apart_jit
+@apart
 def slip_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a slip panel, from θ̇²′ = 2 q (g_n − ε c θ̇²)/(κ p) by its integrating factor."""
     eps = body.eps
@@ -131,7 +130,7 @@ def slip_rates(body, panel, work, local):
         integrate_row(panel, local[row], growth, work)
 
 
-@apart_jit
+@apart
 def fill_rates(body, panel, resisting, work, local):
     """The rows BEGIN to BY_RESIST at fixed ξ of a solved panel: dθ̇²/d…."""
     if panel.sigma != 0:
@@ -152,7 +151,7 @@ def fill_rates(body, panel, resisting, work, local):
             local[SHIFT, i] -= local[BEGIN, i]
 
 
-@apart_jit
+@apart
 def changes_at(panel, xi, work, local):
     """Fill the rows RATES and TIMES: dθ̇²/d… at ξ and dt/d… from the begin to there. Returns the time itself."""
     weights = local[INTERPOLATE]
@@ -177,7 +176,6 @@ def changes_at(panel, xi, work, local):
     return time
 
 
-@lean_jit
 def momentum_change(body, sigma, s, c, om, dvt, dom, dth, deps, dmu):
     """Change of v_t + θ̇ (1 + ε c − σ μ ε s), which gravity alone changes in slip."""
     signed_mu = sigma * body.mu_k
@@ -187,14 +185,13 @@ def momentum_change(body, sigma, s, c, om, dvt, dom, dth, deps, dmu):
     )
 
 
-@lean_jit
 def place_change(body, sigma, s, c, dth, deps, dmu):
     """Change of ε s + σ μ ε c: added to x it makes the place that goes with that momentum."""
     signed_mu = sigma * body.mu_k
     return deps * (s + signed_mu * c) + sigma * dmu * body.eps * c + body.eps * (c - signed_mu * s) * dth
 
 
-@apart_jit
+@apart
 def follow_slip(body, sigma, begin, end, time, before, dt, k, changes, z):
     """The changes of v_t and x of a direction over a time of slip, by its `momentum`; those of t, θ, θ̇ stand in z."""
     s0, c0 = sine_cosine(begin.th, begin.th_low)
@@ -213,7 +210,7 @@ def follow_slip(body, sigma, begin, end, time, before, dt, k, changes, z):
     z[VT, k] = dmomentum + dsteady * time + steady * dt - rest
 
 
-@inline_jit
+@inline
 def by_parameters(row, changes, k):
     """The part of a row of local derivatives that is by the parameters."""
     return (
@@ -226,7 +223,7 @@ def by_parameters(row, changes, k):
     )
 
 
-@apart_jit
+@apart
 def prepare_panel(body, panel, u, changes, work, local):
     """What `follow_panel` needs of a solved panel that begins with θ̇² = u, whatever the place on it."""
     fill_rates(body, panel, resists(body, changes), work, local)
@@ -237,7 +234,7 @@ def prepare_panel(body, panel, u, changes, work, local):
         refine_rates(body, panel, -1.0, u, local[AT_BEGIN])
 
 
-@apart_jit
+@apart
 def follow_panel(body, panel, xi, begin, end, changes, z, work, local):
     """Carry all directions from the state at the begin of a prepared panel to the one at ξ.
 

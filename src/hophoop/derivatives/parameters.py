@@ -9,7 +9,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._jit import interpreted
 from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
@@ -268,5 +267,5 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
         scenario.duration,
         state.x, state.height, state.angle, state.omega, state.slip, state.vy,
     )  # fmt: skip
-    found = [interpreted(direction)(given, change_of(scenario, path).rates()) for path in paths]
+    found = [direction(given, change_of(scenario, path).rates()) for path in paths]
     return Directions(*(np.array([each[part] for each in found]).T.copy() for part in range(3)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import OM
 from hophoop.derivatives.massless import follow_skim
 from hophoop.derivatives.moving import accelerations, follow_flight, follow_hold, step_along
@@ -19,14 +19,14 @@ from hophoop.rigid.contact_phase import state_on_panel
 from hophoop.rigid.panel_choice import solve
 
 
-@apart_jit
+@apart
 def held(body, row, begin, tau):
     """The state after the time tau of rest, or of slip without rotation."""
     after = moved(begin, begin.t + tau, 0.0, begin.x, begin.x_low, 0.0, begin.turns, begin.th, begin.th_low)
     return with_velocities(after, begin.vt + row["opening"] * tau, 0.0, 0.0)
 
 
-@apart_jit
+@apart
 def fallen(body, row, begin, tau):
     """The state after the time tau of a flight."""
     s, c = sine_cosine(begin.th, begin.th_low)
@@ -35,7 +35,7 @@ def fallen(body, row, begin, tau):
     return flown(begin, along, max(y, 0.0), tau, vt, vn)
 
 
-@apart_jit
+@apart
 def skimmed(body, row, begin, tau):
     """The state after the time tau of skimming."""
     x, th, vt, om = skim_state(body, begin.x, begin.th, begin.vt, begin.om, row["way"], tau)
@@ -43,7 +43,7 @@ def skimmed(body, row, begin, tau):
     return with_velocities(after, vt, 0.0, om)
 
 
-@apart_jit
+@apart
 def follow_without_panel(body, row, tau, changes, z):
     """Carry all directions to the time tau after the begin of a piece that needs no panel; returns the state there."""
     begin = state_of(row)
@@ -59,7 +59,7 @@ def follow_without_panel(body, row, tau, changes, z):
     return end
 
 
-@apart_jit
+@apart
 def from_rest(body, mode, begin, z):
     """A changed motion that turns at a panel's begin is told of where it is at rest, not of when it was elsewhere."""
     for k in range(z.shape[1]):
@@ -69,7 +69,7 @@ def from_rest(body, mode, begin, z):
             z[OM, k] = 0.0
 
 
-@apart_jit
+@apart
 def follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local):
     """Carry all directions to ξ of a prepared panel; returns the state there."""
     begin = state_of(row)
@@ -83,25 +83,25 @@ def follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local):
     return end
 
 
-@apart_jit
+@apart
 def is_panel(row):
     """Whether a piece is a panel."""
     return row["kind"] != FLY and row["kind"] != HOLD and row["kind"] != SKIMMING
 
 
-@apart_jit
+@apart
 def length_of(row):
     """How long a piece lasts."""
     return (row["t_end"] - row["t"]) - row["t_low"]
 
 
-@apart_jit
+@apart
 def is_before(t, t_low, row):
     """Whether a time of two doubles lies before an event."""
     return (t - row["t"]) + (t_low - row["t_low"]) < 0.0
 
 
-@apart_jit
+@apart
 def follow_piece(body, row, changes, z, scratch, local):
     """Carry all directions over a whole piece; returns the state at its end."""
     if is_panel(row):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, jit
+from hophoop._native import apart
 from hophoop.derivatives.conditions import (
     fail,
     fail_all,
@@ -70,7 +70,7 @@ MASSLESS, FRICTIONLESS, ENDED, PLASTIC = (
 )
 
 
-@apart_jit
+@apart
 def begin_lifted(body, mode, state, z, reasons, k):
     """A start in contact whose rim is lifted or thrown: it flies off, or comes down again, and then has other events."""
     if mode == FLIGHT and z[Y, k] >= 0.0 and z[VN, k] >= 0.0:
@@ -84,7 +84,7 @@ def begin_lifted(body, mode, state, z, reasons, k):
         fail(z, reasons, k, CONTACT)
 
 
-@apart_jit
+@apart
 def begin_changes(body, row, changes, z, reasons):
     """What a changed start does at once."""
     state = state_of(row)
@@ -102,7 +102,7 @@ def begin_changes(body, row, changes, z, reasons):
         fail_all(z, reasons, BORDER)
 
 
-@apart_jit
+@apart
 def end_rolling(body, row, before, rates, changes, z, reasons):
     """Rolling that ends at the friction cone, or at N = 0."""
     s, c = sine_cosine(before.th, before.th_low)
@@ -114,7 +114,7 @@ def end_rolling(body, row, before, rates, changes, z, reasons):
                 fail(z, reasons, k, MASSLESS)
 
 
-@apart_jit
+@apart
 def stays_with_small_bounces(row):
     """Whether the motion behind a landing with e = 0 is the same to first order in a small e.
 
@@ -126,7 +126,7 @@ def stays_with_small_bounces(row):
     return row["collision"] == 1 and mode != FLIGHT and mode != SKIM and (mode == ROLL or row["slip"] != 0.0)
 
 
-@apart_jit
+@apart
 def bounce_freely(body, row, before, drest, z, k):
     """The time 2 v_n/abs(f_n) of the first bounce after a landing with a small e has no rolling resistance.
 
@@ -152,7 +152,7 @@ def bounce_freely(body, row, before, drest, z, k):
     return True
 
 
-@apart_jit
+@apart
 def collide_changes(body, rest, row, before, changes, z, kept, reasons):
     """All directions through an impact."""
     s, c = sine_cosine(before.th, before.th_low)
@@ -192,7 +192,7 @@ def collide_changes(body, rest, row, before, changes, z, kept, reasons):
             fail(z, reasons, k, reason)
 
 
-@apart_jit
+@apart
 def keep_before(z, kept):
     """The velocities just before an event, and no impulse."""
     for k in range(z.shape[1]):
@@ -203,7 +203,7 @@ def keep_before(z, kept):
         kept[P_T, k] = 0.0 * z[OM, k]
 
 
-@apart_jit
+@apart
 def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons):
     """All directions to an event, and what they are just after it.
 
@@ -269,7 +269,7 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
         part_at_rest(body, slip_direction(row["after_mode"]), after, z, reasons)
 
 
-@apart_jit
+@apart
 def keep_after(row, z, kept):
     """What all directions are just after an event; the start keeps what was given, not what becomes of it at once."""
     for k in range(z.shape[1]):
@@ -278,7 +278,7 @@ def keep_after(row, z, kept):
                 kept[i, k] = z[i, k]
 
 
-@apart_jit
+@apart
 def pass_apex(body, row, piece, changes, z, kept, reasons):
     """All directions from the begin of a flight to its apex, which is an event inside of it."""
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
@@ -289,7 +289,6 @@ def pass_apex(body, row, piece, changes, z, kept, reasons):
     keep_before(z, kept)
 
 
-@jit
 def replay(body, events, segments, changes, z, t_end, at_events, at_segments, reasons, failed, scratch, local):
     """Derivatives at all events and at the begin of all pieces of a motion.
 

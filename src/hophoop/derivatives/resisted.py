@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.derivatives.layout import EPS, GN, OM, RESIST, TH
 from hophoop.derivatives.rows import (
     BEGIN,
@@ -41,7 +41,6 @@ from hophoop.physics.contact import inertia_at_height, load_height
 from hophoop.physics.resistance import resisted_inertia
 
 
-@lean_jit
 def resists(body, changes):
     """Whether there is rolling resistance, or a direction that changes it."""
     found = body.resist > 0.0
@@ -50,7 +49,7 @@ def resists(body, changes):
     return found
 
 
-@apart_jit
+@apart
 def resisted_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a rolling panel with rolling resistance, from θ̇²′ = 2 θ̈, which is linear in θ̇²."""
     eps = body.eps
@@ -82,7 +81,7 @@ def resisted_rates(body, panel, work, local):
     integrate_row(panel, local[BY_GT], growth, work)
 
 
-@apart_jit
+@apart
 def first_resistance(body, panel, work, local):
     """The row BY_RESIST of rolling without resistance: D θ̇² loses 2 ρ ∫ N dθ, which `lost_to_resistance` takes apart."""
     row = local[BY_RESIST]
@@ -97,7 +96,7 @@ def first_resistance(body, panel, work, local):
         row[i] = -2.0 * panel.way * pressed / inertia_at_height(body, load_height(s, work[COSINE, i]))
 
 
-@apart_jit
+@apart
 def resistance_rates(body, panel, work, local):
     """The row BY_RESIST: the couple changes θ̈ by −N over κ p_σ in slip, over D − ρ ε sin θ in rolling."""
     if panel.sigma == 0 and body.resist == 0.0:
@@ -109,7 +108,7 @@ def resistance_rates(body, panel, work, local):
     integrate_row(panel, local[BY_RESIST], local[BEGIN], work)
 
 
-@apart_jit
+@apart
 def weigh(panel, work, local):
     """Fill the row WEIGHED: how ∫ cos θ θ̇² dθ, of which the angles stay, changes from the begin of a panel to a place on it.
 
@@ -133,7 +132,6 @@ def weigh(panel, work, local):
     return dot(weights, work[U])
 
 
-@lean_jit
 def pressed_on(body, panel, xi, begin, end, integral):
     """(Δ(sin θ θ̇²) + ∫ cos θ θ̇² dθ, ∫ N dθ) from the begin of a panel to ξ; `integral` is the one of the first.
 
@@ -145,7 +143,6 @@ def pressed_on(body, panel, xi, begin, end, integral):
     return swung, body.gn * (angle_at(panel, xi) - angle_at(panel, -1.0)) - 0.5 * body.eps * swung
 
 
-@lean_jit
 def loss_change(body, panel, xi, begin, end, pressing, before, weighed, k, changes, z):
     """Change of the loss f ∫ N abs(dθ) from the begin of a panel to ξ, where z is that of the end but for it.
 

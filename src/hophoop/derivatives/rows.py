@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hophoop._jit import apart_jit
+from hophoop._native import apart
 from hophoop.numerics.collocation import ORDER
 from hophoop.panels.panel import STRETCH, TIME
 from hophoop.panels.slip import from_reference
@@ -15,7 +15,7 @@ SLOPE, INTERPOLATE, INTEGRATE, AT_BEGIN, RATES, TIMES, WEIGH, WEIGHED = range(LO
 ROWS = LOCAL + 8
 
 
-@apart_jit
+@apart
 def integrate_row(panel, row, growth, work):
     """What a rate of dθ̇²/dθ adds up to from the panel's reference on, grown by the factor `growth`."""
     integral = work[TIME]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.derivatives.layout import T
 from hophoop.derivatives.massless import skim_rates
 from hophoop.derivatives.moving import accelerations, step_along
@@ -18,7 +17,6 @@ from hophoop.rigid.sampling import find_segment, place_on_panel
 STATE = ("x", "height", "theta", "omega", "slip", "vy")
 
 
-@jit
 def sample_changes(body, segments, at_segments, changes, clock, times, left, states, out, scratch, local):
     """Fill `states`, shape (times, 6), and `out`, shape (times, CARRIED, directions), with the motion at these times.
 

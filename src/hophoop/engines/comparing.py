@@ -10,7 +10,7 @@ from datetime import date
 from typing import Any, NamedTuple
 
 import hophoop
-from hophoop._jit.policy import forced
+from hophoop._native import forced
 from hophoop.engines.limits import Limit, limit_of
 from hophoop.engines.measures import Measures
 from hophoop.engines.recording import Recording

@@ -15,7 +15,6 @@ import re
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
 from typing import TYPE_CHECKING, Annotated, Any
 
-from anyio import to_thread
 from fastapi import Body, FastAPI, HTTPException, Path, Query, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
@@ -199,8 +198,6 @@ async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
     """What a process computes; None where the asker has gone, who takes it along."""
 
     async def work() -> bytes:
-        while await to_thread.run_sync(calls.waits_for, job.request):  # compiling is no fault of the request
-            await asyncio.sleep(WAIT)
         content: bytes = await request.app.state.workers.run(job, cost)
         return content
 
@@ -285,9 +282,6 @@ async def page_call(request: Request, call: str, body: Annotated[Any, Body()]) -
     if call not in calls.CALLS:
         raise HTTPException(404, f"There is no call {call!r}.")
     asked = calls.read(call, body, request.app.state.limits)
-    waiting = await to_thread.run_sync(calls.waits_for, asked)
-    if waiting:  # the page says it and asks again
-        return JSONResponse({"detail": waiting}, 202, headers={"Cache-Control": "no-store"})
     return await _reply(request, call, asked.body, packed=True)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import socket
 import sys
 import threading
@@ -14,8 +13,6 @@ from typing import TYPE_CHECKING
 from urllib.request import urlopen
 
 from hophoop._extras import need
-from hophoop._jit import mode
-from hophoop._jit.beside import launch
 from hophoop._stopping import forget
 from hophoop.lab.limits import USUAL
 from hophoop.scenario import Compliant, InputError, Scenario
@@ -45,15 +42,6 @@ def warm_up() -> None:
     }
     for call, options in (("map", axes), ("regions", {}), ("theory", {})):
         calls.answer(calls.read(call, options))
-
-
-def compile_beside() -> None:
-    """Compile all kernels that the page uses in a process beside; until then it is answered by interpreted ones."""
-    if mode() == "interpreted":
-        return
-    with contextlib.suppress(OSError):
-        process = launch("from hophoop.lab.app import warm_up; warm_up()")
-        process.returncode = 0  # it goes on by itself: what it compiles stays for the next time
 
 
 def serve(
@@ -102,7 +90,6 @@ def serve(
         port = _free_port(host)
     _check_free(host, port)
     print("The lab is starting …", file=sys.stderr)
-    compile_beside()
     shown = f"[{host}]" if ":" in host else host
     if host in ("0.0.0.0", "::"):
         shown = "localhost"

@@ -18,7 +18,6 @@ from hophoop.lab.packing import pack
 from hophoop.lab.python_code import python_code
 from hophoop.lab.regions import regions
 from hophoop.lab.setup import setup
-from hophoop.maps.evaluate import compiling as maps_compiling
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
 from hophoop.simulation import simulate
@@ -214,23 +213,6 @@ def bounded(request: Request, limits: Limits = USUAL) -> None:
         motion_map.bounded(request.scenario, request.body.x, request.body.y, request.body.what, limits)
     elif request.call in ("film", "samples", "simulate"):
         within(request.scenario, limits)
-
-
-def waits_for(request: Request) -> str:
-    """What an answer would have to wait for, in a sentence: a map for compiled code, the first time; else empty.
-
-    Parameters
-    ----------
-    request : Request
-
-    Returns
-    -------
-    sentence : str
-    """
-    progress = maps_compiling() if request.call == "map" else None
-    if progress is None:
-        return ""
-    return f"compiling the kernel of maps, this once: {progress[0]} of {progress[1]} functions"
 
 
 def cost(request: Request, limits: Limits = USUAL) -> str:

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from hophoop._jit import interpreted
 from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
@@ -146,7 +145,7 @@ def _automatic(scenario: Scenario) -> dict[str, float]:
 
     _, chosen, _, _ = to_compliance(scenario)
     second = time_unit(scenario.hoop, scenario.plane)
-    stiffness, slip_speed = interpreted(chosen_in_si)(chosen, scenario.hoop.radius, second, scenario.hoop.mass)
+    stiffness, slip_speed = chosen_in_si(chosen, scenario.hoop.radius, second, scenario.hoop.mass)
     return {
         "contact.stiffness": stiffness,
         "contact.slip_speed": slip_speed,

@@ -121,9 +121,6 @@ def _widget_class() -> Any:
                     self._motion = calls.computed(request.scenario)
                     self._shown = request.scenario.to_query()
                     answered = calls.film_of(self._motion, request.scenario)
-                elif waiting := calls.waits_for(request):
-                    self.send({**reply, "compiling": waiting})
-                    return
                 else:
                     answered = calls.answer(request)
             except (ValueError, ImportError) as error:

@@ -24,10 +24,9 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any, BinaryIO
 
-from hophoop._jit.beside import Waiting, busy
 from hophoop._processes import python_beside
 
-ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
+ANSWER, ERROR, FAILED, STOPPED, BEGINNING = "answer", "error", "failed", "stopped", "beginning"
 BEGINS = 4.0  # seconds that a process may need until it can report
 REPORT = 0.25  # seconds between two reports that code is compiled
 AGAIN = 0.01  # seconds until a job that is importing a module is interrupted again
@@ -67,14 +66,14 @@ class Worker:
             stdout=subprocess.PIPE,
             start_new_session=True,
         )
-        self._compiled = time.monotonic() + BEGINS
+        self._began = time.monotonic() + BEGINS
         self._number = 0  # of the last job
         self._writing = threading.Lock()
 
     @property
-    def compiling(self) -> bool:
-        """Whether it begins, or compiles code, which is no fault of what it was asked."""
-        return time.monotonic() - self._compiled < 4.0 * REPORT
+    def beginning(self) -> bool:
+        """Whether it loads what it needs, which is no fault of what it was asked."""
+        return time.monotonic() - self._began < 4.0 * REPORT
 
     def exchange(self, job: Job) -> tuple[str, Any]:
         """Hand over a job and wait for its answer; one job at a time.
@@ -99,8 +98,8 @@ class Worker:
             self._say(number, job)
             while True:
                 said: tuple[int, str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
-                if said[1] == COMPILING:
-                    self._compiled = time.monotonic()
+                if said[1] == BEGINNING:
+                    self._began = time.monotonic()
                 elif said[0] == number:
                     return said[1:]
         except (EOFError, OSError, ValueError):  # a pipe is broken, or closed
@@ -150,7 +149,6 @@ class _Loop:
         self.preparing = True
         self.computing = 0  # the number of the job that is computed
         self.unwanted = 0  # no job up to this number is wanted any more, but for those that are answered
-        self.compiles = 0
         self.lock = threading.Lock()
 
     def say(self, number: int, said: tuple[str, Any]) -> None:
@@ -174,13 +172,11 @@ class _Loop:
             self.jobs.put(None)
 
     def report(self) -> None:
-        """Say now and then that code is compiled."""
-        while True:
+        """Say now and then that it begins, while it does."""
+        while self.preparing:
+            with contextlib.suppress(OSError):
+                self.say(0, (BEGINNING, None))
             time.sleep(REPORT)
-            compiles = self.computing and (self.compiles or busy())
-            if compiles or self.preparing:
-                with contextlib.suppress(OSError):
-                    self.say(0, (COMPILING, None))
 
     def interrupted(self, _: int, frame: FrameType | None) -> None:
         """Stop the job that is computed; one that was answered just now, or comes next, goes on."""
@@ -250,7 +246,6 @@ def main() -> None:
     inward = sys.stdin.buffer
     outward = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
-    Waiting.told = True  # the page says so
     loop = _Loop(inward, outward)
     loop.heed()
     for thread in (loop.listen, loop.report):
@@ -258,24 +253,9 @@ def main() -> None:
     usual = sys.unraisablehook
     # what is stopped within a callback says so to nobody
     sys.unraisablehook = lambda found: None if isinstance(found.exc_value, _Stopped) else usual(found)
-    _follow_compiler(loop)
     _prepare()
     loop.preparing = False
     loop.run()
-
-
-def _follow_compiler(loop: _Loop) -> None:
-    """Count what this process compiles itself, where it does."""
-    from numba.core import event
-
-    class Compiles(event.Listener):  # type: ignore[misc]
-        def on_start(self, _: Any) -> None:
-            loop.compiles += 1
-
-        def on_end(self, _: Any) -> None:
-            loop.compiles -= 1
-
-    event.register("numba:compile", Compiles())
 
 
 def _prepare() -> None:

@@ -41,8 +41,8 @@ class Lane:
         """Learn from one that has been computed."""
         self.seconds += 0.2 * (seconds - self.seconds)
 
-    async def enter(self, most: float, compiling: Callable[[], bool] = lambda: False) -> None:
-        """Wait for a place, in order of arrival; time in which code is compiled does not count.
+    async def enter(self, most: float, beginning: Callable[[], bool] = lambda: False) -> None:
+        """Wait for a place, in order of arrival; time in which a process begins does not count.
 
         Raises
         ------
@@ -58,7 +58,7 @@ class Lane:
             while most > 0.0 and not place.done():
                 look = min(most, LOOK)
                 await asyncio.wait({place}, timeout=look)
-                if not compiling():
+                if not beginning():
                     most -= look
             if not place.done():
                 raise TimeoutError
@@ -147,7 +147,7 @@ class Workers:
         if lane.wait() > queue or len(lane.queue) >= self.limits.waiting:
             raise TooBusy.after(lane.wait())
         try:
-            await lane.enter(queue, self._compiling)
+            await lane.enter(queue, self._beginning)
         except TimeoutError:
             raise TooBusy.after(lane.wait()) from None
         try:
@@ -166,25 +166,25 @@ class Workers:
             raise RuntimeError("The computation failed.")
         return bytes(content)
 
-    def _compiling(self) -> bool:
-        return any(worker.compiling for worker in self._all)
+    def _beginning(self) -> bool:
+        return any(worker.beginning for worker in self._all)
 
     async def _computed(self, job: Job, patience: float) -> tuple[str, Any, float]:
-        """What a process says, and how long it took apart from compiling [s]."""
+        """What a process says, and how long it took apart from its process's begin [s]."""
         for last in (False, True):
             try:
-                await self._places.enter(self.limits.queue, self._compiling)
+                await self._places.enter(self.limits.queue, self._beginning)
             except TimeoutError:  # films, and what is being stopped
                 raise TooBusy.after(self.lanes[HEAVY].seconds) from None
             worker = self._take()
             exchange = self._beside(worker.exchange, job)
-            left, begin, compiled = patience, time.monotonic(), False
+            left, begin, began = patience, time.monotonic(), False
             try:
                 while not exchange.done() and left > 0.0:
                     look = min(left, LOOK)
                     await asyncio.wait({exchange}, timeout=look)
-                    if worker.compiling:
-                        compiled = True
+                    if worker.beginning:
+                        began = True
                     else:
                         left -= look
                 if not exchange.done():
@@ -202,7 +202,7 @@ class Workers:
                 continue
             self._give_back(worker)
             took = time.monotonic() - begin
-            return *said, min(took, patience - left) if compiled else took
+            return *said, min(took, patience - left) if began else took
         raise AssertionError
 
     def _beside(self, call: Callable[..., Any], *arguments: Any) -> asyncio.Future[Any]:
@@ -239,7 +239,7 @@ class Workers:
         try:
             if not worker.interrupt():
                 raise Ended
-            while worker.compiling and not exchange.done():  # that is of use to others, and stops by itself
+            while worker.beginning and not exchange.done():  # it cannot be asked yet
                 await asyncio.wait({exchange}, timeout=GRACE)
             async with asyncio.timeout(GRACE):
                 await asyncio.shield(exchange)

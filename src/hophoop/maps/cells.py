@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._jit import interpreted
 from hophoop.maps.axes import ordered, scenario_at
 from hophoop.maps.kernel import (
     ALLOWED,
@@ -97,7 +96,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
                 cells[IDEAL] = 0.0
         elif path == "hoop.load_fraction":
             cells[ECCENTRICITY] = array
-            cells[INERTIA_RATIO] = interpreted(ideal_inertia)(array)
+            cells[INERTIA_RATIO] = ideal_inertia(array)
             cells[IDEAL] = 1.0
         elif path == "plane.mu":
             cells[MU_STATIC] = array

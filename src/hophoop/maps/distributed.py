@@ -15,7 +15,6 @@ from typing import Any
 
 from hophoop._extras import need
 from hophoop._stopping import end_now, ignored_by_children, temporary_folder, when_stopped
-from hophoop.maps.evaluate import wait_for_kernel
 from hophoop.maps.store import compute_chunk
 
 # Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
@@ -98,7 +97,6 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             client.wait_for_workers(1, timeout=6 * PATIENCE)
             yield client
         return
-    wait_for_kernel()
     others = set(multiprocessing.active_children())
     with temporary_folder() as scratch, contextlib.ExitStack() as stack:
         stack.enter_context(need("dask.config", "cluster").set({"temporary-directory": str(scratch)}))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -16,8 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import hophoop
-from hophoop._jit import compiled, precompile
-from hophoop._jit.beside import Job, Waiting
+from hophoop._native import compiled
 from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
@@ -188,7 +186,7 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     count = cells.shape[1]
     results = _empty_results(count)
     if device == "serial":
-        kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
+        compiled(kernel.evaluate_block)(cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
     elif device == "gpu":
         from hophoop.maps import gpu
 
@@ -204,33 +202,6 @@ def _empty_results(count: int) -> Results:
         np.empty((count, len(kernel.WORDS)), np.int32),
         np.empty((count, kernel.KEYS), np.uint64),
     )
-
-
-def compiling() -> tuple[int, int] | None:
-    """How far the kernel of maps is compiled, which is begun where it is not.
-
-    Returns
-    -------
-    progress : (int, int) or None
-        Functions that are compiled, and how many there are [1]; None where a map has nothing to wait for.
-    """
-    job = _compiling_beside()
-    # where compiling beside has failed, the map compiles by itself
-    return None if job is None or job.done or job.failed else job.progress
-
-
-def wait_for_kernel() -> None:
-    """Wait until the kernel of maps is on disk, from where workers load it; standard error says so."""
-    job = _compiling_beside()
-    if job is not None:
-        with Waiting(sys.stderr) as waiting:
-            job.wait(waiting.report)
-
-
-def _compiling_beside() -> Job | None:
-    cells, span = np.empty((len(kernel.CELL), 1)), make_span("duration")
-    arguments = (cells, 0, 1, span.angle, span.stop, span.timed, 0, NO_SCRIPT, *_empty_results(1))
-    return precompile([(kernel.evaluate_block, arguments)])
 
 
 def decide(
@@ -266,7 +237,7 @@ def decide(
             script = script_until(scenario, end, budget)
             if not script.size:
                 break
-            kernel.evaluate_block(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)
+            compiled(kernel.evaluate_block)(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)
 
 
 def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> Scenario:
@@ -278,7 +249,7 @@ def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> 
 def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: Results) -> None:
     """Blocks of cells for whichever thread is free; what a cell gives does not depend on which takes it."""
     count = cells.shape[1]
-    evaluate = compiled(kernel.evaluate_block, cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
+    evaluate = compiled(kernel.evaluate_block)
     begins = iter(range(0, count, kernel.BLOCK))
     lock = threading.Lock()
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import lean_jit
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.contact import rolling_forces
@@ -19,7 +18,6 @@ ROLL, SPIN, SKID = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID)
 SLIP_START, TAKEOFF = int(Event.SLIP_START), int(Event.TAKEOFF)
 
 
-@lean_jit
 def friction_need(body, th0, u0, offset):
     """abs(F)/N at an angle that rolling reaches."""
     u = max(rolling_u(body, th0, u0, offset), 0.0)
@@ -30,14 +28,12 @@ def friction_need(body, th0, u0, offset):
     return abs(friction) / normal if normal > 0.0 else math.inf
 
 
-@lean_jit
 def resisted_slope(body, th, u, rho):
     """dθ̇²/dθ of rolling with rolling resistance."""
     s, c = sine_and_cosine(th)
     return 2.0 * resisted_acceleration(body, s, c, u, rho)
 
 
-@lean_jit
 def resisted_u(body, th, u, rho, step):
     """θ̇² of rolling with rolling resistance a short way on, by Runge and Kutta's method."""
     first = resisted_slope(body, th, u, rho)
@@ -47,7 +43,6 @@ def resisted_u(body, th, u, rho, step):
     return u + step * (first + 2.0 * (second + third) + last) / 6.0
 
 
-@lean_jit
 def resisted_use(body, th, u, rho, step):
     """abs(F)/N a short way on from a state of rolling with rolling resistance."""
     u = max(resisted_u(body, th, u, rho, step), 0.0)
@@ -56,7 +51,6 @@ def resisted_use(body, th, u, rho, step):
     return abs(friction) / normal if normal > 0.0 else math.inf
 
 
-@lean_jit
 def greatest_between(body, th, u, rho, low, high, greatest):
     """Greatest abs(F)/N between two ways on from a state of rolling, by golden section, if it is above `greatest`."""
     part = 0.5 * (math.sqrt(5.0) - 1.0)
@@ -75,7 +69,6 @@ def greatest_between(body, th, u, rho, low, high, greatest):
     return greatest
 
 
-@lean_jit
 def resisted_need(body, th0, om0, turned):
     """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, then golden section beside the greatest."""
     if om0 == 0.0 and turned == 0.0:
@@ -101,7 +94,6 @@ def resisted_need(body, th0, om0, turned):
     return greatest_between(body, low_th, low_u, rho, 0.0, high, greatest)
 
 
-@lean_jit
 def greatest_need(body, th0, om0, turned):
     """Greatest abs(F)/N of a rolling arc: samples, then golden section beside the greatest."""
     if body.resist > 0.0:
@@ -121,7 +113,6 @@ def greatest_need(body, th0, om0, turned):
     return greatest_between(body, th0, u0, 0.0, low, high, greatest)
 
 
-@lean_jit
 def greatest_utilization(body, events, last):
     """Greatest `utilization` in contact, from the events up to `last`; nan where there was none."""
     result = math.nan

@@ -7,13 +7,14 @@ from typing import Any
 from numba import cuda, float64, int64
 from numba.core import config
 
+from hophoop.kernel.jit import jitted
 from hophoop.maps import kernel as cells_kernel
 from hophoop.numerics.collocation import ORDER
 from hophoop.panels.panel import ROWS
 from hophoop.records.scratch import MOST_PANELS, STACK_COLUMNS, STACK_ROWS, Scratch
 
 # What CUDA's simulator runs is Python.
-evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else cells_kernel.evaluate_cell.dispatcher  # type: ignore[attr-defined]
+evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else jitted(cells_kernel.evaluate_cell)
 
 PASSING = 2  # events that a cell needs beside the motion's own
 

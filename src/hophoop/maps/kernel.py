@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop._jit import jit, lean_jit
 from hophoop.maps.friction_use import greatest_utilization
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, Event, Mode, Status
@@ -111,13 +110,11 @@ class Rows(NamedTuple):
     keys: Any
 
 
-@lean_jit
 def scales_of(cells, k):
     """Units of a cell."""
     return scales_from(cells[RADIUS, k], second_of(cells, k), cells[MASS, k])
 
 
-@lean_jit
 def body_of(cells, k):
     """Body of a cell, as `scenario.to_body` makes it."""
     weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
@@ -138,14 +135,12 @@ def body_of(cells, k):
     )
 
 
-@lean_jit
 def second_of(cells, k):
     """Unit of time of a cell, as `scenario.time_unit` gives it."""
     gravity = cells[GRAVITY, k]
     return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
 
 
-@lean_jit
 def start_of(cells, k, second):
     """Start of a cell in kernel units."""
     radius = cells[RADIUS, k]
@@ -160,19 +155,16 @@ def start_of(cells, k, second):
     )
 
 
-@lean_jit
 def is_passing(kind):
     """Whether an event leaves the phase as it is."""
     return kind in (TURN, APEX, KANE_GAIN, REST)
 
 
-@lean_jit
 def leaves_plane(row):
     """Whether the rim leaves the plane at this event."""
     return row["after_mode"] == FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
-@lean_jit
 def add_letter(keys, k, length, mode):
     """Append a mode to the packed sequence; returns its new length."""
     if length > LONGEST:
@@ -183,7 +175,6 @@ def add_letter(keys, k, length, mode):
     return length + 1
 
 
-@lean_jit
 def reduce_flight(motion, hop, scales, room, numbers, k):
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
     body = motion.body
@@ -207,7 +198,6 @@ def reduce_flight(motion, hop, scales, room, numbers, k):
     numbers[k, LANDING_LOSS] = loss * scales.energy
 
 
-@lean_jit
 def first_beyond(events, count, angle_span):
     """Index of the first event at which the motion has turned by the span, or the last one."""
     if not math.isnan(angle_span):
@@ -217,7 +207,6 @@ def first_beyond(events, count, angle_span):
     return count - 1
 
 
-@lean_jit
 def ending_of(motion, asked):
     """Which limit or event ended the span."""
     if motion.cut:
@@ -244,7 +233,6 @@ def ending_of(motion, asked):
     return BY_TIME if end["t"] >= asked.t_end else BY_ANGLE
 
 
-@lean_jit
 def first_hop(events, count):
     """Index of the event at which the rim first leaves the plane, or -1."""
     for i in range(count):
@@ -253,7 +241,6 @@ def first_hop(events, count):
     return -1
 
 
-@lean_jit
 def reduce_motion(motion, asked, hop, scales, room, rows, k):
     """Row k of the results, from the events of one motion; `hop` is the event at which it takes off first, or -1."""
     numbers, words, keys = rows
@@ -312,7 +299,6 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
         reduce_flight(motion, hop, scales, room, numbers, k)
 
 
-@lean_jit
 def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, script, numbers, words,
                   keys):  # fmt: skip
     """One cell; False where `events` is too short for its motion.
@@ -352,7 +338,6 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
     return True
 
 
-@jit
 def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, script, numbers, words, keys):
     """Cells from `low` to `high`, one after the other; a `script` of first events is for a single one."""
     scratch = new_scratch()

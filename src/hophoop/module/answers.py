@@ -7,7 +7,6 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop._jit import jit
 from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS, body_of, evaluate_block, scales_of
 from hophoop.module.layout import PART, THRESHOLDS
 from hophoop.module.motions import FIELDS
@@ -25,14 +24,11 @@ from hophoop.theory.kernels.phase_plane import modes as following_modes
 from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
 from hophoop.theory.kernels.rows import row_of
 
-greatest_resistance = jit(most_resistance)
-
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 PART_WIDTH = len(PART)
 
 
-@jit
 def write_jams(body, out):
     """Angles of the dynamic jam, in order."""
     count = 0
@@ -50,7 +46,6 @@ def write_jams(body, out):
                 count += 1
 
 
-@jit
 def thresholds(given, speed, out):
     """What theory says about a hoop that starts from θ = 0 with the speed [m/s] (nan: it does not)."""
     cells = carray(given, (FIELDS, 1))
@@ -91,7 +86,6 @@ def thresholds(given, speed, out):
         row[11] = valley % TURN
 
 
-@jit
 def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
     """The word's number (see `vocabulary.words.MODES`) of the mode that follows each state of contact without slip."""
     cells = carray(given, (FIELDS, 1))
@@ -121,7 +115,6 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
             codes[j, i] = mode
 
 
-@jit
 def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
     """Reduced quantities of n motions, each a column of `maps.kernel.CELL`; `span` is in rad, nan for none."""
     columns = carray(cells, (ROWS, n))
@@ -131,19 +124,16 @@ def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
     )  # fmt: skip
 
 
-@jit
 def ideal_hoop(load_fraction, out):
     """κ of the ideal hoop."""
     carray(out, (1,))[0] = ideal_inertia(load_fraction)
 
 
-@jit
 def resistance_limit(eccentricity, inertia_ratio, out):
     """The rolling resistance below which rolling has one answer at every angle."""
-    carray(out, (1,))[0] = greatest_resistance(eccentricity, inertia_ratio)
+    carray(out, (1,))[0] = most_resistance(eccentricity, inertia_ratio)
 
 
-@jit
 def hoop_of_parts(radius, parts, count, out, reaches):
     """Mass, ε and κ of parts (rows of `layout.PART`), and how far each reaches from C."""
     table = carray(parts, (count, PART_WIDTH))

@@ -7,7 +7,6 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop._jit import jit
 from hophoop.compliant import sampling
 from hophoop.compliant.kernel import run
 from hophoop.compliant.parameters import RTOL, chosen_in_si, compliance_of, load_contact
@@ -37,7 +36,6 @@ SPRING, DAMPER, KINETIC, POTENTIAL, FRICTION, RESISTED = (
 BUFFER = int(Status.BUFFER)
 
 
-@jit
 def contact_of(cells, contact, body, scales):
     """The contact's numbers in kernel units."""
     return compliance_of(
@@ -46,7 +44,6 @@ def contact_of(cells, contact, body, scales):
     )  # fmt: skip
 
 
-@jit
 def start_at(cells, scales):
     """The start in kernel units, before the contact is loaded."""
     speed = scales.speed
@@ -60,7 +57,6 @@ def start_at(cells, scales):
     return start
 
 
-@jit
 def compliance(given, contact, out):
     """What the contact makes of its numbers, in the order of `layout.CHOSEN`."""
     cells = carray(given, (FIELDS, 1))
@@ -78,7 +74,6 @@ def compliance(given, contact, out):
     row[4], row[5] = chosen_in_si(comp, scales.length, scales.time, cells[MASS, 0])
 
 
-@jit
 def compliant_motion(given, contact, events, most_events, most_steps, rows, most_rows, table, heads):
     """Compute a motion with compliant contact.
 
@@ -125,7 +120,6 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     write_energies(body, scales, records[0], records[count - 1], energies, first[0, SPRING], head)
 
 
-@jit
 def compliant_samples(given, contact, rows, count, times, n, left, out):
     """The states of a motion with compliant contact at times in s."""
     cells = carray(given, (FIELDS, 1))

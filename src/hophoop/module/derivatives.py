@@ -7,7 +7,6 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop._jit import jit
 from hophoop.derivatives.carrying import UNIT_OF_ROW, sizes_and_rates
 from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.derivatives.ending import go_through
@@ -25,7 +24,6 @@ COUNT, WIDTH = len(NUMBERS), len(CHANGE_COLUMNS)
 TURNING, SLIP, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "vx"))
 
 
-@jit
 def directions_of(cells, more, sign, changes, start, units):
     """All directions in kernel units, of cells and their rates."""
     numbers, rates = np.empty(COUNT), np.empty(COUNT)
@@ -43,7 +41,6 @@ def directions_of(cells, more, sign, changes, start, units):
             units[i, k] = of_units[i]
 
 
-@jit
 def write_changes(row, scales, units, sign, kept, out):
     """The rates of an event in SI units, in the order of `layout.CHANGE_COLUMNS`: those of its numbers and of their units."""
     values = (
@@ -61,7 +58,6 @@ def write_changes(row, scales, units, sign, kept, out):
         out[VX, k] = sizes[of] * (changed + (row["slip"] + row["omega"]) * by_units[of, k])
 
 
-@jit
 def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, told):
     """Rates of all events of a motion that `motion` has computed, with respect to n parameters.
 

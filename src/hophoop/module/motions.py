@@ -7,7 +7,6 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop._jit import jit
 from hophoop.maps.kernel import CELL, DURATION, MAX_EVENTS, body_of, scales_of, start_of
 from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.physics.body import Mode
@@ -27,13 +26,11 @@ RESISTED, KINETIC, POTENTIAL = (sampling.COLUMNS.index(name) for name in ("rolli
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
 
-@jit
 def seconds(t, t_end, duration, second):
     """A time in s; the end of the motion is the duration asked for, not its rounding through kernel units."""
     return duration if t == t_end else t * second
 
 
-@jit
 def write_event(row, scales, t, out):
     """An event in SI units, in the order of `layout.EVENT_COLUMNS`."""
     length, speed, rate, impulse = scales.length, scales.speed, scales.rate, scales.impulse
@@ -63,7 +60,6 @@ def write_event(row, scales, t, out):
     out[23] = row["rolling_resistance"] * scales.energy
 
 
-@jit
 def write_energies(body, scales, first, last, energies, first_spring, head):
     """The energies of a motion in the order of `layout.HEADS`, as `Trajectory.ledger` sums them.
 
@@ -85,7 +81,6 @@ def write_energies(body, scales, first, last, energies, first_spring, head):
     head[14] = now - (begin_kinetic * unit + begin_potential * unit + first_spring * unit)
 
 
-@jit
 def motion(given, events, most_events, segments, most_segments, table, heads):
     """Compute a motion.
 
@@ -121,7 +116,6 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
     write_energies(body, scales, records[0], final, energies, 0.0, head)
 
 
-@jit
 def write_state(body, scales, raw, row):
     """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`, but for the energies that the contact models differ in."""
     length, speed, force, unit = scales.length, scales.speed, scales.force, scales.energy
@@ -144,7 +138,6 @@ def write_state(body, scales, raw, row):
     row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
 
 
-@jit
 def sampled(body, scales, segments, times, left):
     """The rows of `rigid.sampling.sample` at times in s."""
     asked = np.empty(len(times))
@@ -154,7 +147,6 @@ def sampled(body, scales, segments, times, left):
     return raw
 
 
-@jit
 def samples(given, segments, count, times, n, left, out):
     """The states of a motion at times in s, which its segments hold; `left` is 1 for just before an impact."""
     cells = carray(given, (FIELDS, 1))
@@ -171,7 +163,6 @@ def samples(given, segments, count, times, n, left, out):
         rows[k, 16] = line[POTENTIAL] * scales.energy
 
 
-@jit
 def margins(given, segments, count, times, n, left, out):
     """What decides about the mode at times in s, in the order of `rigid.margins.MARGINS` and in SI units, as `samples`."""
     cells = carray(given, (FIELDS, 1))

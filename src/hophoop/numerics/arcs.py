@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.double_double import quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import ARCTANGENTS, PI_HIGH, PI_LOW
 
@@ -28,7 +28,7 @@ LARGE, DOWN = 2.0**500, 2.0**-600  # lengths from where on both are made shorter
 SMALL, UP = 2.0**-400, 2.0**600
 
 
-@inline_jit
+@inline
 def angle_beyond(y, y_low, x, x_low, t, high, low):
     """Return the angle of (x + x_low, y + y_low) as two doubles; high + low is arctan t."""
     product, error = two_product(t, x)
@@ -45,21 +45,21 @@ def angle_beyond(y, y_low, x, x_low, t, high, low):
     return total, error + (low + (v_low + v * z * (A3 + z * (A5 + z * (A7 + z * A9)))))
 
 
-@apart_jit
+@apart
 def _angle(y, y_low, x, x_low):
     """Return the angle of (x + x_low, y + y_low) as two doubles; 0 ≤ y ≤ x, x neither very large nor very small."""
     j = int(64.0 * (y / x) + 0.5)
     return angle_beyond(y, y_low, x, x_low, 0.015625 * j, float(ARCTANGENTS[j, 0]), float(ARCTANGENTS[j, 1]))
 
 
-@inline_jit
+@inline
 def less(high, low, angle, rest):
     """Return (high + low) − (angle + rest) as two doubles, high ≥ angle."""
     total, error = quick_sum(high, -angle)
     return total, error + (low - rest)
 
 
-@inline_jit
+@inline
 def _first_quadrant(y, y_low, x, x_low):
     """Return the angle of (x, y) as two doubles, x and y not negative and not both 0."""
     if y <= x:
@@ -68,20 +68,20 @@ def _first_quadrant(y, y_low, x, x_low):
     return less(HALF_PI_HIGH, HALF_PI_LOW, angle, low)
 
 
-@inline_jit
+@inline
 def root_near(root, high, low):
     """Return √(high + low) as two doubles, root = √high."""
     product, error = two_product(root, root)
     return quick_sum(root, (((high - product) - error) + low) / (2.0 * root))
 
 
-@inline_jit
+@inline
 def root_of(high, low):
     """Return √(high + low) as two doubles, of a sum that is not 0."""
     return root_near(math.sqrt(high), high, low)
 
 
-@inline_jit
+@inline
 def complement_of(size):
     """Return 1 − x² as two doubles, 0 ≤ x < 1."""
     square, error = two_product(size, size)
@@ -89,7 +89,6 @@ def complement_of(size):
     return quick_sum(high, low - error)
 
 
-@lean_jit
 def arcsine(x):
     """Return the arcsine [rad]; nan outside of [−1, 1]."""
     size = abs(x)
@@ -103,7 +102,6 @@ def arcsine(x):
     return math.copysign(angle + rest, x)
 
 
-@lean_jit
 def arccosine(x):
     """Return the arccosine [rad]; nan outside of [−1, 1]."""
     size = abs(x)
@@ -117,7 +115,7 @@ def arccosine(x):
     return angle + rest
 
 
-@apart_jit
+@apart
 def arctangent2(y, x):
     """Return the angle of the point (x, y), from −π to π [rad]; with the special values of C's atan2."""
     if x != x or y != y:
@@ -144,13 +142,12 @@ def arctangent2(y, x):
     return math.copysign(angle + rest, y)
 
 
-@lean_jit
 def arctangent(t):
     """Return the arctangent [rad]."""
     return arctangent2(t, 1.0)
 
 
-@inline_jit
+@inline
 def square_of_length(long, short):
     """Return long² + short² as two doubles, long ≥ short."""
     square, error = two_product(long, long)
@@ -159,7 +156,7 @@ def square_of_length(long, short):
     return total, more + (error + other_error)
 
 
-@apart_jit
+@apart
 def hypotenuse(x, y):
     """Return √(x² + y²), without overflow or underflow on the way; inf where one of both is infinite, even beside a nan."""
     long, short = abs(x), abs(y)

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit, interpreted, interpreted_as
+from hophoop._native import apart, inline, interpreted_as
 from hophoop.numerics.double_double import SPLITTER, TWO_PI, TWO_PI_LOW, multiply, plus, two_product, two_sum
 from hophoop.numerics.elementary_constants import ANGLE_1, ANGLE_2, ANGLE_3, ANGLE_INVERSE, REVOLUTIONS, SINES
 from hophoop.numerics.words import FRACTION, HIDDEN, word_of
@@ -37,7 +37,7 @@ DIGIT = 1073741823  # 2^30 − 1
 SMALL_60, SMALL_90, SMALL_120, SMALL_150, SMALL_180 = 2.0**-60, 2.0**-90, 2.0**-120, 2.0**-150, 2.0**-180
 
 
-@inline_jit
+@inline
 def rest_of(x, k):
     """Return (r, low), x = k π/256 + r + low, abs(x) < NEAR."""
     a = x - k * ANGLE_1
@@ -46,7 +46,7 @@ def rest_of(x, k):
     return r, ((a - r) - b) - k * ANGLE_3
 
 
-@inline_jit
+@inline
 def reduced(x):
     """Return (k, r, low), x = k π/256 + r + low, abs(x) < NEAR; of k the last bits."""
     count = x * ANGLE_INVERSE + INTEGER
@@ -54,7 +54,7 @@ def reduced(x):
     return word_of(count), r, low
 
 
-@inline_jit
+@inline
 def revolution_rest(d0, d1, d2, d3, d4, d5):
     """Return (k, r, low), k π/256 + r + low = 2π (d0 2^−30 + d1 2^−60 + …), of integers."""
     k = (d0 + 1048576) >> 21
@@ -67,7 +67,7 @@ def revolution_rest(d0, d1, d2, d3, d4, d5):
     return k, high, low
 
 
-@apart_jit
+@apart
 def reduced_far(x):
     """Return `reduced` of any finite x ≥ 1, with some 100 bits of the rest."""
     word = word_of(x)
@@ -92,7 +92,7 @@ def reduced_far(x):
     return revolution_rest(d0, d1, d2, d3, d4, d5)
 
 
-@inline_jit
+@inline
 def _curves(r):
     """Return (the first bits of r, sin r − r, cos r − 1)."""
     part = SPLITTER * r
@@ -100,7 +100,7 @@ def _curves(r):
     return part - (part - r), r * z * (S3 + z * (S5 + z * S7)), z * (C2 + z * (C4 + z * C6))
 
 
-@inline_jit
+@inline
 def _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine):
     """Return S + C r + (S (cos r − 1) + C (sin r − r)) as two doubles."""
     product = c1 * r1
@@ -109,7 +109,7 @@ def _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine):
     return total, error + (s2 + ((c1 * r2 + c2 * r) + ((c1 + c2) * sine + (s1 + s2) * cosine)))
 
 
-@inline_jit
+@inline
 def sums(s1, s2, c1, c2, r, low):
     """Return (sine, rest, cosine, rest) of r + low beyond the angle whose sine and cosine are s1 + s2 and c1 + c2."""
     r1, sine, cosine = _curves(r)
@@ -119,7 +119,7 @@ def sums(s1, s2, c1, c2, r, low):
     return s, s_rest, c, c_rest
 
 
-@inline_jit
+@inline
 def _sine_at(quarter, j, r, low):
     """Return the sine of quarter π/2 + j π/256 + r + low."""
     if quarter & 1:
@@ -134,7 +134,7 @@ def _sine_at(quarter, j, r, low):
     return -value if quarter & 2 else value
 
 
-@inline_jit
+@inline
 def both_at(k, r, low):
     """Return (sine, rest, cosine, rest) of k π/256 + r + low."""
     j = k & 127
@@ -148,7 +148,7 @@ def both_at(k, r, low):
     return s, s_rest, c, c_rest
 
 
-@inline_jit
+@inline
 def quotient_of(s, s_rest, c, c_rest):
     """Return (s + s_rest)/(c + c_rest)."""
     high = c + c_rest
@@ -157,7 +157,7 @@ def quotient_of(s, s_rest, c, c_rest):
     return quotient + (((s - product) - error) + s_rest - quotient * (c_rest - (high - c))) / high
 
 
-@apart_jit
+@apart
 def rare(x):
     """Return (sine, rest, cosine, rest) where x is tiny, far or no number."""
     size = abs(x)
@@ -180,7 +180,7 @@ def _both_by_floats(x):
     if abs(x) <= TINY:
         return x, 1.0
     if not abs(x) < NEAR:
-        s, s_rest, c, c_rest = interpreted(rare)(x)
+        s, s_rest, c, c_rest = rare(x)
         return s + s_rest, c + c_rest
     k = (x * ANGLE_INVERSE + INTEGER) - INTEGER
     a = x - k * ANGLE_1
@@ -221,7 +221,7 @@ def _cosine_by_floats(x):
 
 
 @interpreted_as(_both_by_floats)
-@apart_jit
+@apart
 def sine_and_cosine(x):
     """Return (sin x, cos x) of an angle [rad]."""
     if not TINY < abs(x) < NEAR:
@@ -233,7 +233,7 @@ def sine_and_cosine(x):
 
 
 @interpreted_as(_sine_by_floats)
-@apart_jit
+@apart
 def sine(x):
     """Return sin x of an angle [rad]."""
     if not TINY < abs(x) < NEAR:
@@ -244,7 +244,7 @@ def sine(x):
 
 
 @interpreted_as(_cosine_by_floats)
-@apart_jit
+@apart
 def cosine(x):
     """Return cos x of an angle [rad]."""
     if not TINY < abs(x) < NEAR:
@@ -254,7 +254,7 @@ def cosine(x):
     return _sine_at((k >> 7) + 1, k & 127, r, low)
 
 
-@apart_jit
+@apart
 def tangent(x):
     """Return tan x of an angle [rad]."""
     if TINY < abs(x) < NEAR:

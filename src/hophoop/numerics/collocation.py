@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from hophoop._jit import apart_jit, inline_jit, interpreted_as, lean_jit
+from hophoop._native import apart, inline, interpreted_as
 from hophoop.numerics.constants import ANTIDERIVATIVE_T, NODES, SERIES, WEIGHTS
 from hophoop.numerics.exponentials import exponential
 
@@ -36,7 +36,7 @@ def _product_by_arrays(matrix_t, values, out):
 
 
 @interpreted_as(_product_by_arrays)
-@inline_jit
+@inline
 def product(matrix_t, values, out):
     """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers.
 
@@ -51,7 +51,7 @@ def product(matrix_t, values, out):
             out[i] = low + high if j == 0 else out[i] + (low + high)
 
 
-@inline_jit
+@inline
 def dot(a, b):
     """Sum of products in a fixed order: four sums side by side, which do not wait for each other."""
     r0 = 0.0
@@ -66,7 +66,7 @@ def dot(a, b):
     return (r0 + r1) + (r2 + r3)
 
 
-@inline_jit
+@inline
 def extremes(values):
     """Smallest and largest value, also four at a time."""
     l0 = h0 = values[0]
@@ -85,7 +85,7 @@ def extremes(values):
     return min(min(l0, l1), min(l2, l3)), max(max(h0, h1), max(h2, h3))
 
 
-@inline_jit
+@inline
 def smallest(values):
     """Smallest value, four at a time."""
     l0 = values[0]
@@ -121,7 +121,7 @@ def _exponentials_by_arrays(values, out):
     out[:] = 1.0 + (values + (0.5 * square + square * (even * square + odd * values)))
 
 
-@inline_jit
+@inline
 def _small_exponential(x):
     """exp(x) by the series up to 1, which the processor does for several nodes at a time."""
     square = x * x
@@ -145,7 +145,7 @@ def _small_exponential(x):
     return 1.0 + (x + (0.5 * square + square * (even * square + odd * x)))
 
 
-@inline_jit
+@inline
 def _largest(values):
     largest = 0.0
     for i in range(ORDER):
@@ -154,7 +154,7 @@ def _largest(values):
 
 
 @interpreted_as(_exponentials_by_arrays)
-@inline_jit
+@inline
 def exponentials(values, out):
     """out = exp(values)."""
     if not _largest(values) <= 1.0:
@@ -171,7 +171,7 @@ def _divided_by_arrays(values, out, row):
 
 
 @interpreted_as(_divided_by_arrays)
-@inline_jit
+@inline
 def divided_by_exponentials(values, out, row):
     """out = exp(values), and row divided by it: in one loop, so that the processor takes several nodes at a time here, too."""
     if not _largest(values) <= 1.0:
@@ -185,32 +185,32 @@ def divided_by_exponentials(values, out, row):
         row[i] /= grown
 
 
-@inline_jit
+@inline
 def total(values):
     """Integral of the function over the panel, by Gauss."""
     return dot(WEIGHTS, values)
 
 
-@apart_jit
+@apart
 def integrals(values, out):
     """Integrals of the function from −1 to every node."""
     product(ANTIDERIVATIVE_T, values, out)
 
 
-@apart_jit
+@apart
 def remainders(values, out):
     """Integrals of the function from every node to 1."""
     product(REMAINDER_T, values, out)
 
 
-@inline_jit
+@inline
 def antiderivative(values, out):
     """Integrals of the function from −1 to every node; returns the one over the whole panel."""
     integrals(values, out)
     return total(values)
 
 
-@apart_jit
+@apart
 def coefficients(values, out):
     """Chebyshev coefficients of the function with these values at the nodes."""
     product(SERIES_T, values, out)
@@ -224,7 +224,7 @@ def _tail_by_arrays(values, scale):
 
 
 @interpreted_as(_tail_by_arrays)
-@inline_jit
+@inline
 def tail(values, scale):
     """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
     a = 0.0
@@ -240,7 +240,6 @@ def tail(values, scale):
     return ratio if ratio < np.inf else np.inf
 
 
-@lean_jit
 def series_value(series, xi):
     """Clenshaw's sum of the Chebyshev series at ξ."""
     b1 = 0.0
@@ -251,7 +250,7 @@ def series_value(series, xi):
     return xi * b1 - b2 + series[0]
 
 
-@inline_jit
+@inline
 def end_values(series):
     """The series at ξ = −1, 0 and 1: sums of every fourth coefficient, side by side."""
     r0, r1, r2, r3 = series[0], series[1], series[2], series[3]
@@ -265,7 +264,7 @@ def end_values(series):
     return even - odd, r0 - r2, even + odd
 
 
-@inline_jit
+@inline
 def left_value(series):
     """The series at ξ = −1."""
     return end_values(series)[0]
@@ -283,7 +282,7 @@ def _lagrange_by_arrays(xi, out):
 
 
 @interpreted_as(_lagrange_by_arrays)
-@inline_jit
+@inline
 def lagrange(xi, out):
     """Weights that interpolate node values at ξ: the rows of `SERIES`, each times its T_k(ξ).
 
@@ -308,7 +307,7 @@ def lagrange(xi, out):
         t0, t1 = t7, t8
 
 
-@inline_jit
+@inline
 def value_slope_bend(series, xi):
     """The Chebyshev series, its first and its second derivative at ξ, by one pass of Clenshaw's recurrence.
 

@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import numpy as np
 
-from hophoop._jit import lean_jit
 from hophoop.numerics.arcs import arcsine
 from hophoop.numerics.double_double import add, divide, multiply, negative
 
@@ -19,7 +18,6 @@ _EVEN = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[2:
 _HALVINGS = 4
 
 
-@lean_jit
 def sine_versine(a):
     """(sin a, 1 − cos a) of an angle up to a few turns."""
     scale = 0.5**_HALVINGS
@@ -42,7 +40,6 @@ def sine_versine(a):
     return sine, versine
 
 
-@lean_jit
 def arc_sine(a):
     """The angle from −π/2 to π/2 whose sine is a, abs(a) < 1; near ±1 as exact as the sine lets it be."""
     angle = (arcsine(a[0]), 0.0)

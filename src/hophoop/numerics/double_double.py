@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._native import inline
 
 SPLITTER = 134217729.0  # 2^27 + 1
 
@@ -22,7 +22,7 @@ PI_LOW = float(_PI - Fraction(PI))
 TWO_PI_LOW = 2.0 * PI_LOW
 
 
-@inline_jit
+@inline
 def two_sum(a, b):
     """a + b and its rounding error."""
     total = a + b
@@ -30,14 +30,13 @@ def two_sum(a, b):
     return total, (a - (total - part)) + (b - part)
 
 
-@inline_jit
+@inline
 def quick_sum(a, b):
     """a + b and its rounding error, where abs(a) ≥ abs(b)."""
     total = a + b
     return total, b - (total - a)
 
 
-@lean_jit
 def two_product(a, b):
     """a b and its rounding error."""
     product = a * b
@@ -50,14 +49,14 @@ def two_product(a, b):
     return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
-@inline_jit
+@inline
 def plus(high, low, value):
     """(high, low) + a double."""
     total, error = two_sum(high, value)
     return quick_sum(total, error + low)
 
 
-@inline_jit
+@inline
 def add(a, b):
     """Sum of two such numbers."""
     total, error = two_sum(a[0], b[0])
@@ -66,20 +65,17 @@ def add(a, b):
     return quick_sum(total, error + rest)
 
 
-@lean_jit
 def negative(a):
     """−a."""
     return -a[0], -a[1]
 
 
-@lean_jit
 def multiply(a, b):
     """Product of two such numbers."""
     product, error = two_product(a[0], b[0])
     return quick_sum(product, error + (a[0] * b[1] + a[1] * b[0]))
 
 
-@lean_jit
 def divide(a, b):
     """a / b."""
     first = a[0] / b[0]
@@ -89,7 +85,6 @@ def divide(a, b):
     return add(quick_sum(first, second), (rest[0] / b[0], 0.0))
 
 
-@lean_jit
 def square_root(a):
     """√a, of a number that is not negative."""
     if a[0] <= 0.0:
@@ -101,7 +96,6 @@ def square_root(a):
     return add(first, (rest[0] / (2.0 * root), 0.0))
 
 
-@lean_jit
 def _without(turns, angle):
     """The angle less whole turns."""
     high, error = two_product(turns, TWO_PI)
@@ -109,13 +103,12 @@ def _without(turns, angle):
     return add(rest, (-(turns * TWO_PI_LOW), 0.0))
 
 
-@inline_jit
+@inline
 def nearest_whole(number):
     """The whole number nearest to a double, as a double; a compiled `math.floor` ends at 2^63."""
     return 1.0 * math.floor(number + 0.5) if abs(number) < WHOLE else number
 
 
-@lean_jit
 def turns_and_rest(angle):
     """(whole turns, rest as two doubles from −π to π) of an angle that is a double, taken as exact.
 

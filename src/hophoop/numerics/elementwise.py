@@ -11,12 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from hophoop._jit import interpreted
 from hophoop.numerics import arcs, circular, exponentials, hyperbolic, whole_arrays
 
 Arrays = Any  # a float, or an array of them
 
-_both = interpreted(circular.sine_and_cosine)
+_both = circular.sine_and_cosine
 _CHUNK = 8192  # numbers at a time, which stay in the processor's cache
 
 
@@ -24,7 +23,7 @@ def _elementwise(
     scalar: Any, whole: Callable[..., Any], common: Callable[..., Any], safe: float, arguments: tuple[Arrays, ...]
 ) -> Any:
     """Apply a function to common arguments as whole arrays, to the others one by one; `safe` stands in for these meanwhile."""
-    one = interpreted(scalar)
+    one = scalar
     if all(isinstance(value, float | int) for value in arguments):
         return whole_arrays.single(one, *(float(value) for value in arguments))
     given = [np.asarray(value, dtype=np.float64) for value in arguments]

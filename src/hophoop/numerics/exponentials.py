@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit, interpreted, interpreted_as, lean_jit
+from hophoop._native import apart, inline, interpreted_as
 from hophoop.numerics.circular import INTEGER, INTEGER_WORD
 from hophoop.numerics.double_double import SPLITTER, multiply, quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import (
@@ -44,7 +44,7 @@ SMALL_1P = 1e-9  # up to here log(1 + u) = u − u²/2
 LARGE_POWER = 1.8446744073709552e19  # 2^64
 
 
-@inline_jit
+@inline
 def growth_at(x, k, t1, t2):
     """Return exp(x − k ln 2/64) (t1 + t2) as two doubles."""
     a = x - k * OCTAVE_1
@@ -61,7 +61,7 @@ def growth_at(x, k, t1, t2):
     return total, error + (t2 + ((t1 * r2 + t2 * r) + (t1 + t2) * curve))
 
 
-@inline_jit
+@inline
 def growth(x):
     """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
     count = x * OCTAVE_INVERSE + INTEGER
@@ -71,7 +71,7 @@ def growth(x):
     return whole >> 6, high, rest
 
 
-@apart_jit
+@apart
 def rounded(m, high, rest):
     """Return 2^m (high + rest), 1 ≤ high + rest < 2, rounded once also where it is subnormal or too large."""
     if m > 1022:
@@ -87,7 +87,7 @@ def rounded(m, high, rest):
     return scaled((total + (error + rest)) - large, m)
 
 
-@apart_jit
+@apart
 def _exponential_rare(x):
     if x != x:
         return x
@@ -105,7 +105,7 @@ _POWERS = [tuple(row) for row in POWERS.tolist()]
 def _exponential_by_floats(x):
     x = float(x)
     if not LEAST < x < MOST:
-        return interpreted(_exponential_rare)(x)
+        return _exponential_rare(x)
     k = (x * OCTAVE_INVERSE + INTEGER) - INTEGER
     a = x - k * OCTAVE_1
     b = k * OCTAVE_2
@@ -124,7 +124,7 @@ def _exponential_by_floats(x):
 
 
 @interpreted_as(_exponential_by_floats)
-@apart_jit
+@apart
 def exponential(x):
     """Return exp x."""
     if not LEAST < x < MOST:
@@ -133,7 +133,7 @@ def exponential(x):
     return (high + rest) * power_of_two(m)
 
 
-@inline_jit
+@inline
 def logarithm_at(power, m, inverse, high, low):
     """Return log(2^power m) as two doubles; high + low is −log(inverse)."""
     # r = m c − 1
@@ -147,7 +147,7 @@ def logarithm_at(power, m, inverse, high, low):
     return quick_sum(total, (error + more) + rest)
 
 
-@apart_jit
+@apart
 def logarithm_parts(x):
     """Return log x as two doubles with some 65 bits, of a finite x > 0."""
     e, m = octave(x)
@@ -158,7 +158,6 @@ def logarithm_parts(x):
     return logarithm_at(1.0 * e, m, float(LOGARITHMS[j, 0]), float(LOGARITHMS[j, 1]), float(LOGARITHMS[j, 2]))
 
 
-@lean_jit
 def logarithm(x):
     """Return the natural logarithm of x."""
     if not 0.0 < x < math.inf:
@@ -167,7 +166,7 @@ def logarithm(x):
     return high + low
 
 
-@inline_jit
+@inline
 def _logarithm_rare(x):
     """Return the logarithm of what is no finite positive number."""
     if x == 0.0:
@@ -175,7 +174,6 @@ def _logarithm_rare(x):
     return x if x > 0.0 else math.nan
 
 
-@lean_jit
 def binary_logarithm(x):
     """Return the logarithm of x to the base 2; exact for powers of two."""
     if not 0.0 < x < math.inf:
@@ -184,7 +182,6 @@ def binary_logarithm(x):
     return high + low
 
 
-@lean_jit
 def logarithm_1p(u):
     """Return log(1 + u), with all digits also where u is small."""
     if abs(u) < SMALL_1P:
@@ -196,17 +193,17 @@ def logarithm_1p(u):
     return high + (low + error / total)
 
 
-@inline_jit
+@inline
 def _is_integer(y):
     return abs(y) >= 4503599627370496.0 or 1.0 * math.floor(y) == y
 
 
-@inline_jit
+@inline
 def _is_odd(y):
     return abs(y) < 9007199254740992.0 and _is_integer(y) and not _is_integer(0.5 * y)
 
 
-@inline_jit
+@inline
 def _power_rare(size, y):
     """Return size^y where one of both is 0 or inf, or the result too large or small."""
     if size == 1.0:
@@ -214,7 +211,7 @@ def _power_rare(size, y):
     return math.inf if (size > 1.0) == (y > 0.0) else 0.0
 
 
-@apart_jit
+@apart
 def power(x, y):
     """Return x^y; with the special values of C's pow. y of 0, 1, 2 and 1/2 is as exact as ×, and √."""
     if y == 0.0 or x == 1.0:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.arcs import root_of
 from hophoop.numerics.double_double import add, divide, multiply, plus, quick_sum, two_product, two_sum
 from hophoop.numerics.elementary_constants import LN2_HIGH, LN2_LOW, SINH_SERIES, TANH_SERIES
@@ -22,7 +22,7 @@ OVERFLOW = 711.0
 FAR = 268435456.0  # 2^28: from here on arcosh x = log 2x
 
 
-@inline_jit
+@inline
 def series_of(x, coefficients):
     """Return x + x³ (c0 + c1 x² + …)."""
     z = x * x
@@ -32,7 +32,7 @@ def series_of(x, coefficients):
     return x + x * z * total
 
 
-@inline_jit
+@inline
 def tangent_of(high, rest, scale):
     """Return (e − 1)/(e + 1), e = scale (high + rest)."""
     grown, low = quick_sum(high, rest)
@@ -43,7 +43,6 @@ def tangent_of(high, rest, scale):
     return quotient + (((above - product) - error) + (above_low - quotient * below_low)) / below
 
 
-@lean_jit
 def hyperbolic_tangent(x):
     """Return tanh x."""
     size = abs(x)
@@ -55,7 +54,7 @@ def hyperbolic_tangent(x):
     return math.copysign(tangent_of(high, rest, power_of_two(m)), x)
 
 
-@inline_jit
+@inline
 def half_sum_of(high, rest, scale, sign):
     """Return e + sign scale/e, e = high + rest."""
     grown = quick_sum(high, rest)
@@ -64,7 +63,7 @@ def half_sum_of(high, rest, scale, sign):
     return total + rest
 
 
-@apart_jit
+@apart
 def _half_sum(size, sign):
     """Return (exp x ± exp −x)/2, 0 ≤ x."""
     if not size < OVERFLOW:
@@ -75,7 +74,6 @@ def _half_sum(size, sign):
     return half_sum_of(high, rest, power_of_two(-2 * m), sign) * power_of_two(m - 1)
 
 
-@lean_jit
 def hyperbolic_sine(x):
     """Return sinh x."""
     if abs(x) < SMALL_SINE:
@@ -83,26 +81,24 @@ def hyperbolic_sine(x):
     return math.copysign(_half_sum(abs(x), -1.0), x)
 
 
-@lean_jit
 def hyperbolic_cosine(x):
     """Return cosh x."""
     return _half_sum(abs(x), 1.0)
 
 
-@inline_jit
+@inline
 def square_less_one(x):
     """Return x² − 1 as two doubles, x > 1."""
     return multiply(two_sum(x, -1.0), two_sum(x, 1.0))
 
 
-@inline_jit
+@inline
 def grown_by(x, root, root_low):
     """Return x + root + root_low as two doubles."""
     high, low = add(two_sum(x, -1.0), (root, root_low))
     return plus(high, low, 1.0)
 
 
-@lean_jit
 def inverse_hyperbolic_cosine(x):
     """Return arcosh x; nan below 1."""
     if not 1.0 < x < math.inf:

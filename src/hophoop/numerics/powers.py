@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from hophoop._jit import lean_jit
 
-
-@lean_jit
 def integer_power(base, exponent):
     """Return base^exponent, from left to right; a negative exponent divides 1 by the product."""
     result = 1.0

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.collocation import ORDER, end_values, product, value_slope_bend
 from hophoop.numerics.constants import LEFT_T, RIGHT_T
 
@@ -16,14 +16,14 @@ DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel
 
 
-@apart_jit
+@apart
 def halves(series, left, right):
     """The series on the left and on the right half of its interval."""
     product(RIGHT_T, series, right)
     product(LEFT_T, series, left)
 
 
-@inline_jit
+@inline
 def _spread(series):
     """How far the series can be from its mean, the first coefficient: the sum of the others, four side by side."""
     r0, r1, r2, r3 = 0.0, abs(series[1]), abs(series[2]), abs(series[3])
@@ -35,7 +35,7 @@ def _spread(series):
     return (r0 + r1) + (r2 + r3)
 
 
-@inline_jit
+@inline
 def _bracketed(series, f_low, f_middle, f_high):
     """Root of a monotone series with series(−1) > 0 ≥ series(1): steps of third order kept inside the bracket."""
     low = -1.0
@@ -73,7 +73,7 @@ def _bracketed(series, f_low, f_middle, f_high):
     return xi
 
 
-@apart_jit
+@apart
 def first_fall(series, floor, stack):
     """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
 
@@ -83,7 +83,7 @@ def first_fall(series, floor, stack):
     return first_fall_after(series, -2.0, floor, stack)
 
 
-@apart_jit
+@apart
 def first_fall_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`.
 

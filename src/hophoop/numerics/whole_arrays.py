@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from hophoop._jit import interpreted
 from hophoop.numerics import arcs, circular, exponentials, hyperbolic
 from hophoop.numerics.double_double import multiply, two_sum
 from hophoop.numerics.elementary_constants import (
@@ -30,19 +29,6 @@ from hophoop.numerics.elementary_constants import (
 )
 from hophoop.numerics.words import FRACTION, HIDDEN, SMALLEST_NORMAL, TWO_54
 
-_rest_of, _revolution_rest, _sums = (interpreted(f) for f in (circular.rest_of, circular.revolution_rest, circular.sums))
-_quotient_of, _growth_at, _logarithm_at = (
-    interpreted(f) for f in (circular.quotient_of, exponentials.growth_at, exponentials.logarithm_at)
-)
-_angle_beyond, _less, _root_near, _complement_of, _square_of_length = (
-    interpreted(f) for f in (arcs.angle_beyond, arcs.less, arcs.root_near, arcs.complement_of, arcs.square_of_length)
-)
-_series_of, _tangent_of, _half_sum_of = (
-    interpreted(f) for f in (hyperbolic.series_of, hyperbolic.tangent_of, hyperbolic.half_sum_of)
-)
-_square_less_one, _grown_by = interpreted(hyperbolic.square_less_one), interpreted(hyperbolic.grown_by)
-_multiply, _two_sum = interpreted(multiply), interpreted(two_sum)
-
 
 def single(function: Callable[..., float], *arguments: float) -> float:
     """Return the value of one interpreted function, without warnings."""
@@ -56,7 +42,7 @@ def power_of_two(exponents: np.ndarray) -> np.ndarray:
 
 def placed(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     count = x * ANGLE_INVERSE + circular.INTEGER
-    return (count.view(np.int64), *_rest_of(x, count - circular.INTEGER))
+    return (count.view(np.int64), *circular.rest_of(x, count - circular.INTEGER))
 
 
 def placed_far(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -77,7 +63,7 @@ def placed_far(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         column = m0 * REVOLUTIONS[first + i - 1] + m1 * REVOLUTIONS[first + i] + m2 * REVOLUTIONS[first + i + 1] + carry
         digits.append(column & circular.DIGIT)
         carry = column >> 30
-    return _revolution_rest(*digits[:0:-1])
+    return circular.revolution_rest(*digits[:0:-1])
 
 
 def turned(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -88,7 +74,7 @@ def turned(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarra
     if far.size:
         k[far], r[far], low[far] = placed_far(size[far])
     sines, cosines = SINES[k & 127], SINES[128 - (k & 127)]
-    s, s_rest, c, c_rest = _sums(sines[:, 0], sines[:, 1], cosines[:, 0], cosines[:, 1], r, low)
+    s, s_rest, c, c_rest = circular.sums(sines[:, 0], sines[:, 1], cosines[:, 0], cosines[:, 1], r, low)
     odd = (k & 128) != 0
     s, s_rest, c, c_rest = (
         np.where(odd, c, s),
@@ -117,7 +103,7 @@ def cosines(x: np.ndarray) -> np.ndarray:
 
 
 def tangents(x: np.ndarray) -> np.ndarray:
-    return np.where(x == 0.0, x, _quotient_of(*turned(x)))
+    return np.where(x == 0.0, x, circular.quotient_of(*turned(x)))
 
 
 def grown(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -125,7 +111,7 @@ def grown(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     count = x * OCTAVE_INVERSE + circular.INTEGER
     whole = count.view(np.int64) - circular.INTEGER_WORD
     powers = POWERS[whole & 63]
-    return (whole >> 6, *_growth_at(x, count - circular.INTEGER, powers[:, 0], powers[:, 1]))
+    return (whole >> 6, *exponentials.growth_at(x, count - circular.INTEGER, powers[:, 0], powers[:, 1]))
 
 
 def grow(x: np.ndarray) -> np.ndarray:
@@ -147,7 +133,7 @@ def logarithm_parts(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     above = m > exponentials.ROOT_TWO
     m, e = np.where(above, 0.5 * m, m), np.where(above, e + 1, e)
     row = LOGARITHMS[(128.0 * m + 0.5).astype(np.int64) - exponentials.FIRST]
-    high, low = _logarithm_at(1.0 * e, m, row[:, 0], row[:, 1], row[:, 2])
+    high, low = exponentials.logarithm_at(1.0 * e, m, row[:, 0], row[:, 1], row[:, 2])
     return high, low
 
 
@@ -161,7 +147,7 @@ def logarithms(x: np.ndarray) -> np.ndarray:
 
 
 def binary_logarithms(x: np.ndarray) -> np.ndarray:
-    high, low = _multiply(logarithm_parts(x), (LOG2_E_HIGH, LOG2_E_LOW))
+    high, low = multiply(logarithm_parts(x), (LOG2_E_HIGH, LOG2_E_LOW))
     return np.asarray(high + low)
 
 
@@ -171,18 +157,18 @@ def above_minus_one(u: np.ndarray) -> np.ndarray:
 
 
 def logarithms_1p(u: np.ndarray) -> np.ndarray:
-    total, error = _two_sum(1.0, u)
+    total, error = two_sum(1.0, u)
     high, low = logarithm_parts(total)
     return np.asarray(high + (low + error / total))
 
 
 def powers(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    exponent, low = _multiply(logarithm_parts(x), (y, 0.0))
+    exponent, low = multiply(logarithm_parts(x), (y, 0.0))
     usual = np.abs(exponent) < 700.0
     rare = np.flatnonzero(~usual)
     m, high, rest = grown(np.where(usual, exponent, 0.0))
     values = (high + (rest + high * low)) * power_of_two(m)
-    one = interpreted(exponentials.power)
+    one = exponentials.power
     for i in rare.tolist():
         values[i] = single(one, float(x[i]), float(y[i]))
     return np.asarray(values)
@@ -201,13 +187,13 @@ def angles(y: np.ndarray, y_low: Any, x: np.ndarray, x_low: Any) -> tuple[np.nda
     long, long_low = np.where(steep, y, x), np.where(steep, y_low, x_low)
     j = (64.0 * (short / long) + 0.5).astype(np.int64)
     row = ARCTANGENTS[j]
-    angle, rest = _angle_beyond(short, short_low, long, long_low, 0.015625 * j, row[:, 0], row[:, 1])
-    other, other_rest = _less(arcs.HALF_PI_HIGH, arcs.HALF_PI_LOW, angle, rest)
+    angle, rest = arcs.angle_beyond(short, short_low, long, long_low, 0.015625 * j, row[:, 0], row[:, 1])
+    other, other_rest = arcs.less(arcs.HALF_PI_HIGH, arcs.HALF_PI_LOW, angle, rest)
     return np.where(steep, other, angle), np.where(steep, other_rest, rest)
 
 
 def root_of(high: np.ndarray, low: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    root, rest = _root_near(np.sqrt(high), high, low)
+    root, rest = arcs.root_near(np.sqrt(high), high, low)
     return root, rest
 
 
@@ -218,14 +204,14 @@ def inside(x: np.ndarray) -> np.ndarray:
 
 def arcsines(x: np.ndarray) -> np.ndarray:
     size = np.abs(x)
-    angle, rest = angles(size, 0.0, *root_of(*_complement_of(size)))
+    angle, rest = angles(size, 0.0, *root_of(*arcs.complement_of(size)))
     return np.copysign(angle + rest, x)
 
 
 def arccosines(x: np.ndarray) -> np.ndarray:
     size = np.abs(x)
-    angle, rest = angles(*root_of(*_complement_of(size)), size, 0.0)
-    other, other_rest = _less(PI_HIGH, PI_LOW, angle, rest)
+    angle, rest = angles(*root_of(*arcs.complement_of(size)), size, 0.0)
+    other, other_rest = arcs.less(PI_HIGH, PI_LOW, angle, rest)
     return np.where(x < 0.0, other + other_rest, angle + rest)
 
 
@@ -240,14 +226,14 @@ def points(y: np.ndarray, x: np.ndarray) -> np.ndarray:
 def arctangents2(y: np.ndarray, x: np.ndarray) -> np.ndarray:
     angle, rest = angles(np.abs(y), 0.0, np.abs(x), 0.0)
     behind = np.copysign(1.0, x) < 0.0
-    other, other_rest = _less(PI_HIGH, PI_LOW, angle, rest)
+    other, other_rest = arcs.less(PI_HIGH, PI_LOW, angle, rest)
     value = np.where(behind, other + other_rest, angle + rest)
     return np.copysign(np.where(y == 0.0, np.where(behind, PI_HIGH, 0.0), value), y)
 
 
 def lengths(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     high, width = np.abs(y), np.abs(x)
-    root, rest = root_of(*_square_of_length(np.maximum(high, width), np.minimum(high, width)))
+    root, rest = root_of(*arcs.square_of_length(np.maximum(high, width), np.minimum(high, width)))
     return root + rest
 
 
@@ -261,23 +247,23 @@ def hyperbolic_tangents(x: np.ndarray) -> np.ndarray:
     size = np.abs(x)
     small = size < hyperbolic.SMALL_TANGENT
     m, high, rest = grown(2.0 * size)
-    value = np.copysign(_tangent_of(high, rest, power_of_two(m)), x)
-    return np.where(x == 0.0, x, np.where(small, _series_of(np.where(small, x, 0.0), TANH_SERIES), value))
+    value = np.copysign(hyperbolic.tangent_of(high, rest, power_of_two(m)), x)
+    return np.where(x == 0.0, x, np.where(small, hyperbolic.series_of(np.where(small, x, 0.0), TANH_SERIES), value))
 
 
 def half_sums(size: np.ndarray, sign: float) -> np.ndarray:
     m, high, rest = grown(size)
-    return np.asarray(_half_sum_of(high, rest, power_of_two(-2 * m), sign) * power_of_two(m - 1))
+    return np.asarray(hyperbolic.half_sum_of(high, rest, power_of_two(-2 * m), sign) * power_of_two(m - 1))
 
 
 def hyperbolic_sines(x: np.ndarray) -> np.ndarray:
     size = np.abs(x)
     small = size < hyperbolic.SMALL_SINE
     value = np.copysign(half_sums(size, -1.0), x)
-    return np.where(x == 0.0, x, np.where(small, _series_of(np.where(small, x, 0.0), SINH_SERIES), value))
+    return np.where(x == 0.0, x, np.where(small, hyperbolic.series_of(np.where(small, x, 0.0), SINH_SERIES), value))
 
 
 def inverse_hyperbolic_cosines(x: np.ndarray) -> np.ndarray:
-    total, rest = _grown_by(x, *root_of(*_square_less_one(x)))
+    total, rest = hyperbolic.grown_by(x, *root_of(*hyperbolic.square_less_one(x)))
     high, low = logarithm_parts(total)
     return np.asarray(high + (low + rest / total))

@@ -7,7 +7,7 @@ import struct
 
 import numpy as np
 
-from hophoop._jit import inline_jit, interpreted_as
+from hophoop._native import inline, interpreted_as
 
 _DOUBLE, _WORD = struct.Struct("<d"), struct.Struct("<q")
 FRACTION = 0xFFFFFFFFFFFFF  # the bits of a double after its first one
@@ -25,14 +25,14 @@ def _float_of_word(word):
 
 
 @interpreted_as(_word_of_float)
-@inline_jit
+@inline
 def word_of(x):
     """Return the bits of a double as an integer."""
     return np.int64(np.float64(x).view(np.int64))
 
 
 @interpreted_as(_float_of_word)
-@inline_jit
+@inline
 def double_of(word):
     """Return the double with such bits."""
     return float(np.int64(word).view(np.float64))
@@ -43,7 +43,7 @@ def _power_of_two_by_floats(exponent):
 
 
 @interpreted_as(_power_of_two_by_floats)
-@inline_jit
+@inline
 def power_of_two(exponent):
     """Return 2^exponent, from −1022 to 1023."""
     return double_of((exponent + 1023) << 52)
@@ -54,7 +54,7 @@ def _scaled_by_floats(x, exponent):
 
 
 @interpreted_as(_scaled_by_floats)
-@inline_jit
+@inline
 def scaled(x, exponent):
     """Return x 2^exponent, exponent from −2044 to 2046, where that is exact."""
     first = exponent >> 1
@@ -67,7 +67,7 @@ def _octave_by_floats(x):
 
 
 @interpreted_as(_octave_by_floats)
-@inline_jit
+@inline
 def octave(x):
     """Return (e, m), x = 2^e m with 1 ≤ m < 2, of a finite x > 0."""
     shift = 1023

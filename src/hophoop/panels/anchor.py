@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.numerics.double_angles import arc_sine, sine_versine
 from hophoop.numerics.double_double import (
@@ -52,20 +52,19 @@ class Anchor(NamedTuple):
 NONE = Anchor(FREE, 0.0, 0.0, 0.0, 0.0)
 
 
-@lean_jit
 def rolling_hilltop(body):
     """θ, in two doubles, of the unstable equilibrium on a slope; needs abs(sin β) < ε."""
     sine = divide(sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
     return add(negative(arc_sine(sine)), (-body.slope, 0.0))
 
 
-@inline_jit
+@inline
 def offset_from(th, low, base, base_low):
     """ψ = θ − θ_base of two angles of two doubles, with all its digits."""
     return (th - base) + (low - base_low)
 
 
-@inline_jit
+@inline
 def fallen(body, bend, psi):
     """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
     if body.gt == 0.0:
@@ -74,7 +73,7 @@ def fallen(body, bend, psi):
     return bend * versine + body.gt * bent
 
 
-@apart_jit
+@apart
 def rolling_anchor(body, th, low, s, c, u):
     """The anchor of a rolling phase that begins at θ with θ̇² = u."""
     if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
@@ -99,7 +98,7 @@ def rolling_anchor(body, th, low, s, c, u):
     return Anchor(ROLLING, excess, base, base_low, bend)
 
 
-@inline_jit
+@inline
 def rolling_begin(body, anchor, th, low, s, c, u):
     """(−dV/dθ, d²V/dθ², θ̇²) where a rolling panel begins; the last is as it was without an anchor."""
     torque = body.eps * (body.gn * s + body.gt * c) + body.gt
@@ -123,7 +122,6 @@ def rolling_begin(body, anchor, th, low, s, c, u):
     return torque, bend, u
 
 
-@lean_jit
 def slip_hilltop(body, sigma):
     """θ, in two doubles, where slip has no torque and θ̇ = 0 is unstable; needs σ μ/√(1 + μ²) < ε."""
     signed_mu = sigma * body.mu_k
@@ -134,7 +132,7 @@ def slip_hilltop(body, sigma):
     return negative(add(arc_sine(sine), arc_sine(divide(sine, (body.eps, 0.0)))))
 
 
-@apart_jit
+@apart
 def separatrix(body, sigma, base, out):
     """Series in ψ of θ̇² of the slip that comes to rest at its hilltop; returns up to which ψ it is good to rounding."""
     eps = body.eps
@@ -166,7 +164,6 @@ def separatrix(body, sigma, base, out):
     return reach
 
 
-@lean_jit
 def separatrix_value(series, psi):
     """θ̇² of the slip that comes to rest at the hilltop, at ψ from there."""
     result = 0.0
@@ -175,7 +172,6 @@ def separatrix_value(series, psi):
     return result * psi * psi
 
 
-@lean_jit
 def frictionless_value(body, th, low):
     """θ̇² of the slip without friction that comes to rest on the hilltop: its energy is conserved."""
     s = sine_cosine(th, low)[0]
@@ -183,7 +179,7 @@ def frictionless_value(body, th, low):
     return 4.0 * body.eps * body.gn * half * half / (body.kap + body.eps * s * body.eps * s)
 
 
-@apart_jit
+@apart
 def slip_anchor(body, sigma, th, low, s, c, u, series):
     """The anchor of slip that begins, with θ̇² = u, beside its hilltop; `series` is scratch."""
     if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
@@ -202,7 +198,7 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
     return Anchor(SLIPPING, u - separatrix_value(series, psi), base, base_low, slope)
 
 
-@apart_jit
+@apart
 def slip_begin(body, anchor, sigma, th, low, arm, u, series):
     """(q, θ̇²) where a slip panel begins, from what they are but for rounding: with all digits also beside the hilltop."""
     if body.mu_k == 0.0:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.arcs import arccosine
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.double_double import turns_and_rest
@@ -45,14 +45,14 @@ class Moment(NamedTuple):
     jerk: float
 
 
-@inline_jit
+@inline
 def moment_of(body, flight, tau):
     """The flight at the time tau."""
     gap, rate, bend, jerk = flight_rates(body, flight.s, flight.c, flight.om, flight.y, flight.vn, flight.fn, tau)
     return Moment(tau, gap, rate, bend, jerk)
 
 
-@inline_jit
+@inline
 def parabola_fall(value, rate, bend):
     """Where value + rate t + bend t²/2 falls through zero at t > 0; nan where it does not."""
     square = rate * rate - 2.0 * bend * value
@@ -63,7 +63,7 @@ def parabola_fall(value, rate, bend):
     return (rate + math.sqrt(square)) / -bend if bend < 0.0 else math.nan
 
 
-@inline_jit
+@inline
 def stepped(value, slope, bend):
     """How far back a step of third order goes towards the zero of a function."""
     if slope == 0.0:
@@ -72,7 +72,7 @@ def stepped(value, slope, bend):
     return step * (1.0 + 0.5 * step * (bend / slope))
 
 
-@inline_jit
+@inline
 def is_found(moved, before, tau):
     """Whether steps of third order have come to a root: the next one, smaller by moved³/before³, would be rounding."""
     if moved <= RESOLVED_TIME * tau:
@@ -85,7 +85,7 @@ def is_found(moved, before, tau):
     return moved < 1e-13 * tau and part >= 0.5  # as near as the rounding of the gap lets the steps come
 
 
-@inline_jit
+@inline
 def falling(moment, level, way):
     """What is to fall through zero, and its first two derivatives: the gap, or its rate times `way` where `level` is asked."""
     if level:
@@ -93,7 +93,7 @@ def falling(moment, level, way):
     return moment.gap, moment.rate, moment.bend
 
 
-@apart_jit
+@apart
 def fall_between(body, flight, first, last, level):
     """When the gap, or its rate where `level` is asked, is zero, once, between two moments.
 
@@ -127,7 +127,7 @@ def fall_between(body, flight, first, last, level):
     return tau
 
 
-@apart_jit
+@apart
 def touches(body, flight, lowest):
     """Whether the gap at its lowest is zero but for rounding: a touch without approach."""
     tau = lowest.tau
@@ -137,7 +137,7 @@ def touches(body, flight, lowest):
     return lowest.gap > -4e-16 * size
 
 
-@apart_jit
+@apart
 def dip(body, flight, first, last):
     """When the rim lands in a stretch that bends up, or −1: only where its lowest place is below the plane."""
     if first.rate >= 0.0:
@@ -154,7 +154,7 @@ def dip(body, flight, first, last):
     return fall_between(body, flight, first, lowest, False)
 
 
-@inline_jit
+@inline
 def latest(body, flight, rise):
     """When the parabola of the centre of gravity, which rises at first by `rise`, has left the reach of the cosine for good."""
     reach = 2.0 * body.eps + flight.y
@@ -169,7 +169,7 @@ def latest(body, flight, rise):
     return 7.0 / abs(flight.om) if flight.om != 0.0 else 0.0
 
 
-@apart_jit
+@apart
 def worth_looking(body, flight, rise, start, never):
     """From where on a flight of many turns is to be looked at: beside its top, and where the rim can reach the plane.
 
@@ -190,7 +190,7 @@ def worth_looking(body, flight, rise, start, never):
     return max(start, (1.0 - 1e-12) * down - near)
 
 
-@inline_jit
+@inline
 def from_top(angle):
     """The angle less the whole turns that bring it nearest to the top."""
     if abs(angle) < MANY_RADIANS:
@@ -198,7 +198,7 @@ def from_top(angle):
     return turns_and_rest(angle)[1]
 
 
-@apart_jit
+@apart
 def first_landing(body, th, om, y, vn, fn, order, limit):
     """First contact of a flight and its highest centre.
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.collocation import ORDER, antiderivative
 from hophoop.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
 from hophoop.numerics.constants import SINES as FORWARD_SINES
@@ -25,7 +25,7 @@ SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backwards and forwards
 HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
 
 
-@inline_jit
+@inline
 def width_of(level):
     """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
     if level < LEVELS:
@@ -72,13 +72,13 @@ class Totals(NamedTuple):
     resisted: float  # energy lost to rolling resistance
 
 
-@inline_jit
+@inline
 def rows_are_known(work):
     """Always true; a compiler that has seen it knows how far the rows are apart, and takes several nodes at a time."""
     return work.shape[1] == ORDER
 
 
-@apart_jit
+@apart
 def fill_narrow(way, half, sines, versines, stretch):
     """`fill_geometry` of panels narrower than the tables go."""
     for i in range(ORDER):
@@ -88,7 +88,7 @@ def fill_narrow(way, half, sines, versines, stretch):
         stretch[i] = half
 
 
-@inline_jit
+@inline
 def fill_geometry(panel, work):
     """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
     sines = work[A]
@@ -130,7 +130,7 @@ def fill_geometry(panel, work):
         versines[i] = versine
 
 
-@inline_jit
+@inline
 def angle_at(panel, xi):
     """θ − ref at ξ."""
     if panel.kind == LINEAR:
@@ -142,7 +142,7 @@ def angle_at(panel, xi):
     return panel.way * panel.extent * part * part
 
 
-@inline_jit
+@inline
 def place_of(panel, offset):
     """ξ where abs(θ − ref) = offset."""
     if panel.kind == LINEAR:
@@ -164,7 +164,7 @@ class Begin(NamedTuple):
     vt: float
 
 
-@inline_jit
+@inline
 def linear_panel(sigma, level, way, begin):
     """A panel of standard width."""
     return Panel(
@@ -173,13 +173,13 @@ def linear_panel(sigma, level, way, begin):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def no_panel(kind, sigma, way):
     """What stands for the panel in a piece that needs none: FLY, HOLD or SKIMMING."""
     return Panel(sigma, kind, 0, way, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@inline_jit
+@inline
 def leaving_panel(sigma, way, extent, begin):
     """A panel that begins at rest."""
     return Panel(
@@ -188,7 +188,6 @@ def leaving_panel(sigma, way, extent, begin):
     )  # fmt: skip
 
 
-@lean_jit
 def arriving_panel(body, before, ahead):
     """A panel from the start of a linear one to a turning point at the angle `ahead` from there.
 
@@ -208,7 +207,7 @@ def arriving_panel(body, before, ahead):
     return Panel(before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt)
 
 
-@inline_jit
+@inline
 def chord(panel, xi):
     """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
@@ -217,7 +216,7 @@ def chord(panel, xi):
     return sine_and_versine(angle)
 
 
-@inline_jit
+@inline
 def fill_inside(panel, work):
     """The rows TIME and LOSS of a solved panel, which only a place inside it needs."""
     antiderivative(work[RATE], work[TIME])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit
+from hophoop._native import apart
 from hophoop.numerics.collocation import ORDER, exponentials, tail, total
 from hophoop.numerics.exponentials import exponential
 from hophoop.numerics.trigonometry import rotated
@@ -31,7 +31,7 @@ from hophoop.physics.contact import cone_weights
 from hophoop.physics.resistance import resisted_forces, resisted_inertia
 
 
-@apart_jit
+@apart
 def solve_resisted(body, panel, work):
     """Fill `work` for a rolling panel with rolling resistance.
 
@@ -94,7 +94,7 @@ def solve_resisted(body, panel, work):
     return Totals(size, total(work[RATE]), u_far, 0.0, 0.0, math.nan, total(work[RESIST]))
 
 
-@apart_jit
+@apart
 def resisted_margins(body, panel, work):
     """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
     a, b = cone_weights(body.mu_s)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import inline_jit
+from hophoop._native import inline
 from hophoop.numerics.collocation import ORDER, tail, total
 from hophoop.numerics.constants import NODES
 from hophoop.numerics.trigonometry import rotated, turn_deficits
@@ -32,7 +32,7 @@ from hophoop.physics.contact import cone_weights, inertia_at_height, load_height
 STEEP = 0.25
 
 
-@inline_jit
+@inline
 def energy_gained(body, panel, sine, versine, offset):
     """Change of D θ̇² on a rolling panel over φ = offset from its reference, with sin φ and 1 − cos φ."""
     gained = sine * panel.arm + versine * panel.stiffness
@@ -41,7 +41,7 @@ def energy_gained(body, panel, sine, versine, offset):
     return 2.0 * gained
 
 
-@inline_jit
+@inline
 def u_on_panel(body, panel, sine, versine, offset):
     """θ̇² on a rolling panel at φ = offset from its reference, with sin φ and 1 − cos φ."""
     inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
@@ -49,7 +49,7 @@ def u_on_panel(body, panel, sine, versine, offset):
     return energy / (inertia + 2.0 * body.eps * rotated(panel.sine, panel.cosine, sine, versine)[1])
 
 
-@inline_jit
+@inline
 def solve_roll(body, panel, work):
     """Fill `work` for a rolling panel.
 
@@ -100,7 +100,7 @@ def solve_roll(body, panel, work):
     return Totals(size, time, u, 0.0, 0.0, math.nan, 0.0)
 
 
-@inline_jit
+@inline
 def roll_margins(body, work):
     """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
     a, b = cone_weights(body.mu_s)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.collocation import (
     ORDER,
     antiderivative,
@@ -42,13 +42,13 @@ from hophoop.panels.panel import (
 from hophoop.physics.contact import contact_arms
 
 
-@inline_jit
+@inline
 def way_from_reference(panel):
     """±1, the sign of the way of θ from `ref` to the far end of a panel."""
     return -panel.way if panel.kind == ARRIVE else panel.way
 
 
-@inline_jit
+@inline
 def away_from_reference(panel, values, out):
     """∫ values abs(dξ) from `ref` to each node; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
@@ -58,7 +58,7 @@ def away_from_reference(panel, values, out):
     return total(values)
 
 
-@inline_jit
+@inline
 def from_reference(panel, values, out):
     """`away_from_reference`, signed along θ."""
     whole = away_from_reference(panel, values, out)
@@ -68,7 +68,7 @@ def from_reference(panel, values, out):
     return way * whole
 
 
-@apart_jit
+@apart
 def slip_resisted(body, work):
     """Energy lost to rolling resistance on a solved slip panel; fills its power."""
     for i in range(ORDER):
@@ -76,7 +76,7 @@ def slip_resisted(body, work):
     return total(work[RESIST])
 
 
-@inline_jit
+@inline
 def solve_slip(body, panel, work):
     """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
 

@@ -20,7 +20,6 @@ import math
 from enum import IntEnum
 from typing import NamedTuple
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arccosine
 from hophoop.numerics.exponentials import exponential, logarithm_1p
 from hophoop.numerics.hyperbolic import hyperbolic_tangent, inverse_hyperbolic_cosine
@@ -70,13 +69,11 @@ STRIBECK = 3.0
 TANH_CREEP, LINEAR_CREEP = 4.0, 1.0
 
 
-@jit
 def creep_speed(comp):
     """Slip speed below which the tanh and linear laws are said to roll."""
     return (TANH_CREEP if comp.friction == TANH else LINEAR_CREEP) * comp.v_s
 
 
-@jit
 def normal_force(comp, y, vn):
     """(N, ∂N/∂y, ∂N/∂v_n) while the contact acts."""
     if comp.law == KELVIN_VOIGT:
@@ -85,7 +82,6 @@ def normal_force(comp, y, vn):
     return -comp.k * y * closing, -comp.k * closing, comp.k * comp.d * y
 
 
-@jit
 def traction(comp, regime, vt):
     """(φ, dφ/dv_t) of the tanh and linear laws; `regime` is 0 below the creep speed, else sign(v_t)."""
     if comp.friction == TANH:
@@ -103,7 +99,6 @@ def traction(comp, regime, vt):
     return regime * (comp.mu_k + decay), -2.0 * beyond * decay / comp.v_s
 
 
-@jit
 def bristle_rate(comp, regime, normal, z, vt):
     """ż of the bristle: with the rim while its foot sticks, else relaxing against the sliding friction."""
     if regime == 0:
@@ -111,7 +106,6 @@ def bristle_rate(comp, regime, normal, z, vt):
     return (regime * comp.mu_k * normal - comp.k_t * z) / comp.c_t
 
 
-@jit
 def friction_force(comp, regime, normal, z, vt):
     """(F, ∂F/∂N, ∂F/∂v_t, ∂F/∂z)."""
     if comp.friction == BRISTLE:
@@ -122,14 +116,12 @@ def friction_force(comp, regime, normal, z, vt):
     return -normal * phi, -phi, -normal * slope, 0.0
 
 
-@jit
 def resisting_couple(comp, resist, normal, om):
     """(C, ∂C/∂N, ∂C/∂θ̇) of the couple of rolling resistance."""
     hyper = hyperbolic_tangent(om / comp.om_s)
     return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.om_s
 
 
-@jit
 def first_regime(comp, normal, z, vt):
     """Regime of the friction where a contact begins: 0 in stick or creep, else the direction of slip."""
     if comp.friction == BRISTLE:
@@ -142,7 +134,6 @@ def first_regime(comp, normal, z, vt):
     return 1 if vt > 0.0 else -1
 
 
-@jit
 def spring_energy(comp, y, z):
     """Energy in the normal and the tangential spring."""
     depth = min(y, 0.0)
@@ -158,7 +149,6 @@ def spring_energy(comp, y, z):
 BISECTIONS = 200  # at most; two neighbouring doubles end it before
 
 
-@jit
 def ratio_restitution(ratio):
     """Restitution of a mass on a clipped Kelvin–Voigt contact that nothing else presses down.
 
@@ -179,7 +169,6 @@ def ratio_restitution(ratio):
     return exponential(-2.0 * ratio * inverse_hyperbolic_cosine(ratio) / root) if root > 0.0 else exponential(-2.0)
 
 
-@jit
 def damping_ratio(restitution):
     """Inverse of `ratio_restitution`.
 
@@ -209,13 +198,11 @@ def damping_ratio(restitution):
     return 0.5 * (low + high)
 
 
-@jit
 def hunt_crossley_excess(restitution, u):
     """ln(1 + u) − ln(1 − e u) − (1 + e) u."""
     return logarithm_1p(u) - logarithm_1p(-restitution * u) - (1.0 + restitution) * u
 
 
-@jit
 def hunt_crossley_number(restitution):
     """d times the approach speed at which a Hunt–Crossley contact has a restitution.
 
@@ -250,14 +237,12 @@ def hunt_crossley_number(restitution):
     return 0.5 * (low + high)
 
 
-@jit
 def static_height(mu_kinetic, excess, xi):
     """tanh ξ (μk + A exp(−ξ²/9))."""
     part = xi / STRIBECK
     return hyperbolic_tangent(xi) * (mu_kinetic + excess * exponential(-(part * part)))
 
 
-@jit
 def static_peak(mu_kinetic, excess):
     """The maximum of `static_height`: golden section; it is the only one between 0 and 4 STRIBECK, or saturates."""
     low, high = 0.0, 4.0 * STRIBECK
@@ -271,7 +256,6 @@ def static_peak(mu_kinetic, excess):
     return static_height(mu_kinetic, excess, 0.5 * (low + high))
 
 
-@jit
 def static_excess(mu_static, mu_kinetic):
     """The factor that gives tanh ξ (μk + A exp(−ξ²/9)) the maximum μs exactly.
 
@@ -304,7 +288,6 @@ def static_excess(mu_static, mu_kinetic):
 # --- what a start asks of the contact ------------------------------------------------------------
 
 
-@jit
 def sinking(k, falls, height, speed):
     """How far the rim sinks into the plane, roughly, when it comes down from a height with a speed (kernel units)."""
     fall = math.sqrt(2.0 * height) if falls else 0.0

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from hophoop._jit import inline_jit, interpreted, jit
+from hophoop._native import inline
 from hophoop.numerics import elementwise
 from hophoop.numerics.circular import cosine, sine, sine_and_cosine
 
 
-@inline_jit
+@inline
 def _kinetic(body, s, c, half_cosine, om, vt, vn, th_low):
     """W_k = ½ (ẋ_G² + ẏ_G² + κ θ̇²), with ẋ_G = v_t + θ̇ (1 + ε cos θ) and ẏ_G = v_n − ε θ̇ sin θ."""
     height = 2.0 * half_cosine * half_cosine - s * th_low  # 1 + cos θ, with all its digits also near θ = π
@@ -21,14 +21,13 @@ def _kinetic(body, s, c, half_cosine, om, vt, vn, th_low):
     return 0.5 * (along * along + up * up + body.kap * (om * om))
 
 
-@inline_jit
+@inline
 def _potential(body, x, y, s, half_sine):
     """W_p = g cos β (y + ε (cos θ − 1)) − g sin β (x + ε sin θ): zero at x = y = θ = 0."""
     drop = y - 2.0 * body.eps * half_sine * half_sine
     return body.gn * drop - body.gt * (x + body.eps * s)
 
 
-@jit
 def kinetic_energy(body, th, om, vt, vn, th_low):
     """Kinetic energy of a state.
 
@@ -38,13 +37,11 @@ def kinetic_energy(body, th, om, vt, vn, th_low):
     return _kinetic(body, s, c, cosine(0.5 * th), om, vt, vn, th_low)
 
 
-@jit
 def potential_energy(body, x, y, th):
     """Potential energy of a state."""
     return _potential(body, x, y, sine(th), sine(0.5 * th))
 
 
-@jit
 def energies_after(body, row):
     """(W_k, W_p) just after an event."""
     return (
@@ -56,9 +53,9 @@ def energies_after(body, row):
 def kinetic_energies(body: Any, th: Any, om: Any, vt: Any, vn: Any, th_low: Any = 0.0) -> Any:
     """Kinetic energies of states given as arrays, with the bits of `kinetic_energy`."""
     s, c = elementwise.sine_and_cosine(th)
-    return interpreted(_kinetic)(body, s, c, elementwise.cosine(0.5 * th), om, vt, vn, th_low)
+    return _kinetic(body, s, c, elementwise.cosine(0.5 * th), om, vt, vn, th_low)
 
 
 def potential_energies(body: Any, x: Any, y: Any, th: Any) -> Any:
     """Potential energies of states given as arrays, with the bits of `potential_energy`."""
-    return interpreted(_potential)(body, x, y, elementwise.sine(th), elementwise.sine(0.5 * th))
+    return _potential(body, x, y, elementwise.sine(th), elementwise.sine(0.5 * th))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from hophoop._jit import lean_jit
 from hophoop.numerics.trigonometry import turn, turn_deficits
 
 # rad: over more the parabola of G and the turning are added up as they are. Their sum from the start, which keeps the digits
@@ -10,7 +9,6 @@ from hophoop.numerics.trigonometry import turn, turn_deficits
 MANY_TURNS = 1_000.0
 
 
-@lean_jit
 def flight_rates(body, s, c, om, y, vn, fn, tau):
     """The gap after the time tau and its first three derivatives; fn is the initial f_n, exactly 0 after a lift-off from slip.
 
@@ -31,14 +29,12 @@ def flight_rates(body, s, c, om, y, vn, fn, tau):
     return gap, rate, high * (c - (s * sine + c * versine)) - body.gn, -high * om * (s + (c * sine - s * versine))
 
 
-@lean_jit
 def flight_gap(body, s, c, om, y, vn, fn, tau):
     """(gap, its rate) after the time tau of a flight, as `flight_rates` gives them."""
     gap, rate, _, _ = flight_rates(body, s, c, om, y, vn, fn, tau)
     return gap, rate
 
 
-@lean_jit
 def flight_displacement(body, vt, om, s, c, tau):
     """(change of x, v_t) after the time tau."""
     phi = om * tau

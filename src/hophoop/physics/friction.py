@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 
-
-@jit
 def utilization(slips, friction, normal, mu_s, mu_k):
     """abs(F)/(μ N), μ being that of the phase: μk in slip, else μs.
 
@@ -24,7 +21,6 @@ def utilization(slips, friction, normal, mu_s, mu_k):
     return 0.0 if friction == 0.0 else math.inf
 
 
-@jit
 def utilizations(slips, friction, normal, mu_s, mu_k, out):
     """`utilization` of many cases; all arguments are arrays of one length."""
     for i in range(out.shape[0]):

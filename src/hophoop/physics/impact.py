@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.physics.body import ImpactLaw
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.painleve import stiffness_slope
@@ -17,7 +17,6 @@ from hophoop.physics.painleve import stiffness_slope
 NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
 
 
-@lean_jit
 def stick_rates(body, arm, lever):
     """(r, dθ̇/dp, dv_n/dp) while the contact sticks; r is the tangential per normal impulse.
 
@@ -28,7 +27,6 @@ def stick_rates(body, arm, lever):
     return arm * spin, spin, 1.0 + lever * spin
 
 
-@lean_jit
 def slip_rates(body, arm, lever, r):
     """(dθ̇/dp, dv_t/dp, dv_n/dp) while the contact slips with the impulses in the ratio r."""
     torque = lever - arm * r
@@ -36,7 +34,6 @@ def slip_rates(body, arm, lever, r):
     return spin, r - arm * spin, (body.kap + lever * torque) / body.kap
 
 
-@lean_jit
 def impulse_ratio(body, arm, lever, vt):
     """(r, sticks): tangential per normal impulse in the present state, and whether that state is stick."""
     if vt > 0.0:
@@ -49,7 +46,7 @@ def impulse_ratio(body, arm, lever, vt):
     return (-body.mu_k if stick < 0.0 else body.mu_k), False
 
 
-@apart_jit
+@apart
 def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
     """Velocities after an impact at angle θ.
 
@@ -142,7 +139,6 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
     return vt, vn, spin, p_n, p_t, -work_n, -work_t
 
 
-@lean_jit
 def singular_slip(body, s, c, exact, ahead, vt, om, rho):
     """Slip that has run into p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
 
@@ -195,7 +191,6 @@ def singular_slip(body, s, c, exact, ahead, vt, om, rho):
     return False, after, spin, length, sigma * body.mu_k * 0.5 * (vt + after) * length
 
 
-@lean_jit
 def singular_angle(body, s, c, u, sigma, torque, distance):
     """(found, exact, ahead): whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam).
 

@@ -6,7 +6,7 @@ not zero decides. A series is a tuple of its first five coefficients: kernels fo
 
 from __future__ import annotations
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._native import apart
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.contact import cone_weights
 from hophoop.physics.resistance import resistance_arm
@@ -15,7 +15,6 @@ TERMS = 5
 ZERO = 1e-11  # a coefficient this small beside the others' scale counts as zero
 
 
-@lean_jit
 def _times(a, b):
     a0, a1, a2, a3, a4 = a
     b0, b1, b2, b3, b4 = b
@@ -28,7 +27,6 @@ def _times(a, b):
     )
 
 
-@lean_jit
 def _over(a, b):
     b0, b1, b2, b3, b4 = b
     q0 = a[0] / b0
@@ -39,7 +37,6 @@ def _over(a, b):
     return q0, q1, q2, q3, q4
 
 
-@lean_jit
 def _sum(x, a, y, b):
     """The series x a + y b."""
     return (
@@ -51,13 +48,11 @@ def _sum(x, a, y, b):
     )
 
 
-@lean_jit
 def _shifted(value, x, a):
     """The series value + x a."""
     return x * a[0] + value, x * a[1], x * a[2], x * a[3], x * a[4]
 
 
-@lean_jit
 def _sine_cosine(th, rate):
     # s' = c th' and c' = −s th', coefficient by coefficient
     r0, r1, r2, r3, _ = rate
@@ -73,7 +68,7 @@ def _sine_cosine(th, rate):
     return (s0, s1, s2, s3, s4), (c0, c1, c2, c3, c4)
 
 
-@apart_jit
+@apart
 def candidate_series(body, th, om, sigma):
     """Taylor coefficients of (N, cone margin at F > 0, at F < 0, v̇_t) in rolling (sigma = 0) or slip."""
     eps = body.eps
@@ -111,7 +106,6 @@ def candidate_series(body, th, om, sigma):
     return normal, _sum(a, normal, -b, friction), _sum(a, normal, b, friction), slip
 
 
-@lean_jit
 def leading_sign(series, scale):
     """Sign of the first coefficient that is not zero, 0 if all are."""
     for value in series:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import hypotenuse
 from hophoop.numerics.double_double import plus
 
@@ -12,13 +11,11 @@ RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
 SHAPE, MASS, FIRST, SECOND, AT = range(5)
 
 
-@jit
 def ideal_inertia(load_fraction):
     """κ of a thin ring with a point load: 1 − γ², G being at ε = γ."""
     return (1.0 - load_fraction) * (1.0 + load_fraction)
 
 
-@jit
 def part_inertia(shape, mass, first, second):
     """Moment of inertia about the part's own centre."""
     if shape == RING:
@@ -30,7 +27,6 @@ def part_inertia(shape, mass, first, second):
     return mass * (first * first) / 12.0
 
 
-@jit
 def part_reach(shape, first, second, at):
     """Distance of the part's farthest point from C."""
     if shape == RING:
@@ -44,7 +40,6 @@ def part_reach(shape, first, second, at):
     return hypotenuse(at, 0.5 * first)
 
 
-@jit
 def combined(radius, parts):
     """(mass, ε, κ) of parts, each a row of the table; sums in two doubles.
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import lean_jit
 from hophoop.numerics.arcs import arcsine
 from hophoop.numerics.circular import sine, sine_and_cosine
 from hophoop.numerics.trigonometry import versine_of
@@ -16,7 +15,6 @@ from hophoop.numerics.trigonometry import versine_of
 TOP_ROUNDING = 1e-8  # of a turn: beside the top cos θ rounds to 1
 
 
-@lean_jit
 def skim_duration(body, c, sink):
     """Time until the load strikes the plane, from cos θ and its rate of sinking, which is not below 0."""
     gained = 2.0 * body.gn * (1.0 + c)  # in the square of the rate
@@ -27,13 +25,11 @@ def skim_duration(body, c, sink):
     return (-sink + math.sqrt(sink * sink + gained)) / body.gn
 
 
-@lean_jit
 def turns_before(th, way):
     """Whole turns on this way up to the top that the load falls from, which it may still be before by its rounding."""
     return 1.0 * math.floor(way * (0.5 * th / math.pi) + TOP_ROUNDING)
 
 
-@lean_jit
 def skim_state(body, x, th, vt, om, way, tau):
     """(x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite where the load strikes the plane."""
     s, c = sine_and_cosine(th)
@@ -56,7 +52,6 @@ def skim_state(body, x, th, vt, om, way, tau):
     return x_end, th_end, along - om_end * (2.0 - versine), om_end
 
 
-@lean_jit
 def strike_place(body, x, th, s, speed, way, tau):
     """(x, θ, v_t) where the load strikes the plane, after skimming for the time tau with the speed of the load along it.
 
@@ -67,7 +62,6 @@ def strike_place(body, x, th, s, speed, way, tau):
     return x_end, th_end, speed + body.gt * tau
 
 
-@lean_jit
 def strike(body, vx, vy):
     """(v_x after, p_n, p_t) of the load that strikes the plane without rebound: a particle with friction."""
     p_n = -vy

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
@@ -21,13 +21,12 @@ ROUNDING = 2e-15  # of forces, beside gravity and centrifugal acceleration
 TIE = 1e-13  # below this, beside gravity and centrifugal acceleration, a quantity counts as zero
 
 
-@lean_jit
 def slip_mode(sigma):
     """SKID for sliding ahead (v_t > 0), SPIN for over-rotating."""
     return SKID if sigma > 0 else SPIN
 
 
-@inline_jit
+@inline
 def slip_direction(mode):
     """σ = sign(v_t) of a slip mode, 0 of any other."""
     if mode == SKID:
@@ -37,7 +36,7 @@ def slip_direction(mode):
     return 0
 
 
-@apart_jit
+@apart
 def opening_sign(body, th, om):
     """Sign of f_n, or of its first derivative in free motion that is not zero."""
     s, c = sine_and_cosine(th)
@@ -55,7 +54,7 @@ def opening_sign(body, th, om):
     return 0
 
 
-@apart_jit
+@apart
 def can_roll(body, th, om):
     """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     s, c = sine_and_cosine(th)
@@ -75,7 +74,7 @@ def can_roll(body, th, om):
     return leading_sign(series_n, scale) > 0 and leading_sign(series_p, scale) >= 0 and leading_sign(series_m, scale) >= 0
 
 
-@apart_jit
+@apart
 def can_start_slip(body, th, om, sigma):
     """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     s, c = sine_and_cosine(th)
@@ -96,7 +95,7 @@ def can_start_slip(body, th, om, sigma):
     return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0
 
 
-@apart_jit
+@apart
 def frictionless_mode(body, th, th_low, om):
     """Mode from v_t = 0 without friction: the sign of the coming v_t, exact also beside a hilltop or a valley.
 
@@ -114,7 +113,7 @@ def frictionless_mode(body, th, th_low, om):
     return slip_mode(1 if drive > 0.0 else -1)
 
 
-@apart_jit
+@apart
 def next_mode(body, th, th_low, om, vt):
     """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
 

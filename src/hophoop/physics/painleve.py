@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.double_angles import sine_versine
 from hophoop.numerics.double_double import add, multiply, negative, two_product
 from hophoop.physics.contact import slip_torque_arm
@@ -10,7 +10,7 @@ from hophoop.physics.contact import slip_torque_arm
 NEARLY = 1e-8  # nearer to zero than this κ p_σ and q have lost half their digits
 
 
-@inline_jit
+@inline
 def exact_inertia(body):
     """κ as two doubles."""
     if body.ideal:
@@ -18,7 +18,7 @@ def exact_inertia(body):
     return body.kap, 0.0
 
 
-@apart_jit
+@apart
 def exact_slip_stiffness(body, th, th_low, sigma, rho):
     """(q, κ p_σ) with all their digits: `slip_torque_arm` and `slip_stiffness` from θ and the parameters as exact numbers."""
     sine, versine = sine_versine((th, th_low))
@@ -29,13 +29,12 @@ def exact_slip_stiffness(body, th, th_low, sigma, rho):
     return q[0], stiffness[0]
 
 
-@lean_jit
 def stiffness_slope(body, s, c, sigma, q):
     """dκp_σ/dθ."""
     return body.eps * c * q + body.eps * s * body.eps * (c - sigma * body.mu_k * s)
 
 
-@inline_jit
+@inline
 def slip_coefficients(body, th, th_low, s, c, sigma, rho):
     """(q, κ p_σ) in slip of direction σ with the rolling resistance ρ, exact also where κ p_σ is nearly zero."""
     arm = slip_torque_arm(body, s, c, sigma) - rho

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._native import inline
 from hophoop.physics.contact import (
     contact_arms,
     inertia_at_height,
@@ -22,20 +22,19 @@ from hophoop.physics.contact import (
 )
 
 
-@inline_jit
+@inline
 def held(need, most):
     """The part of what is needed that a couple of at most `most` gives."""
     return min(max(need, -most), most)
 
 
-@inline_jit
+@inline
 def torque_at_rest(body, s, c):
     """ε sin θ g_n + (1 + ε cos θ) g_t: the torque about the contact point of a rolling hoop that does not turn."""
     arm, lever = contact_arms(body, s, c)
     return lever * body.gn + arm * body.gt
 
 
-@lean_jit
 def resistance_arm(body, s, c, om, sigma):
     """ρ in rolling (sigma = 0) or slip; 0 without rolling resistance."""
     if body.resist == 0.0:
@@ -47,13 +46,13 @@ def resistance_arm(body, s, c, om, sigma):
     return held(torque_at_rest(body, s, c) / body.gn, body.resist) if body.gn > 0.0 else 0.0
 
 
-@inline_jit
+@inline
 def resisted_inertia(body, s, c, rho):
     """D − ρ ε sin θ."""
     return inertia_at_height(body, load_height(s, c)) - rho * body.eps * s
 
 
-@inline_jit
+@inline
 def resisted_acceleration(body, s, c, u, rho):
     """θ̈ in rolling."""
     arm, lever = contact_arms(body, s, c)
@@ -61,7 +60,7 @@ def resisted_acceleration(body, s, c, u, rho):
     return torque / resisted_inertia(body, s, c, rho)
 
 
-@inline_jit
+@inline
 def resisted_forces(body, s, c, u, rho):
     """(F, N) in rolling."""
     alpha = resisted_acceleration(body, s, c, u, rho)
@@ -69,7 +68,7 @@ def resisted_forces(body, s, c, u, rho):
     return alpha * arm - lever * u - body.gt, body.gn - lever * alpha - body.eps * c * u
 
 
-@inline_jit
+@inline
 def resisted_slip(body, s, c, u, sigma, rho):
     """(θ̈, N, v̇_t) in slip of direction σ."""
     arm, lever = contact_arms(body, s, c)
@@ -78,7 +77,6 @@ def resisted_slip(body, s, c, u, sigma, rho):
     return q * load, body.kap * load, body.gt + lever * u - load * (sigma * body.mu_k * body.kap + arm * q)
 
 
-@lean_jit
 def forces_rolling(body, s, c, om):
     """(F, N) in rolling, with or without rolling resistance."""
     if body.resist == 0.0:
@@ -86,7 +84,6 @@ def forces_rolling(body, s, c, om):
     return resisted_forces(body, s, c, om * om, resistance_arm(body, s, c, om, 0))
 
 
-@lean_jit
 def motion_slipping(body, s, c, om, sigma):
     """(θ̈, N, v̇_t) in slip of direction σ, with or without rolling resistance."""
     if body.resist == 0.0:
@@ -94,7 +91,6 @@ def motion_slipping(body, s, c, om, sigma):
     return resisted_slip(body, s, c, om * om, sigma, resistance_arm(body, s, c, om, sigma))
 
 
-@lean_jit
 def stiffness_slipping(body, s, c, om, sigma):
     """κ p_σ in slip of direction σ, with or without rolling resistance."""
     stiffness = slip_stiffness(body, s, c, sigma)
@@ -103,7 +99,6 @@ def stiffness_slipping(body, s, c, om, sigma):
     return stiffness - body.eps * s * resistance_arm(body, s, c, om, sigma)
 
 
-@lean_jit
 def acceleration_in_contact(body, s, c, om, sigma):
     """θ̈ in rolling (sigma = 0) or slip, with or without rolling resistance."""
     if sigma != 0:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._native import inline
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.trigonometry import rotated, sine_and_versine, turn_deficits
 from hophoop.physics.contact import inertia_at_height, load_height
 
 
-@inline_jit
+@inline
 def rest_curvature(body, s, c):
     """V″(θ) of rolling contact, V = ε (g_n cos θ − g_t sin θ) − g_t θ; negative at a hilltop."""
     return body.eps * (body.gt * s - body.gn * c)
 
 
-@lean_jit
 def rolling_energy_change(body, s0, c0, sine, versine, angle):
     """Change of D θ̇² over an angle φ, from sin φ and 1 − cos φ.
 
@@ -28,14 +27,12 @@ def rolling_energy_change(body, s0, c0, sine, versine, angle):
     return 2.0 * change
 
 
-@lean_jit
 def _u_after(body, s0, c0, u0, sine, versine, angle):
     inertia = inertia_at_height(body, load_height(s0, c0))
     energy = inertia * u0 + rolling_energy_change(body, s0, c0, sine, versine, angle)
     return energy / (inertia + 2.0 * body.eps * rotated(s0, c0, sine, versine)[1])
 
 
-@lean_jit
 def rolling_u(body, th0, u0, offset):
     """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
     s0, c0 = sine_and_cosine(th0)

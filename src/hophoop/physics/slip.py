@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from hophoop._jit import inline_jit
+from hophoop._native import inline
 from hophoop.physics.contact import load_height
 
 
-@inline_jit
+@inline
 def slip_displacement(body, sigma, vt, om, s, c, ds, dc, tau):
     """Change of x over the time tau from a state of slip: gravity alone changes ẋ_G + σ μk ẏ_G."""
     signed_mu = sigma * body.mu_k

@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.numerics.collocation import ORDER
 from hophoop.numerics.roots import DEPTH
 from hophoop.panels.panel import ROWS
@@ -32,7 +31,6 @@ class Scratch(NamedTuple):
     written: np.ndarray  # numbers of events, segments and panels of the motion; and how many panels it may have
 
 
-@jit
 def new_scratch():
     """A fresh set of scratch arrays."""
     return Scratch(

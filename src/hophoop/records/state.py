@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.double_double import PI, TWO_PI, TWO_PI_LOW, add, plus, turns_and_rest
 from hophoop.panels.anchor import NONE, Anchor
 
@@ -37,20 +37,20 @@ class State(NamedTuple):
     anchor: Anchor
 
 
-@apart_jit
+@apart
 def start_state(x, y, angle, vt, vn, om):
     """A state at t = 0, from the whole angle."""
     turns, th, th_low = turns_and_rest(angle)
     return State(0.0, 0.0, x, 0.0, y, turns, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
 
 
-@inline_jit
+@inline
 def whole_angle(state):
     """θ with its turns."""
     return state.turns * TWO_PI + (state.th + (state.th_low + state.turns * TWO_PI_LOW))
 
 
-@inline_jit
+@inline
 def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
     """The state elsewhere, with its velocities and losses."""
     return State(
@@ -59,7 +59,7 @@ def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def with_velocities(state, vt, vn, om):
     """The state with other velocities."""
     return State(
@@ -68,7 +68,7 @@ def with_velocities(state, vt, vn, om):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def with_losses(state, friction, impact_n, impact_t):
     """The state with other losses."""
     return State(
@@ -77,7 +77,7 @@ def with_losses(state, friction, impact_n, impact_t):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def with_resisted(state, resisted):
     """The state with another loss to rolling resistance."""
     return State(
@@ -86,7 +86,7 @@ def with_resisted(state, resisted):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def with_anchor(state, anchor):
     """The state with another anchor."""
     return State(
@@ -95,25 +95,25 @@ def with_anchor(state, anchor):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def at_time(state, t):
     """The state at exactly the time t."""
     return moved(state, t, 0.0, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
 
 
-@inline_jit
+@inline
 def later(state, tau):
     """(time, its low part) when tau has passed."""
     return plus(state.t, state.t_low, tau)
 
 
-@inline_jit
+@inline
 def time_left(state, t_end):
     """Time from the state to t_end."""
     return (t_end - state.t) - state.t_low
 
 
-@apart_jit
+@apart
 def turned_by(state, angle):
     """(turns, θ, its low part) after turning by an angle of any size, with θ within half a turn of 0."""
     more, th, low = turns_and_rest(angle)
@@ -128,7 +128,7 @@ def turned_by(state, angle):
     return turns, th, low
 
 
-@apart_jit
+@apart
 def flown(state, along, y, tau, vt, vn):
     """The state in flight, with θ̇ unchanged, after the time tau."""
     t, t_low = later(state, tau)

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from hophoop._jit import jit
 
-
-@jit
 def kernel_times(begins, end, times, second, out):
     """Fill `out` with times [s] in kernel units, on the same side of each event as in seconds; at most the end of the motion.
 

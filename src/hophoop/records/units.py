@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop._jit import lean_jit
-
 
 class Scales(NamedTuple):
     """SI values of the kernel's units."""
@@ -21,7 +19,6 @@ class Scales(NamedTuple):
     energy: float  # [J]
 
 
-@lean_jit
 def scales_from(length, second, mass):
     """All units from those of length, time and mass."""
     speed = length / second

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import apart_jit, inline_jit, jit, lean_jit
+from hophoop._native import apart, inline
 from hophoop.panels.anchor import NONE
 from hophoop.panels.panel import Panel
 from hophoop.records.state import State, whole_angle
@@ -20,7 +20,6 @@ class Log(NamedTuple):
     written: np.ndarray  # how many of each, −1 where the array was too short; and how many panels
 
 
-@jit
 def new_log(events, segments, scratch):
     """A log in which nothing is written."""
     scratch.written[0] = 0
@@ -29,13 +28,13 @@ def new_log(events, segments, scratch):
     return Log(events, segments, scratch.written)
 
 
-@inline_jit
+@inline
 def has_room(log):
     """Whether the arrays have been long enough so far, and the panels are not used up."""
     return log.written[0] >= 0 and log.written[1] >= 0 and log.written[2] < log.written[3]
 
 
-@inline_jit
+@inline
 def count_panel(log):
     """Count a step of a loop that must end; `choose_panel` counts the panels that it solves."""
     log.written[2] += 1
@@ -55,13 +54,12 @@ class Cause(NamedTuple):
     collision: int
 
 
-@lean_jit
 def quiet(kind, mode, state):
     """A cause without a jump."""
     return Cause(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
 
 
-@inline_jit
+@inline
 def next_row(written, which, length):
     """Where the next event (0) or segment (1) goes; −1 from then on where there is no room."""
     count = written[which]
@@ -72,7 +70,7 @@ def next_row(written, which, length):
     return count
 
 
-@inline_jit
+@inline
 def write_state(row, state):
     """What events and segments hold of a state."""
     row["t"] = state.t
@@ -93,7 +91,7 @@ def write_state(row, state):
     row["rolling_resistance"] = state.resisted
 
 
-@apart_jit
+@apart
 def write_event(log, cause, mode, state, gain, stable):
     """Append an event."""
     count = next_row(log.written, 0, log.events.shape[0])
@@ -116,13 +114,12 @@ def write_event(log, cause, mode, state, gain, stable):
     row["stable"] = stable
 
 
-@lean_jit
 def note(log, kind, before, after, state):
     """Append an event without a jump."""
     write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
 
 
-@apart_jit
+@apart
 def copy_event(log, row):
     """Append an event that is known."""
     count = next_row(log.written, 0, log.events.shape[0])
@@ -130,7 +127,7 @@ def copy_event(log, row):
         log.events[count] = row
 
 
-@inline_jit
+@inline
 def write_segment(log, mode, panel, xi, opening, state, t_end):
     """Append a segment that starts in `state`; an array of length 0 keeps none."""
     if log.segments.shape[0] == 0:
@@ -158,7 +155,7 @@ def write_segment(log, mode, panel, xi, opening, state, t_end):
     row["opening"] = opening
 
 
-@apart_jit
+@apart
 def state_of(row):
     """The state just after an event, or where a segment begins."""
     return State(
@@ -168,7 +165,7 @@ def state_of(row):
     )  # fmt: skip
 
 
-@apart_jit
+@apart
 def panel_of(row):
     """The panel of a segment of rolling or slip."""
     return Panel(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, aside_jit, inline_jit, lean_jit, outer_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import cosine, sine_and_cosine
 from hophoop.numerics.collocation import ORDER, antiderivative, dot, lagrange
 from hophoop.numerics.constants import NODES
@@ -73,7 +73,7 @@ LOST = 1e-9  # of θ̇² beside a hilltop: where it was further off than this, v
 FORESEEN = 24  # the finest level of panels for which the next one is foreseen: beside p_σ = 0 their tails are rounding
 
 
-@apart_jit
+@apart
 def counted(body, state):
     """The state with θ counted in the next turn, for one that is too far from the present one."""
     way = 1.0 if state.th > 0.0 else -1.0
@@ -89,7 +89,7 @@ def counted(body, state):
     return with_anchor(after, Anchor(anchor.kind, anchor.excess, base, base_low, anchor.bend))
 
 
-@apart_jit
+@apart
 def is_still(body, sigma, state):
     """Whether a hoop that does not turn stays: on a hilltop exactly, in a valley within the rounding of θ."""
     anchor = state.anchor
@@ -106,7 +106,7 @@ def is_still(body, sigma, state):
     return abs(acceleration_in_contact(body, s, c, 0.0, sigma)) <= rounding
 
 
-@inline_jit
+@inline
 def stays(body, sigma, state):
     """Whether a hoop that does not turn goes on so."""
     if body.kap == 0.0 and (sigma != 0 or cosine(state.th) <= -1.0):
@@ -114,7 +114,7 @@ def stays(body, sigma, state):
     return is_still(body, sigma, state)
 
 
-@inline_jit
+@inline
 def u_between(panel, xi, weights, values):
     """θ̇² at ξ of a panel that has it at its nodes; beside a turning point by θ̇²/s², so that also a small θ̇ has its digits."""
     if panel.kind == LINEAR:
@@ -126,14 +126,14 @@ def u_between(panel, xi, weights, values):
     return result * ((end - xi) * (end - xi))
 
 
-@apart_jit
+@apart
 def resisted_inside(work, weights):
     """Energy lost to rolling resistance up to a place inside a solved panel, given by its weights."""
     antiderivative(work[RESIST], work[RESISTED])
     return dot(weights, work[RESISTED])
 
 
-@inline_jit
+@inline
 def state_on_panel(body, panel, totals, state, xi, scratch):
     """The state at ξ of a solved panel that began in `state`; inside the panel, its rows must be there (`fill_inside`)."""
     work = scratch.work
@@ -187,7 +187,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     )  # fmt: skip
 
 
-@inline_jit
+@inline
 def carried(body, panel, totals, xi, after):
     """The state after a slip panel, with what its anchor has become."""
     anchor = after.anchor
@@ -206,7 +206,7 @@ def carried(body, panel, totals, xi, after):
     return with_anchor(after, Anchor(SLIPPING, anchor.excess * growth, anchor.base, anchor.base_low, anchor.bend))
 
 
-@apart_jit
+@apart
 def regained(body, state, u):
     """The state of slip with θ̇² = u, of which rounding had lost digits on the way to the hilltop.
 
@@ -218,7 +218,7 @@ def regained(body, state, u):
     return with_velocities(state, state.vt + (state.om - om) * ((1.0 - body.eps) + body.eps * height), state.vn, om)
 
 
-@inline_jit
+@inline
 def advance_contact(body, phase, blind, limits, log, scratch):
     """Roll or slip, panel by panel, until something ends the phase or turns it round.
 
@@ -277,7 +277,6 @@ def advance_contact(body, phase, blind, limits, log, scratch):
     return what, state, level
 
 
-@lean_jit
 def equilibrium_is_stable(body, th):
     """Whether rest at the angle th is a minimum of the potential energy, or held by less than all the rolling resistance."""
     s, c = sine_and_cosine(th)
@@ -286,7 +285,6 @@ def equilibrium_is_stable(body, th):
     return rest_curvature(body, s, c) > 0.0
 
 
-@lean_jit
 def frozen_end(body, sigma, vt):
     """(v̇_t, time until v_t = 0) of slip without rotation; the time is infinite where it never stops."""
     rate = body.gt - sigma * body.mu_k * body.gn
@@ -295,7 +293,6 @@ def frozen_end(body, sigma, vt):
     return rate, math.inf
 
 
-@lean_jit
 def hold(body, mode, state, t_end, log):
     """Slip without rotation: until v_t = 0 or the end of time; (what, state)."""
     sigma = slip_direction(mode)
@@ -319,7 +316,7 @@ def hold(body, mode, state, t_end, log):
     return what, after
 
 
-@aside_jit
+@apart
 def still_step(body, phase, state, limits, log, scratch):
     """Rest, or slip that does not turn until it ends."""
     mode = phase.mode
@@ -339,7 +336,7 @@ def still_step(body, phase, state, limits, log, scratch):
     return entered(body, mode, state, phase.bounce, STOP, scratch)
 
 
-@outer_jit
+@inline
 def after_rolling(body, phase, what, state, log, scratch):
     """The phase after rolling that has used up its friction, or that cannot be followed any more."""
     if what == STUCK:
@@ -354,7 +351,7 @@ def after_rolling(body, phase, what, state, log, scratch):
     return entered(body, mode, state, phase.bounce, what, scratch)
 
 
-@outer_jit
+@inline
 def after_slip(body, phase, what, state, log, scratch):
     """The phase after slip that has lifted off, ended, or come to p_σ = 0."""
     if what == LIFT:
@@ -369,7 +366,7 @@ def after_slip(body, phase, what, state, log, scratch):
     return entered(body, mode, state, phase.bounce, STUCK, scratch)
 
 
-@aside_jit
+@apart
 def turned_step(body, phase, state, level, limits, log, scratch):
     """What follows where θ̇ comes to zero with rolling resistance: the couple, and with it the contact force, jumps there."""
     mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
@@ -390,7 +387,7 @@ def turned_step(body, phase, state, level, limits, log, scratch):
     return entered(body, mode, state, phase.bounce, TURNED, scratch)
 
 
-@outer_jit
+@inline
 def contact_step(body, phase, limits, log, scratch):
     """Rolling or slip up to its end, or to a turning point, and what follows."""
     what, state, level = advance_contact(body, phase, False, limits, log, scratch)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.collocation import ORDER, coefficients, series_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.numerics.trigonometry import sine_cosine
@@ -20,7 +20,7 @@ CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be
 NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel
 
 
-@inline_jit
+@inline
 def note_doubt(scratch, begin, end):
     """Keep the times of the first doubt of a motion."""
     if math.isnan(scratch.doubt[0]):
@@ -28,7 +28,7 @@ def note_doubt(scratch, begin, end):
         scratch.doubt[1] = end
 
 
-@apart_jit
+@apart
 def mode_is_in_doubt(body, state):
     """Whether the mode that follows a state in contact depends on the rounding of the state."""
     if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
@@ -50,7 +50,7 @@ def mode_is_in_doubt(body, state):
     return margin < 0.0 and opening <= CLOSE * scale
 
 
-@apart_jit
+@apart
 def grazes_zero(row, scale, scratch):
     """Whether the smallest value of a margin on a panel is zero but for rounding."""
     series = scratch.series
@@ -77,7 +77,7 @@ def grazes_zero(row, scale, scratch):
     return False
 
 
-@apart_jit
+@apart
 def has_graze(body, panel, state, scratch):
     """Whether a margin of the phase has a smallest value on the panel that is zero but for rounding."""
     speed = abs(panel.vt) + abs(state.om)

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from hophoop._jit import interpreted
+from hophoop._native import compiled
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.impact import singular_angle
@@ -51,8 +51,8 @@ def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | No
     """The events after a given one, which is the first."""
     script = np.array([row, row], EVENT)
     events = np.empty(room, EVENT)
-    status, count, _ = run(
-        body, interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),
+    status, count, _ = compiled(run)(
+        body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),
         new_scratch(), script,
     )  # fmt: skip
     return None if status == Status.EVENT_LIMIT else events[:count]
@@ -76,10 +76,10 @@ def _along_impulse(body: Body, row: np.void, following: np.void) -> float:
         return 0.0
     th, low, om, slip = (float(row[name]) for name in ("theta", "theta_low", "omega", "slip"))
     sigma = 1 if slip > 0.0 else -1
-    s, c = interpreted(sine_cosine)(th, low)
-    rho = interpreted(resistance_arm)(body, s, c, om, sigma)
-    torque, distance = interpreted(slip_coefficients)(body, th, low, s, c, sigma, rho)
-    found, exact, _ = interpreted(singular_angle)(body, s, c, om * om, sigma, torque, distance)
+    s, c = sine_cosine(th, low)
+    rho = resistance_arm(body, s, c, om, sigma)
+    torque, distance = slip_coefficients(body, th, low, s, c, sigma, rho)
+    found, exact, _ = singular_angle(body, s, c, om * om, sigma, torque, distance)
     if not (found and exact) or om == 0.0:
         return 0.0
     late = ROUNDING * (1.0 + abs(float(row["t"])) + (1.0 + abs(th)) / abs(om))

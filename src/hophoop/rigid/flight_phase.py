@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, outer_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import sine_cosine
@@ -30,7 +30,7 @@ SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
 BLURRED = 1e9
 
 
-@apart_jit
+@apart
 def highest(body, state, opening, apex):
     """The state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -41,7 +41,7 @@ def highest(body, state, opening, apex):
     return flown(state, along, y, apex, vt, vn)
 
 
-@apart_jit
+@apart
 def approaching(body, state):
     """The state before a landing, at the angle of the same gap at which the rim approaches: θ becomes −θ.
 
@@ -55,7 +55,7 @@ def approaching(body, state):
     return with_velocities(after, state.vt, vn, state.om)
 
 
-@apart_jit
+@apart
 def fly(body, state, opening, zeros, limits, log):
     """Fly until the landing, the limit of time or of angle.
 
@@ -98,7 +98,7 @@ def fly(body, state, opening, zeros, limits, log):
     return what, after
 
 
-@apart_jit
+@apart
 def is_last_bounce(body, state, after, last):
     """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
     s, c = sine_and_cosine(state.th)
@@ -113,7 +113,7 @@ def is_last_bounce(body, state, after, last):
     return 2.0 * after.vn / (fall * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
 
 
-@outer_jit
+@inline
 def land(body, state, last, log, scratch):
     """The phase after an impact on landing; `last` is v_n after the bounce before."""
     after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
@@ -123,7 +123,7 @@ def land(body, state, last, log, scratch):
     return entered(body, mode, settled, after.vn, STOP, scratch)
 
 
-@outer_jit
+@inline
 def flight_step(body, phase, limits, log, scratch):
     """The whole flight, and its landing."""
     if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:

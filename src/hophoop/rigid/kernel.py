@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, aside_jit, outer_jit, unit_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import cosine
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import can_roll, slip_mode
@@ -27,7 +27,7 @@ LARGEST = 1e150  # of all numbers of a motion in its own units: the squares of l
 LOWEST_START = 1e-250  # a rim this high touches: the time to fall would underflow
 
 
-@aside_jit
+@apart
 def begin_massless(body, state, log, scratch):
     """The first phase of a hoop without mass, which only rolls and skims."""
     if state.y > 0.0 or state.vn != 0.0 or state.vt != 0.0:
@@ -46,7 +46,7 @@ def begin_massless(body, state, log, scratch):
     return entered(body, mode, state, 0.0, ON, scratch)
 
 
-@aside_jit
+@apart
 def begin(body, start, log, scratch):
     """The first phase of a motion."""
     state = start
@@ -63,7 +63,7 @@ def begin(body, start, log, scratch):
     return entered(body, mode, state, 0.0, ON, scratch)
 
 
-@outer_jit
+@inline
 def step(body, phase, limits, log, scratch):
     """The phase after this one, or this one from a turning point on."""
     if phase.mode == FLIGHT:
@@ -73,7 +73,7 @@ def step(body, phase, limits, log, scratch):
     return contact_step(body, phase, limits, log, scratch)
 
 
-@apart_jit
+@apart
 def can_follow(before, after, t_end):
     """Whether a state can come after another: later or at once, and of numbers whose squares do not overflow."""
     sizes = abs(after.x) + after.y + abs(after.turns) + abs(after.vt) + abs(after.vn) + abs(after.om)
@@ -81,7 +81,6 @@ def can_follow(before, after, t_end):
     return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # false for nan
 
 
-@unit_jit
 def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
     """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
 

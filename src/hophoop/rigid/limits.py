@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._native import inline
 from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW, plus
 from hophoop.records.state import moved
 
@@ -25,7 +25,6 @@ class Limits(NamedTuple):
     th_low: float
 
 
-@lean_jit
 def limits_of(start, t_end, span, stop):
     """Limits of a motion; a span that is a double beside whole turns means these turns."""
     turns = 0.0
@@ -38,7 +37,7 @@ def limits_of(start, t_end, span, stop):
     return Limits(t_end, stop, span, turns, rest, start.turns, start.th, start.th_low)
 
 
-@inline_jit
+@inline
 def angle_left(limits, state, way):
     """Angle to go in the direction `way` until the motion has turned by its span."""
     turns = limits.span_turns - way * (state.turns - limits.turns)
@@ -46,7 +45,7 @@ def angle_left(limits, state, way):
     return turns * TWO_PI + (rest + turns * TWO_PI_LOW)
 
 
-@inline_jit
+@inline
 def at_span(limits, state, way):
     """The state at exactly the angle where the span ends."""
     th, low = plus(limits.th, limits.th_low, way * limits.span_rest)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import free_acceleration
@@ -15,7 +14,6 @@ from hophoop.physics.resistance import forces_rolling, motion_slipping, stiffnes
 MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
 
 
-@jit
 def margins_of(body, mode, theta, theta_low, omega, slip, height):
     """Numbers in the order of `MARGINS`; nan where the mode has none."""
     s, c = sine_cosine(theta, theta_low)

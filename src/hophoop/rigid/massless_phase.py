@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import aside_jit, lean_jit
+from hophoop._native import apart
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.panels.panel import FLY, SKIMMING, STRUCK, no_panel
 from hophoop.physics.body import Event, Mode, Status
@@ -20,7 +20,6 @@ SKIM_START, IMPACT = int(Event.SKIM), int(Event.IMPACT)
 COMPLETED, UNDETERMINED = int(Status.COMPLETED), int(Status.UNDETERMINED)
 
 
-@lean_jit
 def let_go(body, state, log):
     """The massless hoop has lost its contact force: the load falls freely and the rim skims.
 
@@ -36,7 +35,6 @@ def let_go(body, state, log):
     return SKIM, state
 
 
-@lean_jit
 def skim(body, state, t_end, log):
     """The massless hoop after the loss of its contact force: (whether the load strikes, state, v_n of the load).
 
@@ -62,7 +60,7 @@ def skim(body, state, t_end, log):
     return strikes, after, -(s * state.om + body.gn * tau)
 
 
-@aside_jit
+@apart
 def skim_step(body, phase, limits, log, scratch):
     """The fall of the load, and its blow on the plane."""
     strikes, after, vn = skim(body, phase.state, limits.t_end, log)

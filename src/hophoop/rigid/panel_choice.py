@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import sine
 from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.exponentials import binary_logarithm, logarithm, power
@@ -59,7 +59,7 @@ LONG = 64.0  # times the time left, or the unit of time: longer panels than this
 NARROWEST = 2000
 
 
-@apart_jit
+@apart
 def anchored(body, sigma, state, s, c, scratch):
     """The state at the begin of a phase, with the anchor of the phase; s and c are sin θ and cos θ there."""
     if body.resist > 0.0:
@@ -72,7 +72,7 @@ def anchored(body, sigma, state, s, c, scratch):
     return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
 
 
-@inline_jit
+@inline
 def begin_of(body, sigma, state, s, c, scratch):
     """Where the next panel begins, with sin θ and cos θ there."""
     u = state.om * state.om
@@ -90,7 +90,7 @@ def begin_of(body, sigma, state, s, c, scratch):
     return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
 
 
-@inline_jit
+@inline
 def solve(body, panel, work):
     """Fill the panel in its mode."""
     if panel.sigma == 0:
@@ -100,13 +100,13 @@ def solve(body, panel, work):
     return solve_slip(body, panel, work)
 
 
-@apart_jit
+@apart
 def solve_aside(body, panel, work):
     """`solve` where it is rarely needed: as a part of each such place it would be most of the compiler's work."""
     return solve(body, panel, work)
 
 
-@inline_jit
+@inline
 def narrower(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
@@ -115,7 +115,7 @@ def narrower(level, size):
     return level + max(1, min(4, more))
 
 
-@apart_jit
+@apart
 def levels_away(body, sigma, way, begin):
     """How many narrower levels slip needs that begins close to p_σ = 0, or slowly beside it, and goes away from it."""
     slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
@@ -124,7 +124,7 @@ def levels_away(body, sigma, way, begin):
     return int(math.ceil(2.0 * binary_logarithm(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
 
 
-@apart_jit
+@apart
 def slow_levels(body, sigma, begin):
     """(widest, finest) level for a panel that begins with θ̇² below `SLOW`².
 
@@ -145,7 +145,7 @@ def slow_levels(body, sigma, begin):
     return int(math.floor(2.0 * ratio)), finest
 
 
-@apart_jit
+@apart
 def turns_within(body, panel, reach):
     """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
     end = sine(reach)
@@ -158,7 +158,7 @@ def turns_within(body, panel, reach):
     return False
 
 
-@apart_jit
+@apart
 def turning_point_ahead(body, panel, totals, scratch):
     """Angle from here to the first zero of θ̇², or 0 where none is near.
 
@@ -182,7 +182,7 @@ def turning_point_ahead(body, panel, totals, scratch):
     return 0.0
 
 
-@apart_jit
+@apart
 def solve_arrival(body, before, ahead, work):
     """A panel up to the turning point about `ahead` from the start of a linear one; returns (panel, totals).
 
@@ -205,7 +205,7 @@ def solve_arrival(body, before, ahead, work):
     return panel, totals
 
 
-@apart_jit
+@apart
 def first_extent(body, sigma, vt, begin):
     """Width of the first panel from rest to try."""
     if sigma == 0 or vt == 0.0:
@@ -219,7 +219,7 @@ def first_extent(body, sigma, vt, begin):
     return FIRST_EXTENT if ahead > part * FIRST_EXTENT else max(WIDER * ahead, SMALLEST_EXTENT)
 
 
-@inline_jit
+@inline
 def choose_panel(body, sigma, state, s, c, level, scratch):
     """A panel from here, where sin θ and cos θ are s and c, as wide as is resolved.
 
@@ -267,13 +267,13 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
             return panel, totals, level
 
 
-@inline_jit
+@inline
 def outlasts(totals, left):
     """Whether a panel would last so long beside the time left that its end would be lost in it."""
     return totals.time > LONG * max(left, 1.0) and left > 0.0
 
 
-@apart_jit
+@apart
 def shortened(body, panel, totals, state, left, scratch):
     """A narrower panel, for one that `outlasts` the time left."""
     s, c = sine_cosine(state.th, state.th_low)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.collocation import ORDER, PARTS, antiderivative, coefficients, extremes, left_value
 from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND, first_fall
@@ -36,7 +36,7 @@ SAME_PLACE = 1e-13  # of ξ: events of a panel that are nearer to each other com
 GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
 
 
-@inline_jit
+@inline
 def fall_of(row, state_is_fresh, floor, scratch):
     """Where in the panel a margin falls through zero; at its very start if it has fallen there already.
 
@@ -67,7 +67,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
     return first_fall(scratch.series, floor, scratch.stack), near
 
 
-@inline_jit
+@inline
 def end_of_rolling(body, panel, fresh, scratch):
     """(ξ, what, whether it may depend on rounding) where rolling needs all friction; NOT_FOUND where it does not."""
     work = scratch.work
@@ -85,7 +85,7 @@ def end_of_rolling(body, panel, fresh, scratch):
     return ahead, CONE_AHEAD, doubtful  # F > 0
 
 
-@apart_jit
+@apart
 def graze_rounding(body, state):
     """Rounding of v_t in slip without friction, from the speeds that it has been through since the last hilltop.
 
@@ -96,7 +96,7 @@ def graze_rounding(body, state):
     return GRAZE_ROUNDING * (abs(state.vt) + abs(state.om) + 2.0 * math.sqrt(fallen) + lowest)
 
 
-@inline_jit
+@inline
 def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off where both do."""
     work = scratch.work
@@ -123,7 +123,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     return lift, LIFT, doubtful
 
 
-@inline_jit
+@inline
 def end_of_span(panel, state, limits):
     """ξ where the motion has turned by its span, or NOT_FOUND."""
     ahead = angle_left(limits, state, panel.way)
@@ -134,7 +134,7 @@ def end_of_span(panel, state, limits):
     return place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
 
 
-@inline_jit
+@inline
 def end_of_time(left, scratch):
     """ξ where the time is over on a panel that lasts that long."""
     if left <= 0.0:
@@ -148,7 +148,7 @@ def end_of_time(left, scratch):
     return 1.0 if found == NOT_FOUND else found
 
 
-@inline_jit
+@inline
 def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._jit import inline_jit
+from hophoop._native import inline
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode, Status
 from hophoop.physics.contact import free_acceleration
@@ -33,7 +33,7 @@ class Phase(NamedTuple):
     status: int  # GOING, or how the motion ended
 
 
-@inline_jit
+@inline
 def opening_of(body, state):
     """(f_n at the start of a flight, exactly 0 after a lift-off from slip; how many derivatives of the gap vanish)."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -47,7 +47,7 @@ def opening_of(body, state):
     return opening, 2
 
 
-@inline_jit
+@inline
 def entered(body, mode, state, bounce, what, scratch):
     """The phase that begins in a state; an UNDECIDED mode ends the motion."""
     opening = 0.0
@@ -62,25 +62,25 @@ def entered(body, mode, state, bounce, what, scratch):
     return Phase(mode, state, True, zeros, opening, START_LEVEL, bounce, what, status)
 
 
-@inline_jit
+@inline
 def lifted(phase, state, what):
     """The flight after a lift-off from slip, where N, and with it f_n, has come to zero."""
     return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)
 
 
-@inline_jit
+@inline
 def slipping(body, phase, mode, state, what):
     """The slip that begins where rolling reaches the friction cone: v̇_t is zero there too if μs = μk."""
     return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, phase.bounce, what, GOING)
 
 
-@inline_jit
+@inline
 def gone_on(phase, state, level, what):
     """The same phase, from where it has come to."""
     return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, phase.bounce, what, GOING)
 
 
-@inline_jit
+@inline
 def ended(phase, mode, state, what, status):
     """The motion ends in a mode and state."""
     return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from hophoop._jit import jit, lean_jit
 from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.roots import NOT_FOUND, first_fall
@@ -36,7 +35,6 @@ COLUMNS = (
 )  # fmt: skip
 
 
-@jit
 def find_segment(segments, t, left):
     """Index of the segment that holds the time t; at a border the earlier one if `left`."""
     low = 0
@@ -51,7 +49,6 @@ def find_segment(segments, t, left):
     return low
 
 
-@jit
 def place_on_panel(panel_time, segment, tau, scratch):
     """ξ at the time tau after the begin of the panel."""
     if tau <= 0.0:
@@ -65,7 +62,6 @@ def place_on_panel(panel_time, segment, tau, scratch):
     return min(xi, segment["xi"])
 
 
-@jit
 def contact_force(body, sigma, th, th_low, om, rho):
     """(F, N) in rolling (sigma = 0) or slip, with the rolling resistance ρ."""
     s, c = sine_cosine(th, th_low)
@@ -78,13 +74,11 @@ def contact_force(body, sigma, th, th_low, om, rho):
     return -sigma * body.mu_k * normal, normal
 
 
-@lean_jit
 def load_energy(along, down):
     """Kinetic energy of a hoop that is its load alone, which stays finite where the rim turns without bound."""
     return 0.5 * (along * along + down * down)
 
 
-@jit
 def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import aside_jit, jit
+from hophoop._native import apart
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, no_panel
 from hophoop.physics.body import Event, Mode
@@ -19,7 +19,7 @@ from hophoop.rigid.phase import Phase, entered, gone_on, opening_of, slipping
 FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
 
 
-@aside_jit
+@apart
 def fill_phase(body, mode, state, until, log, scratch):
     """Write the segments of a phase that is known to last until a time."""
     if mode == FLIGHT:
@@ -37,7 +37,6 @@ def fill_phase(body, mode, state, until, log, scratch):
         phase = gone_on(phase, state, level, what)
 
 
-@jit
 def fill_script(body, script, segments, scratch):
     """Write the segments of the phases between the events of a script; returns their number, −1 where there is no room.
 
@@ -51,7 +50,7 @@ def fill_script(body, script, segments, scratch):
     return log.written[1]
 
 
-@aside_jit
+@apart
 def repeat(body, script, log, scratch):
     """Write the events of a script; returns the phase in which its last one is."""
     last = script.shape[0] - 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit
+from hophoop._native import apart, inline
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.anchor import NONE
@@ -37,7 +37,7 @@ PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
 
 
-@inline_jit
+@inline
 def collide(body, rest, state, kind, mode, collision):
     """(state after, cause) of an impact."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -56,7 +56,7 @@ def collide(body, rest, state, kind, mode, collision):
     return with_losses(after, state.friction, losses_n, losses_t), cause
 
 
-@apart_jit
+@apart
 def close_bounces(body, state):
     """(state after, cause) of the impact that ends endless bounces: e = 0, and no jerk along the plane lifts it again."""
     after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
@@ -76,7 +76,7 @@ def close_bounces(body, state):
     return still, Cause(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
 
 
-@apart_jit
+@apart
 def write_cause(log, cause, mode, state):
     """The event, and Kane's gain after it where there is one."""
     write_event(log, cause, mode, state, 0.0, -1)
@@ -84,7 +84,7 @@ def write_cause(log, cause, mode, state):
         write_event(log, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
 
 
-@inline_jit
+@inline
 def settle(body, state, cause, log, scratch):
     """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
 
@@ -120,7 +120,7 @@ def settle(body, state, cause, log, scratch):
     return UNDECIDED, state
 
 
-@apart_jit
+@apart
 def pass_singular(body, mode, state, log, scratch):
     """What follows slip whose panels have shrunk to nothing: (jams, mode, state).
 
@@ -154,7 +154,7 @@ def pass_singular(body, mode, state, log, scratch):
     return False, mode, after
 
 
-@apart_jit
+@apart
 def leave_cone(body, state, ahead, log, scratch):
     """Rule 2: the mode after rolling that needs all friction there is; `ahead` says whether F > 0.
 

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from pydantic import Discriminator, Tag, model_validator
 
-from hophoop._jit import interpreted
 from hophoop.physics.mass import ideal_inertia
 from hophoop.scenario.base import (
     Count,
@@ -99,7 +98,7 @@ class Hoop(Frozen):
             _alone("hoop", "load_fraction", given)
             gamma = 0.75 if self.load_fraction is None else self.load_fraction
             # As a product: 1 − γ² would lose half its digits near γ = 1.
-            self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=interpreted(ideal_inertia)(gamma))
+            self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=ideal_inertia(gamma))
         elif len(given) == 1:
             missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
             raise refuse(say("half_a_hoop", missing=missing, given=given[0]))

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Discriminator, model_validator
 
-from hophoop._jit import interpreted
 from hophoop.physics import mass
 from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
 from hophoop.scenario.ranges import inside, schema_of
@@ -35,13 +34,13 @@ class _Body:
     def inertia(self) -> float:
         """Moment of inertia about its own centre [kg m²]."""
         shape, weight, first, second, _ = self.row
-        return float(interpreted(mass.part_inertia)(shape, weight, first, second))
+        return float(mass.part_inertia(shape, weight, first, second))
 
     @property
     def reach(self) -> float:
         """Distance of its farthest point from C [m]."""
         shape, _, first, second, at = self.row
-        return float(interpreted(mass.part_reach)(shape, first, second, at))
+        return float(mass.part_reach(shape, first, second, at))
 
 
 class Ring(Frozen, _Body):
@@ -232,5 +231,5 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
     for index, part in enumerate(parts):
         if part.reach > radius * (1.0 + TOUCH):
             raise refuse(say("beyond_the_rim", index=index, shape=part.shape, reach=part.reach, radius=radius))
-    whole, eccentricity, inertia_ratio = interpreted(mass.combined)(radius, np.array([part.row for part in parts]))
+    whole, eccentricity, inertia_ratio = mass.combined(radius, np.array([part.row for part in parts]))
     return float(whole), float(eccentricity), float(inertia_ratio)

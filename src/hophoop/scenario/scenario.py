@@ -11,7 +11,6 @@ from typing import Annotated, Any
 from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
-from hophoop._jit import interpreted
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.physics.compliant import STIFFNESS, sinking
@@ -319,12 +318,9 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     given = start.state(hoop)
     unit, omega = hoop.radius / second, given.omega * second
     speed = abs(given.slip / unit + omega) + abs(given.vy / unit) + abs(omega)
-    depth = interpreted(sinking)(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
+    depth = sinking(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
     if depth > MOST_DEPTH:
         raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))
-
-
-_sine_and_cosine = interpreted(sine_and_cosine)  # once, since every motion needs it
 
 
 def to_body(hoop: Hoop, plane: Plane) -> Body:
@@ -341,7 +337,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         In units of R, m and √(R/g); see `time_unit` for g = 0.
     """
     weight = 1.0 if plane.gravity > 0.0 else 0.0
-    s, c = _sine_and_cosine(plane.slope)
+    s, c = sine_and_cosine(plane.slope)
     return Body(
         eps=hoop.eccentricity,
         kap=hoop.inertia_ratio,

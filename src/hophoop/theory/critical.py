@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import interpreted
+from hophoop._native import compiled
 from hophoop.physics.body import Body, Mode
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -53,9 +53,9 @@ class _Trials:
 
     def angles(self, body: Body, speed: float) -> tuple[float, float]:
         """Angles of the first slip and the first lift-off, nan where there is none."""
-        start = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
+        start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
         none = np.empty(0, SEGMENT)
-        _, count, _ = run(
+        _, count, _ = compiled(run)(
             body, start, kernels.ANY_TIME, TURN, kernels.STOP, self.events, none, self.scratch, self.events[:0]
         )  # fmt: skip
         events = self.events[:count]
@@ -111,7 +111,7 @@ def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     """
     cases = _cases(hoop, plane)
     speeds = cases.new()
-    kernels.slip_speeds(cases.body, speeds)
+    compiled(kernels.slip_speeds)(cases.body, speeds)
     return cases.shaped(speeds * cases.speed)
 
 
@@ -151,7 +151,7 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
         raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
     cases = _cases(hoop, plane)
     # run by Python, so that the motions go through the kernel that simulate() has compiled already
-    kernel: Any = kernels.hop_speed
+    kernel: Any = compiled(kernels.hop_speed)
     speeds = np.array([float(kernel.py_func(body_from(row), int(turns))) for row in cases.body])
     return cases.shaped(speeds * cases.speed)
 
@@ -182,7 +182,7 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     """
     cases = Columns(hoop, plane, True)  # there is no contact force in it
     speeds = cases.new()
-    lift_off_speeds(cases.body, np.zeros_like(speeds), speeds)
+    compiled(lift_off_speeds)(cases.body, np.zeros_like(speeds), speeds)
     return cases.shaped(speeds * cases.speed)
 
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._native import compiled
 from hophoop.scenario import Hoop, Plane
 from hophoop.theory._columns import Columns, Planes
 from hophoop.theory.kernels import rolling as kernels
@@ -77,7 +78,7 @@ def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane(
     cases.require(lambda gt: gt == 0.0, "gt", "plane.slope must be 0 for the massless hoop.")
     cases.require(lambda gn: gn > 0.0, "gn", "plane.gravity must be above 0 here.")
     table = cases.new(3)
-    kernels.contact_losses(cases.body, cases.of_speed("v0"), table)
+    compiled(kernels.contact_losses)(cases.body, cases.of_speed("v0"), table)
     return ContactLoss(
         cases.shaped(table[:, 0]),
         cases.shaped(table[:, 1] / cases.time),

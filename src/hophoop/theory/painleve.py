@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._native import compiled
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory._columns import Columns, Hoops, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels
@@ -86,7 +87,7 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
     """
     cases = Columns(hoop, Plane(), theta=theta)
     thresholds = cases.new()
-    kernels.thresholds(cases.body, cases["theta"], thresholds)
+    compiled(kernels.thresholds)(cases.body, cases["theta"], thresholds)
     return cases.shaped(thresholds)
 
 
@@ -121,7 +122,7 @@ def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
     """
     cases = Columns(hoop, Plane())
     both = cases.new(2)
-    kernels.minima(cases.body, both)
+    compiled(kernels.minima)(cases.body, both)
     return PainleveMinimum(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
@@ -156,7 +157,7 @@ def painleve_region(theta: ArrayLike, mu: ArrayLike, hoop: Hoops) -> Any:
     if (cases["mu"] < 0.0).any():
         raise InputError(f"mu = {float(cases['mu'].min())!r} must be at least 0.")
     directions = np.empty(cases.body.shape[0], dtype=np.int64)
-    kernels.regions(cases.body, cases["theta"], cases["mu"], directions)
+    compiled(kernels.regions)(cases.body, cases["theta"], cases["mu"], directions)
     return cases.shaped(directions)
 
 
@@ -206,7 +207,7 @@ def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
             if math.isnan(border):
                 continue
             for mode, angle in (("S", border), ("K", TURN - border)):
-                rate = float(lift_off(body, angle))
+                rate = float(compiled(lift_off)(body, angle))
                 if math.isfinite(rate):
                     found.append(JamState(mode, angle, rate / second))
     return tuple(sorted(found, key=lambda state: state.angle))

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._native import compiled
 from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import Plane
 from hophoop.theory._columns import Columns, Hoops, Planes
@@ -58,7 +59,7 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Pla
     """
     cases = Columns(hoop, plane, True, theta=theta, omega=omega)
     codes = np.empty(cases.body.shape[0], dtype=np.int64)
-    kernels.modes(cases.body, cases["theta"], cases["omega"] * cases.time, codes)
+    compiled(kernels.modes)(cases.body, cases["theta"], cases["omega"] * cases.time, codes)
     return cases.shaped(_LETTERS[codes])
 
 
@@ -96,7 +97,7 @@ def rolling_range(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Rol
     """
     cases = Columns(hoop, plane, theta=theta)
     both = cases.new(2)
-    kernels.rolling_ranges(cases.body, cases["theta"], both)
+    compiled(kernels.rolling_ranges)(cases.body, cases["theta"], both)
     return RollingRange(cases.shaped(both[:, 0] / cases.time), cases.shaped(both[:, 1] / cases.time))
 
 
@@ -128,5 +129,5 @@ def lift_off_speed(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> An
     """
     cases = Columns(hoop, plane, True, theta=theta)  # there is no contact force in it
     rates = cases.new()
-    kernels.lift_off_speeds(cases.body, cases["theta"], rates)
+    compiled(kernels.lift_off_speeds)(cases.body, cases["theta"], rates)
     return cases.shaped(rates / cases.time)

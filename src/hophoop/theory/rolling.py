@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._native import compiled
 from hophoop.results import utilization_of
 from hophoop.scenario import Plane
 from hophoop.theory._columns import Columns, Floats, Hoops, Planes
@@ -70,7 +71,7 @@ class NeededFriction(NamedTuple):
 def _rates(cases: Columns) -> Floats:
     """θ̇ of each case in the kernels' units."""
     rates = cases.new()
-    kernels.speeds(cases.body, cases["theta"], cases.of_speed("v0"), rates)
+    compiled(kernels.speeds)(cases.body, cases["theta"], cases.of_speed("v0"), rates)
     return rates
 
 
@@ -192,7 +193,7 @@ def rolling_forces(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes =
 
 def _force_columns(cases: Columns) -> tuple[Floats, Floats]:
     both = cases.new(2)
-    kernels.forces(cases.body, cases["theta"], _rates(cases), both)
+    compiled(kernels.forces)(cases.body, cases["theta"], _rates(cases), both)
     return both[:, 0], both[:, 1]
 
 
@@ -270,8 +271,8 @@ def rolling_energies(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     kinetic, start = cases.new(), cases.new()
-    kernels.kinetic(cases.body, cases["theta"], _rates(cases), kinetic)
-    kernels.kinetic(cases.body, np.zeros_like(kinetic), cases.of_speed("v0"), start)
+    compiled(kernels.kinetic)(cases.body, cases["theta"], _rates(cases), kinetic)
+    compiled(kernels.kinetic)(cases.body, np.zeros_like(kinetic), cases.of_speed("v0"), start)
     energy = cases.force * cases.length
     return Energies(cases.shaped(kinetic * energy), cases.shaped((start - kinetic) * energy))
 
@@ -316,7 +317,7 @@ def needed_friction(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Need
     """
     cases = Columns(hoop, plane, v0=v0)
     both = cases.new(2)
-    kernels.needed_frictions(cases.body, cases.of_speed("v0"), both)
+    compiled(kernels.needed_frictions)(cases.body, cases.of_speed("v0"), both)
     return NeededFriction(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
@@ -355,7 +356,7 @@ def rolling_time(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = P
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     times = cases.new()
-    kernels.times(cases.body, cases["theta"], cases.of_speed("v0"), times)
+    compiled(kernels.times)(cases.body, cases["theta"], cases.of_speed("v0"), times)
     return cases.shaped(times * cases.time)
 
 
@@ -416,5 +417,5 @@ def rocking_period(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> An
     """
     cases = Columns(hoop, plane, theta=theta)
     periods = cases.new()
-    kernels.rocking_periods(cases.body, cases["theta"], periods)
+    compiled(kernels.rocking_periods)(cases.body, cases["theta"], periods)
     return cases.shaped(periods * cases.time)

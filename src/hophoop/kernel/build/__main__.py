@@ -20,8 +20,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from hophoop._jit.library import HERE, TOLD
-from hophoop._jit.sources import PACKAGE, stamp
+from hophoop._native.library import HERE, TOLD
+from hophoop._native.sources import PACKAGE, stamp
 from hophoop.kernel.build.link import TARGETS, linked, own_target
 from hophoop.kernel.entries import GROUPS
 
@@ -61,7 +61,7 @@ def _cache_folder() -> Path:
 
 def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
     """Write the object files of a group, and what is told of it; for a process of its own."""
-    from hophoop.kernel.build.code import group_code, reached
+    from hophoop.kernel.build.entry_code import group_code, reached
     from hophoop.kernel.build.link import object_of
 
     text, told = group_code(GROUPS[group])
@@ -92,7 +92,7 @@ def _compile(group: str, targets: Sequence[str], made_with: str, cache: Path, sc
     fresh = scratch / group
     fresh.mkdir()
     command = [sys.executable, "-m", "hophoop.kernel.build", "--group", group, "--into", str(fresh), *targets]
-    environment = dict(os.environ, HOPHOOP_KERNELS="interpreted", NUMBA_CACHE_DIR=str(scratch / "numba"))
+    environment = dict(os.environ, HOPHOOP_KERNELS="interpreted")
     environment["PYTHONPATH"] = os.pathsep.join([str(PACKAGE.parent), *[place for place in sys.path if place]])
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     if done.returncode:
@@ -163,7 +163,11 @@ def build(targets: Sequence[str], out: Path) -> None:
 
 def stamp_of_build() -> str:
     """Hash of what says how kernels are compiled."""
-    return _hash([f"kernel/build/{name}" for name in ("code.py", "link.py", "__main__.py")] + ["kernel/entries.py"], "")
+    return _hash(
+        [f"kernel/build/{name}" for name in ("numba_code.py", "entry_code.py", "link.py", "__main__.py")]
+        + ["kernel/entries.py"],
+        "",
+    )
 
 
 def _link(name: str, folders: dict[str, Path], out: Path, about: dict[str, Any], scratch: Path) -> None:

@@ -10,7 +10,6 @@ import math
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arcsine, arctangent2, hypotenuse
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.collocation import ORDER, coefficients
@@ -25,7 +24,6 @@ SMALLEST = 1e-300
 MOST_PANELS = 1_000_000
 
 
-@jit
 def relative_tail(series, scale):
     """The last coefficients of a Chebyshev series beside the largest one or `scale`; nan where one is."""
     end = 0.0
@@ -42,7 +40,6 @@ def relative_tail(series, scale):
 # --- hills and turning points ----------------------------------------------------------------------
 
 
-@jit
 def first_hilltop(body):
     """Angle of a hilltop of the potential between −π and π, nan where the slope is too steep for one.
 
@@ -54,7 +51,6 @@ def first_hilltop(body):
     return arcsine(-body.gt / (body.eps * weight)) - arctangent2(body.gt, body.gn)
 
 
-@jit
 def first_valley(body):
     """Angle of the valley after `first_hilltop`."""
     weight = hypotenuse(body.gn, body.gt)
@@ -63,7 +59,6 @@ def first_valley(body):
     return math.pi + arcsine(body.gt / (body.eps * weight)) - arctangent2(body.gt, body.gn)
 
 
-@jit
 def next_of(angle, start, way):
     """The first of angle + 2πk strictly beyond `start` in the direction `way`."""
     place = angle + TURN * math.floor((start - angle) / TURN)
@@ -76,7 +71,6 @@ def next_of(angle, start, way):
     return place
 
 
-@jit
 def blocking(body, ref, u_ref, end):
     """The first angle between `ref` and `end`, hilltop or end, that the hoop does not reach; nan if none.
 
@@ -105,7 +99,6 @@ def blocking(body, ref, u_ref, end):
     return math.nan
 
 
-@jit
 def turning_point(body, ref, u_ref, blocked):
     """Where the hoop turns back before an angle that it does not reach, by bisection to the last bit."""
     way = 1.0 if blocked > ref else -1.0
@@ -129,7 +122,6 @@ def turning_point(body, ref, u_ref, blocked):
 # --- times -----------------------------------------------------------------------------------------
 
 
-@jit
 def _rate(body, ref, u_ref, way, at):
     """dt over d(offset); from rest the variable is the root of the offset, which is smooth."""
     if u_ref == 0.0:
@@ -137,7 +129,6 @@ def _rate(body, ref, u_ref, way, at):
     return 1.0 / math.sqrt(rolling_u(body, ref, u_ref, way * at))
 
 
-@jit
 def travel_time(body, ref, u_ref, way, distance):
     """Time to roll this far from θ = ref with θ̇² = u_ref (0: from rest); nan where it does not get there."""
     if distance == 0.0:
@@ -173,7 +164,6 @@ def travel_time(body, ref, u_ref, way, distance):
     return math.nan
 
 
-@jit
 def time_from_top(body, w, angle):
     """Time from θ = 0, passed with θ̇² = w, to an angle; a past angle has a negative one if w > 0."""
     way = 1.0 if angle > 0.0 else -1.0
@@ -204,7 +194,6 @@ def time_from_top(body, w, angle):
     return travel_time(body, 0.0, w, way, abs(angle))
 
 
-@jit
 def rocking_time(body, angle):
     """Period of rocking from rest at an angle; inf in an equilibrium, nan where the hoop rolls away."""
     s, c = sine_and_cosine(angle)

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arctangent
 from hophoop.physics.body import Mode
 from hophoop.records.layout import EVENT, SEGMENT
@@ -26,7 +25,6 @@ TRIALS = 32  # speeds at which the outcome is looked at before the lowest change
 EVENTS = 4096
 
 
-@jit
 def slip_speeds(bodies, out):
     scratch = new_scratch()
     for k in range(out.shape[0]):
@@ -49,7 +47,6 @@ def slip_speeds(bodies, out):
         out[k] = best
 
 
-@jit
 def hop_speed(body, turns):
     """The smallest speed at θ = 0 with a hop in the first turns, to the last bit; infinite where there is none."""
     most = lift_off(body, 0.0)

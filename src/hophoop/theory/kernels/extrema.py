@@ -7,7 +7,6 @@ falls through zero. An error δ there changes the value by δ² only, so the val
 
 from __future__ import annotations
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arctangent2
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.collocation import ORDER, coefficients
@@ -27,7 +26,6 @@ FLAT = 1e-14
 MOST = 100_000
 
 
-@jit
 def force_angle(body, w, th, side):
     """Angle between the contact force of rolling and the normal, F > 0 counted positive for side = 1."""
     u = rolling_u(body, 0.0, w, th)
@@ -36,7 +34,6 @@ def force_angle(body, w, th, side):
     return arctangent2(side * friction, normal)
 
 
-@jit
 def cone_margin_line(body, th, side):
     """(A, B): the margin to one side of the friction cone is A + B w, with w the square of v at θ = 0."""
     s, c = sine_and_cosine(th)
@@ -50,7 +47,6 @@ def cone_margin_line(body, th, side):
     return steady + rate * from_rest, rate * growth
 
 
-@jit
 def searched(what, body, w, th, side):
     """The function that is maximised."""
     if what == FORCE_ANGLE:
@@ -59,7 +55,6 @@ def searched(what, body, w, th, side):
     return arctangent2(-rate, steady)
 
 
-@jit
 def derivative(series, out):
     """Chebyshev series of the derivative with respect to ξ."""
     above = 0.0
@@ -72,7 +67,6 @@ def derivative(series, out):
     out[0] *= 0.5
 
 
-@jit
 def highest(what, body, w, begin, end, side, scratch):
     """(largest value, θ where it is) on [begin, end]."""
     slope = scratch.weights

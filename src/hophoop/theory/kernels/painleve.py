@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arccosine
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body
@@ -12,7 +11,6 @@ from hophoop.physics.contact import slip_stiffness
 from hophoop.theory.kernels.rows import body_of
 
 
-@jit
 def threshold(body, th, sigma):
     """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
     s, c = sine_and_cosine(th)
@@ -21,19 +19,16 @@ def threshold(body, th, sigma):
     return smooth / (smooth - rough) if rough < smooth else math.inf
 
 
-@jit
 def with_friction(body, mu):
     return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike, body.slope, body.ideal)
 
 
-@jit
 def thresholds(bodies, angles, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
         out[k] = min(threshold(body, angles[k], 1), threshold(body, angles[k], -1))
 
 
-@jit
 def regions(bodies, angles, frictions, out):
     """σ of the direction in which p_σ ≤ 0, 0 where there is none."""
     for k in range(angles.shape[0]):
@@ -45,7 +40,6 @@ def regions(bodies, angles, frictions, out):
                 out[k] = sigma
 
 
-@jit
 def worst_angle(eps, kap):
     """θ in [0, π/2] where the threshold is smallest: dμ/dθ = 0 is a cubic in cos θ."""
     low = 0.0
@@ -62,7 +56,6 @@ def worst_angle(eps, kap):
     return arccosine(low)
 
 
-@jit
 def minima(bodies, out):
     for k in range(bodies.shape[0]):
         body = body_of(bodies[k])
@@ -70,7 +63,6 @@ def minima(bodies, out):
         out[k, 0] = threshold(body, out[k, 1], -1)
 
 
-@jit
 def border(body, mu, high_side):
     """θ in (0, π) where the threshold is μ, on either side of its minimum; nan where μ is below it."""
     worst = worst_angle(body.eps, body.kap)

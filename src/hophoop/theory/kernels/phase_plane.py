@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import MODE_LETTERS, Mode
 from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
@@ -15,7 +14,6 @@ ROLL, SKIM = int(Mode.ROLL), int(Mode.SKIM)
 NONE = len(MODE_LETTERS)
 
 
-@jit
 def modes(bodies, angles, rates, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
@@ -29,7 +27,6 @@ def modes(bodies, angles, rates, out):
             out[k] = SKIM if s * rates[k] > 0.0 or c == 1.0 else NONE
 
 
-@jit
 def narrowed(low, high, at_rest, moving):
     """The part of [low, high] where at_rest + (moving − at_rest) u ≥ 0."""
     rate = moving - at_rest
@@ -40,7 +37,6 @@ def narrowed(low, high, at_rest, moving):
     return low, high if at_rest >= 0.0 else -1.0
 
 
-@jit
 def rolling_ranges(bodies, angles, out):
     """Rolling needs N ≥ 0 and two cone margins ≥ 0, each a line in u = θ̇²."""
     for k in range(angles.shape[0]):
@@ -56,7 +52,6 @@ def rolling_ranges(bodies, angles, out):
         out[k, 1] = math.sqrt(high) if low <= high else math.nan
 
 
-@jit
 def lift_off(body, th):
     """Magnitude of θ̇ at which f_n = 0, infinite where the load is not up; f_n is linear in θ̇²."""
     s, c = sine_and_cosine(th)
@@ -65,7 +60,6 @@ def lift_off(body, th):
     return math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf
 
 
-@jit
 def lift_off_speeds(bodies, angles, out):
     for k in range(angles.shape[0]):
         out[k] = lift_off(body_of(bodies[k]), angles[k])

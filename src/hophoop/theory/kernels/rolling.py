@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
 from hophoop.numerics.arcs import arccosine, arcsine
 from hophoop.numerics.circular import cosine, sine_and_cosine, tangent
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
@@ -15,7 +14,6 @@ from hophoop.theory.kernels.extrema import FORCE_ANGLE, highest
 from hophoop.theory.kernels.rows import body_of
 
 
-@jit
 def speeds(bodies, angles, speeds, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
@@ -25,7 +23,6 @@ def speeds(bodies, angles, speeds, out):
         out[k] = math.copysign(math.sqrt(u), speeds[k]) if reached else math.nan
 
 
-@jit
 def forces(bodies, angles, rates, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
@@ -34,14 +31,12 @@ def forces(bodies, angles, rates, out):
         out[k, 0], out[k, 1] = rolling_forces(body, s, c, rate * rate)
 
 
-@jit
 def kinetic(bodies, angles, rates, out):
     for k in range(angles.shape[0]):
         inertia = rolling_inertia(body_of(bodies[k]), cosine(angles[k]))
         out[k] = 0.5 * inertia * rates[k] * rates[k]
 
 
-@jit
 def times(bodies, angles, speeds, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
@@ -55,13 +50,11 @@ def times(bodies, angles, speeds, out):
             out[k] = math.nan
 
 
-@jit
 def rocking_periods(bodies, angles, out):
     for k in range(angles.shape[0]):
         out[k] = rocking_time(body_of(bodies[k]), angles[k])
 
 
-@jit
 def needed_frictions(bodies, speeds, out):
     scratch = new_scratch()
     for k in range(speeds.shape[0]):
@@ -87,7 +80,6 @@ def needed_frictions(bodies, speeds, out):
         out[k, 1] = place
 
 
-@jit
 def contact_losses(bodies, speeds, out):
     for k in range(speeds.shape[0]):
         body = body_of(bodies[k])

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import jit
 from hophoop.physics.body import Body
 
 WIDTH = len(Body._fields)
 
 
-@jit
 def body_of(row):
     """The Body that a row of `Columns.body` stands for."""
     return Body(
@@ -19,7 +17,6 @@ def body_of(row):
     )  # fmt: skip
 
 
-@jit
 def row_of(body):
     """A table of one row that stands for a Body."""
     rows = np.empty((1, WIDTH))

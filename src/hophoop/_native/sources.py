@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import hashlib
+from functools import cache
 from pathlib import Path
+from types import FunctionType
+from typing import Any
 
 PACKAGE = Path(__file__).parents[1]
 # Rooms whose files are kernels, files of other rooms, and what says how they are compiled.
 ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives")
 FILES = (
-    "maps/friction_use.py", "maps/kernel.py", "kernel/entries.py", "_jit/kernels.py", "_jit/dispatchers.py", "_jit/quicker.py",
-    "kernel/build/code.py", "kernel/build/link.py", "kernel/build/level.c", "module/nrt.c",
+    "maps/friction_use.py", "maps/kernel.py", "kernel/entries.py", "_native/marks.py", "module/nrt.c",
+    "kernel/build/numba_code.py", "kernel/build/entry_code.py", "kernel/build/link.py", "kernel/build/level.c",
 )  # fmt: skip
 
 
@@ -29,3 +32,15 @@ def stamp() -> str:
         digest.update(f"{file.relative_to(PACKAGE).as_posix()}\n".encode())
         digest.update(file.read_bytes().replace(b"\r\n", b"\n"))
     return digest.hexdigest()[:32]
+
+
+@cache
+def _modules() -> frozenset[str]:
+    names = {file.relative_to(PACKAGE).with_suffix("").as_posix() for file in files()}
+    names |= {file.relative_to(PACKAGE).with_suffix("").as_posix() for file in (PACKAGE / "module").glob("*.py")}
+    return frozenset(f"hophoop.{name.removesuffix('/__init__').replace('/', '.')}" for name in names)
+
+
+def is_kernel(value: Any) -> bool:
+    """Whether something is a function of a kernel's source."""
+    return isinstance(value, FunctionType) and value.__module__ in _modules()

@@ -1,51 +1,19 @@
-"""The entries as LLVM's code, by Numba.
-
-Numba types and lowers each kernel once; none is optimised by itself, so that the code knows no machine. An entry is a function
-of one address, behind which its arguments lie (see `_jit.calls`).
-"""
+"""The library's entries as LLVM's code: functions of one address, behind which their arguments lie (see `_native.calls`)."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from types import FunctionType
 from typing import Any
 
 import numba
 from numba import types
-from numba.core import codegen
-from numba.core.compiler_lock import global_compiler_lock
-from numba.core.lowering import Lower
 from numba.extending import intrinsic
 
-from hophoop._jit import dispatchers, quicker
-from hophoop._jit.kernels import Namespaces, Source
-from hophoop._jit.sources import files
+from hophoop._native.sources import files
+from hophoop.kernel.build.numba_code import code_of, compiling, part_of, result_of
 from hophoop.kernel.entries import Array, fields_of, is_tuple, kernel_named
-
-
-class _Whole(dispatchers._Library):
-    """An entry with all of its parts, linked and left as it is."""
-
-    def _optimize_final_module(self) -> None:
-        self._link_again()
-
-    def _finalize_final_module(self) -> None:
-        self._finalize_dynamic_globals()
-        self._verify_declare_only_symbols()
-        self._finalized = True  # no machine code is made
-
-
-_ENTRY = dispatchers._compiler(dispatchers._PartLowering, _Whole, Lower)
-
-
-def _callee(kernel: Source, function: FunctionType) -> Any:
-    left = Source(kernel.py_func, kernel.options._replace(outer=True))  # optimised only as a part of the whole
-    return dispatchers._dispatcher(left, function, entry=False)
-
-
-_callees = Namespaces(_callee)
 
 
 def numba_type(kind: Any) -> Any:
@@ -131,26 +99,17 @@ def entry_code(name: str, kinds: tuple[Any, ...], symbol: str) -> tuple[str, Any
     result : str, dict or None
         As `calls.caller` takes it.
     """
-    kernel = kernel_named(name)
-    part = _callees.of(kernel)
-    part.compile(tuple(numba_type(kind) for kind in kinds))
-    result_type = part.overloads[tuple(numba_type(kind) for kind in kinds)].signature.return_type
+    kernel, of_numba = kernel_named(name), tuple(numba_type(kind) for kind in kinds)
     writer = _Writer()
-    writer.names["kernel"] = part
+    writer.names["kernel"] = part_of(kernel)
     arguments = ", ".join(writer.read(kind) for kind in kinds)
     lines: list[str] = []
-    told = None if isinstance(result_type, types.NoneType) else writer.write(result_type, "result", lines)
+    result = result_of(kernel, of_numba)
+    told = None if isinstance(result, types.NoneType) else writer.write(result, "result", lines)
     source = f"def {symbol}(reals, wholes):\n    result = kernel({arguments})\n{''.join(lines)}"
     exec(source, writer.names)
-    made = numba.njit(  # noqa: TID251
-        error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True, pipeline_class=_ENTRY
-    )(writer.names[symbol])
-    pointers = (types.CPointer(types.float64), types.CPointer(types.int64))
-    made.compile(pointers)
-    compiled = made.overloads[pointers]
-    with global_compiler_lock:
-        compiled.library._ensure_finalized()
-    return compiled.library.get_llvm_str() + _wrapper(symbol, compiled.fndesc.llvm_func_name), told
+    text, mangled = code_of(writer.names[symbol], (types.CPointer(types.float64), types.CPointer(types.int64)))
+    return text + _wrapper(symbol, mangled), told
 
 
 def _wrapper(symbol: str, mangled: str) -> str:
@@ -161,7 +120,7 @@ def _wrapper(symbol: str, mangled: str) -> str:
 
 
 def takes(kind: Any) -> Any:
-    """What is told of a kind of argument, as `_jit.calls` reads it."""
+    """What is told of a kind of argument, as `_native.calls` reads it."""
     if isinstance(kind, Array):
         return {"array": [kind.dtype.str if kind.dtype.names is None else kind.dtype.descr, kind.dimensions]}
     if is_tuple(kind):
@@ -173,13 +132,10 @@ def group_code(entries: Mapping[str, tuple[Any, ...]]) -> tuple[str, dict[str, A
     """LLVM's code of a group of entries, and what is told of each; for a process that builds something and ends."""
     import llvmlite.binding as llvm
 
-    # what Numba adds by itself, for counts of references, would be optimised for this machine
-    codegen.CPUCodeLibrary._optimize_functions = lambda self, module: None
-    codegen.CPUCodeLibrary._optimize_final_module = lambda self: None
     whole, told = None, {}
     for name, kinds in entries.items():
         symbol = "hophoop_" + name.removeprefix("hophoop.").replace(".", "_")
-        with quicker.compiling():
+        with compiling():
             text, result = entry_code(name, kinds, symbol)
         told[name] = {"symbol": symbol, "takes": [takes(kind) for kind in kinds], "gives": result}
         part = llvm.parse_assembly(text)

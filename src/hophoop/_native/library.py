@@ -9,11 +9,12 @@ import platform
 import sys
 from collections.abc import Callable
 from functools import cache
+from multiprocessing import parent_process
 from pathlib import Path
 from typing import Any
 
-from hophoop._jit.calls import caller
-from hophoop._jit.sources import PACKAGE, stamp
+from hophoop._native.calls import caller
+from hophoop._native.sources import PACKAGE, stamp
 
 HERE = Path(os.environ.get("HOPHOOP_LIBRARY") or PACKAGE / "kernel" / "library")
 TOLD = "kernels.json"
@@ -36,10 +37,14 @@ class Library:
         self._loaded = loaded
         self._calls: dict[str, Callable[..., Any]] = {}
 
-    def call(self, name: str) -> Callable[..., Any] | None:
-        """What calls an entry; None where it is none."""
-        if name not in self.told["entries"]:
-            return None
+    def call(self, name: str) -> Callable[..., Any]:
+        """What calls an entry.
+
+        Raises
+        ------
+        KeyError
+            If the library has none of this name.
+        """
         if name not in self._calls:
             entry = self.told["entries"][name]
             self._calls[name] = caller(getattr(self._loaded, entry["symbol"]), entry["takes"], entry["gives"])
@@ -52,14 +57,20 @@ def _levels(told: dict[str, Any]) -> list[str]:
 
 
 @cache
-def library() -> Library | None:
-    """The library of this machine, loaded; None where there is none. One that cannot be used is told of, once."""
+def library(quiet: bool = False) -> Library | None:
+    """The library of this machine, loaded; None where there is none, which is told of once, with what that costs."""
     found = _found()
     if isinstance(found, str):
-        if (HERE / TOLD).exists() and sys.stderr is not None:
-            print(found, file=sys.stderr)
+        if not quiet and sys.stderr is not None and parent_process() is None:
+            print(f"{found} Until then a motion takes some milliseconds, a hundred times as long.", file=sys.stderr)
         return None
     return found
+
+
+def why_none() -> str:
+    """Why there is no library; empty where there is one."""
+    found = _found()
+    return found if isinstance(found, str) else ""
 
 
 @cache
@@ -67,13 +78,13 @@ def _found() -> Library | str:
     try:
         told = json.loads((HERE / TOLD).read_text(encoding="utf-8"))
     except (OSError, ValueError):
-        return f"hophoop was installed without compiled kernels. To build them: {BUILD}"
+        return f"hophoop was installed without compiled kernels. To build them: {BUILD}."
     if not {"machine", "sources", "files", "entries"} <= set(told):
-        return f"The library of compiled kernels is not whole. To build it anew: {BUILD}"
+        return f"The library of compiled kernels is not whole. To build it anew: {BUILD}."
     if told["machine"] != [sys.platform, platform.machine().lower()]:
-        return f"The compiled kernels are for {' '.join(told['machine'])}. To build them for this machine: {BUILD}"
+        return f"The compiled kernels are for {' '.join(told['machine'])}. To build them for this machine: {BUILD}."
     if told["sources"] != stamp():
-        return f"The compiled kernels are older than their sources. To build them anew: {BUILD}"
+        return f"The compiled kernels are older than their sources. To build them anew: {BUILD}."
     levels = _levels(told)
     try:
         loaded = ctypes.CDLL(str(HERE / told["files"][levels[-1]]))
@@ -84,5 +95,5 @@ def _found() -> Library | str:
         if best != levels[-1]:
             loaded = ctypes.CDLL(str(HERE / told["files"][best]))
     except OSError as error:
-        return f"The compiled kernels cannot be loaded ({error}). To build them anew: {BUILD}"
+        return f"The compiled kernels cannot be loaded ({error}). To build them anew: {BUILD}."
     return Library(told, best, loaded)

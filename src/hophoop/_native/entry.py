@@ -1,0 +1,113 @@
+"""Calls of kernels from Python: by the library of compiled kernels where it has them, else by the interpreter.
+
+Both give the same bits. The environment variable HOPHOOP_KERNELS says otherwise: `interpreted` runs the sources even where
+there is a library, `compiled` refuses to run without one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from hophoop._native.library import library, why_none
+
+MODES = ("auto", "compiled", "interpreted")
+
+
+def mode() -> str:
+    """What the environment asks for: auto, compiled or interpreted.
+
+    Raises
+    ------
+    ValueError
+        If HOPHOOP_KERNELS is something else.
+    """
+    wanted = os.environ.get("HOPHOOP_KERNELS") or "auto"
+    if wanted not in MODES:
+        raise ValueError(f"HOPHOOP_KERNELS = {wanted!r} must be one of {', '.join(MODES)}.")
+    return wanted
+
+
+class Entry:
+    """A kernel as Python calls it."""
+
+    def __init__(self, kernel: Callable[..., Any]) -> None:
+        self.kernel = kernel
+        self.name = f"{kernel.__module__}.{kernel.__qualname__}"
+        self._call: Callable[..., Any] = self._choose
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self._call(*arguments)
+
+    def __repr__(self) -> str:
+        return f"<kernel {self.name}>"
+
+    def _choose(self, *arguments: Any) -> Any:
+        self._call = self._chosen()
+        return self._call(*arguments)
+
+    def _chosen(self) -> Callable[..., Any]:
+        wanted = mode()
+        if wanted == "interpreted":
+            return self._interpret
+        found = library(quiet=wanted == "compiled")
+        if found is not None:
+            return found.call(self.name)
+        if wanted == "compiled":
+            raise RuntimeError(f"HOPHOOP_KERNELS = 'compiled': {why_none()}")
+        return self._interpret
+
+    def _interpret(self, *arguments: Any) -> Any:
+        with np.errstate(all="ignore"):
+            return self.kernel(*arguments)
+
+
+_entries: dict[Callable[..., Any], Entry] = {}
+
+
+def compiled(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """A kernel of `kernel.entries` as compiled code; interpreted where there is none.
+
+    Parameters
+    ----------
+    kernel : function
+
+    Returns
+    -------
+    call : callable
+        Takes what the kernel takes.
+    """
+    found = _entries.get(kernel)
+    if found is None:
+        found = _entries.setdefault(kernel, Entry(kernel))
+    return found
+
+
+def is_compiled() -> bool:
+    """Whether `compiled` calls the library."""
+    return mode() != "interpreted" and library() is not None
+
+
+@contextlib.contextmanager
+def forced(wanted: str) -> Iterator[None]:
+    """Run all kernels as HOPHOOP_KERNELS says within; for tests and measurements."""
+    before = os.environ.get("HOPHOOP_KERNELS")
+    os.environ["HOPHOOP_KERNELS"] = wanted
+    _choose_again()
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ["HOPHOOP_KERNELS"]
+        else:
+            os.environ["HOPHOOP_KERNELS"] = before
+        _choose_again()
+
+
+def _choose_again() -> None:
+    for entry in list(_entries.values()):
+        entry._call = entry._choose

@@ -1,0 +1,44 @@
+"""Kernels for loops of one's own: Numba's dispatchers of them. This needs Numba, the extra `jit`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+from hophoop._extras import need
+
+need("numba", "jit")
+
+import numba  # noqa: E402
+
+from hophoop.kernel.build.numba_code import Namespaces, options_of  # noqa: E402
+
+
+def _made(kernel: Any, function: FunctionType) -> Any:
+    return numba.njit(nogil=True, **options_of(kernel))(function)  # noqa: TID251
+
+
+_dispatchers = Namespaces(_made)
+
+
+def jitted(kernel: Callable[..., Any]) -> Any:
+    """A kernel that a function with `numba.njit` can call.
+
+    Parameters
+    ----------
+    kernel : function
+        Such as `hophoop.rigid.kernel.run`.
+
+    Returns
+    -------
+    dispatcher : numba dispatcher
+        Compiled where it is first called, at the cost of some seconds to a minute.
+
+    Examples
+    --------
+    >>> from hophoop.numerics.circular import sine_and_cosine
+    >>> jitted(sine_and_cosine)(0.0)
+    (0.0, 1.0)
+    """
+    return _dispatchers.of(kernel)
