@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 845b9121109550a390a410dca319f743 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources ac126906d4a7aef18853fbc93b3cc953 */
 var c={sources:"b6397ada70ee444fc3792ce12a7ad552",module:"b78ad6071b500a27",derivatives:"e7f42e7162832560",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
