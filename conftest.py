@@ -3,19 +3,8 @@
 import gc
 import os
 import signal
-import tempfile
-from pathlib import Path
 
 import pytest
-
-# Tests keep their compiled kernels apart from the user's own. hophoop._jit puts them into a folder named by a
-# hash of the source, so that an edited kernel is never met with an old result.
-if "NUMBA_CACHE_DIR" not in os.environ:
-    user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
-    os.environ["NUMBA_CACHE_DIR"] = str(Path(tempfile.gettempdir()) / f"hophoop-tests-{user}")
-
-# They are about the sources: a library of compiled kernels is used by those that build one, or where it is named.
-os.environ.setdefault("HOPHOOP_LIBRARY", str(Path(tempfile.gettempdir()) / "no hophoop library"))
 
 # Some tests are about Ctrl-C, which a shell has what it starts in the background ignore; workers take over what is set here.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -41,11 +30,13 @@ def pytest_configure(config):
 
 @pytest.hookimpl(tryfirst=True)  # workers start after this
 def pytest_sessionstart(session):
-    import compile_ahead
+    if hasattr(session.config, "workerinput") or session.config.option.collectonly:
+        return
+    from hophoop._native.entry import mode
+    from hophoop._native.library import why_none
 
-    if compile_ahead.asked(session.config):
-        with session.config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
-            compile_ahead.compile_ahead()
+    if mode() != "interpreted" and (why := why_none()):
+        raise pytest.UsageError(f"{why} The tests take hours without; HOPHOOP_KERNELS=interpreted asks for that.")
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)

@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -25,18 +24,18 @@ def body_of(gamma=0.75, slope=0.0, mu=0.5, **plane):
 
 
 def state_of(angle, om=0.0, vt=0.0, anchor=None):
-    state = interpreted(start_state)(0.0, 0.0, angle, vt, 0.0, om)
+    state = start_state(0.0, 0.0, angle, vt, 0.0, om)
     return state if anchor is None else state._replace(anchor=anchor)
 
 
 def sines_of(state):
     """(sin θ, cos θ)."""
-    return interpreted(sine_cosine)(state.th, state.th_low)
+    return sine_cosine(state.th, state.th_low)
 
 
 def log_of(room=10):
     scratch = new_scratch()
-    return interpreted(new_log)(np.zeros(room, EVENT), np.zeros(room, SEGMENT), scratch), scratch
+    return new_log(np.zeros(room, EVENT), np.zeros(room, SEGMENT), scratch), scratch
 
 
 def phase_at(mode, state, level=5):

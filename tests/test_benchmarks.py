@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import hophoop as hh
-from hophoop._jit import forced
+from hophoop._native import forced
 from random_scenarios import scenario_of
 
 FOLDER = Path(__file__).parents[1] / "benchmarks"

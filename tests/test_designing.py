@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import forced
+from hophoop._native import forced
 
 
 @pytest.fixture(autouse=True)

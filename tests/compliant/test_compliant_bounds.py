@@ -139,6 +139,6 @@ def test_turns_below_the_level_of_the_plane_are_used_up(monkeypatch, most, what)
     begin = np.zeros(SIZE)
     begin[Y], begin[VN], begin[OM] = -0.3, 0.1, 300.0
     monkeypatch.setattr(flight, "MOST_PANELS", most)
-    ended, tau = flight.fly_below.py_func(body, comp, begin, body.eps * 300.0**2, 100.0, new_work())
+    ended, tau = flight.fly_below(body, comp, begin, body.eps * 300.0**2, 100.0, new_work())
     assert ended == what
     assert tau == pytest.approx(most * flight.PHASE / 300.0 if what == flight.GIVEN_UP else 3.0, rel=1e-4)

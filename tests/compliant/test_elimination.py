@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hophoop._jit import forced
+from hophoop._native import forced
 from hophoop.compliant import elimination as el
 
 

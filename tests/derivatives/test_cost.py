@@ -7,7 +7,7 @@ import time
 import pytest
 
 import hophoop as hh
-from hophoop._jit import forced
+from hophoop._native import forced
 from hophoop.derivatives.carrying import doubtful_from
 
 PATHS = (

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import forced
+from hophoop._native import forced
 from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.sensitivity import SIDED
 from hophoop.maps.friction_use import greatest_utilization

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.derivatives import massless, moving
 from hophoop.derivatives.impact import impact_change, pulled_back
 from hophoop.derivatives.layout import (
@@ -54,7 +53,7 @@ BODY = Body(0.6, 0.5, 0.4, 0.3, 0.9, 0.3, 0.5, 2, False, 0.3)
 
 def state_of(**values):
     named = {"x": 0.0, "y": 0.0, "angle": 0.0, "vt": 0.0, "vn": 0.0, "om": 0.0} | values
-    return interpreted(start_state)(*named.values())
+    return start_state(*named.values())
 
 
 def directions():
@@ -88,9 +87,7 @@ def slopes(piece, body, state, changes, z):
 
 
 def struck(body, state):
-    vt, vn, spin, p_n, p_t, loss_n, loss_t = interpreted(impact)(
-        body, body.rest, math.sin(state.th), math.cos(state.th), state.vt, state.vn
-    )
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, body.rest, math.sin(state.th), math.cos(state.th), state.vt, state.vn)
     return vt, vn, spin, p_n, p_t, loss_n, loss_t
 
 
@@ -109,7 +106,7 @@ def test_an_impact(law, mu, rest, th, vt):
     s, c = math.sin(th), math.cos(th)
     for k in range(z.shape[1]):
         given = (z[TH, k], z[VT, k], z[VN, k], changes, k)
-        *found, reason = interpreted(impact_change)(body, rest, s, c, vt, -1.1, *given)
+        *found, reason = impact_change(body, rest, s, c, vt, -1.1, *given)
         assert reason == Reason.NONE
         assert found == pytest.approx(expected[:, k].tolist(), rel=2e-7, abs=2e-8)
 
@@ -121,7 +118,7 @@ def test_an_impact_that_stops_a_slip_that_has_just_begun():
     s, c = math.sin(0.7), math.cos(0.7)
     for way in (1.0, -1.0):
         z[VT, 0] = way
-        *found, reason = interpreted(impact_change)(body, 0.0, s, c, 0.0, -1.1, 0.0, way, 0.0, changes, 0)
+        *found, reason = impact_change(body, 0.0, s, c, 0.0, -1.1, 0.0, way, 0.0, changes, 0)
         assert reason == -1  # holds to this side
         state = state_of(angle=0.7, vn=-1.1)
         after, before = (np.array(struck(body, state._replace(vt=step))) for step in (way * STEP, 0.0))
@@ -131,14 +128,14 @@ def test_an_impact_that_stops_a_slip_that_has_just_begun():
 def test_what_has_no_derivative_of_an_impact():
     changes, _ = directions()
     s, c = math.sin(0.7), math.cos(0.7)
-    plastic = interpreted(impact_change)(BODY._replace(rest=0.0), 0.0, s, c, 0.4, -1.1, 0.0, 0.0, 0.0, changes, REST)
+    plastic = impact_change(BODY._replace(rest=0.0), 0.0, s, c, 0.4, -1.1, 0.0, 0.0, 0.0, changes, REST)
     assert plastic[-1] == Reason.PLASTIC
     # friction that just holds the stick
-    arm, lever = interpreted(contact_arms)(BODY, s, c)
-    needed = abs(interpreted(stick_rates)(BODY, arm, lever)[0])
+    arm, lever = contact_arms(BODY, s, c)
+    needed = abs(stick_rates(BODY, arm, lever)[0])
     for more, reason in ((0.0, Reason.BORDER), (1e-11, Reason.BORDER), (1e-9, Reason.NONE)):
         body = BODY._replace(mu_s=needed + more, mu_k=needed + more)
-        assert interpreted(impact_change)(body, 0.5, s, c, 0.0, -1.1, 0.0, 0.0, 0.0, changes, EPS)[-1] == reason
+        assert impact_change(body, 0.5, s, c, 0.0, -1.1, 0.0, 0.0, 0.0, changes, EPS)[-1] == reason
 
 
 def test_a_rim_that_is_pulled_back():
@@ -148,14 +145,14 @@ def test_a_rim_that_is_pulled_back():
     changes[[MU_S, MU_K]] = 0.0
 
     def pulled(body, state):
-        arm, lever = interpreted(contact_arms)(body, math.sin(state.th), math.cos(state.th))
-        r, turn, lift = interpreted(stick_rates)(body, arm, lever)
+        arm, lever = contact_arms(body, math.sin(state.th), math.cos(state.th))
+        r, turn, lift = stick_rates(body, arm, lever)
         p_n = -state.vn / lift
         return turn * p_n, p_n, r * p_n, -0.5 * state.vn * p_n
 
     expected = slopes(pulled, body, state, changes, z)
     for k in range(z.shape[1]):
-        found = interpreted(pulled_back)(body, math.sin(0.7), math.cos(0.7), 0.4, z[TH, k], z[VN, k], changes, k)
+        found = pulled_back(body, math.sin(0.7), math.cos(0.7), 0.4, z[TH, k], z[VN, k], changes, k)
         assert found == pytest.approx(expected[:, k].tolist(), rel=1e-7, abs=1e-9)
 
 
@@ -165,8 +162,8 @@ def test_a_rim_that_is_pulled_back():
 def flown(body, state, tau):
     s, c = math.sin(state.th), math.cos(state.th)
     opening = -body.gn + body.eps * c * state.om**2
-    y, vn = interpreted(flight_gap)(body, s, c, state.om, state.y, state.vn, opening, tau)
-    along, vt = interpreted(flight_displacement)(body, state.vt, state.om, s, c, tau)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, tau)
+    along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
     return state._replace(x=state.x + along, y=y, th=state.th + state.om * tau, vt=vt, vn=vn), opening
 
 
@@ -183,7 +180,7 @@ def test_a_flight(om, tau):
         return after.x, after.y, after.th, after.om, after.vt, after.vn
 
     expected = slopes(components, BODY, begin, changes, z)
-    interpreted(moving.follow_flight)(BODY, opening, begin, end, tau, changes, z)
+    moving.follow_flight(BODY, opening, begin, end, tau, changes, z)
     assert z[rows].ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-7, abs=1e-8)
 
 
@@ -197,7 +194,7 @@ def test_a_disturbed_equilibrium(stiffness, tau):
         terms.append(stiffness * terms[n - 2] / (n * (n - 1)))
     there = sum(term * tau**n for n, term in enumerate(terms))
     speed = sum(n * term * tau ** (n - 1) for n, term in enumerate(terms) if n)
-    assert interpreted(moving.disturbed)(stiffness, drive, angle, rate, tau) == pytest.approx((there, speed), rel=1e-13)
+    assert moving.disturbed(stiffness, drive, angle, rate, tau) == pytest.approx((there, speed), rel=1e-13)
 
 
 @pytest.mark.parametrize("sigma", [0, 1, -1])
@@ -209,12 +206,12 @@ def test_rates_of_a_state_are_those_of_its_motion(sigma):
     state = state_of(angle=1.7, vt=0.8 * sigma, om=0.7)
     start = hh.Start(angle=1.7, vx=0.8 * sigma + 0.7, omega=0.7) if sigma else hh.Start.rolling(0.7, angle=1.7)
     after = hh.simulate(hoop, plane, start, duration=1e-4).at(1e-4)
-    turning, along, away, lost = interpreted(moving.accelerations)(body, mode, state, 0.0)
+    turning, along, away, lost = moving.accelerations(body, mode, state, 0.0)
     assert after.omega - 0.7 == pytest.approx(1e-4 * turning, rel=1e-3)
     assert after.slip - 0.8 * sigma == pytest.approx(1e-4 * along, rel=1e-3, abs=1e-15)
     assert (away, lost) == (0.0, 0.0)
     z = np.zeros((CARRIED, 1))
-    interpreted(moving.step_along)(z, 0, 0.5, state, (turning, along, 0.25, 0.125))
+    moving.step_along(z, 0, 0.5, state, (turning, along, 0.25, 0.125))
     assert z[:, 0].tolist() == pytest.approx(
         [0.5, 0.5 * (state.vt + 0.7), 0.0, 0.35, 0.5 * turning, 0.5 * along, 0.125, 0.0, 0.0, 0.0625]
     )
@@ -233,7 +230,7 @@ def test_a_skimming_hoop(side):
 
     def skimmed(body, state):
         way = math.copysign(1.0, state.om)
-        return interpreted(skim_state)(body, state.x, state.th, state.vt, state.om, way, tau)
+        return skim_state(body, state.x, state.th, state.vt, state.om, way, tau)
 
     changes, z = directions()
     changes[:] = 0.0
@@ -241,12 +238,10 @@ def test_a_skimming_hoop(side):
     expected = slopes(skimmed, MASSLESS, begin, changes, z)
     x, th, vt, om = skimmed(MASSLESS, begin)
     end = begin._replace(x=x, th=th, vt=vt, om=om)
-    interpreted(massless.follow_skim)(MASSLESS, begin, end, tau, z)
+    massless.follow_skim(MASSLESS, begin, end, tau, z)
     assert z[[X, TH, VT, OM]].ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-6, abs=1e-7)
-    turning, along, _, _ = interpreted(massless.skim_rates)(MASSLESS, end)
-    beside_it = [
-        np.array(interpreted(skim_state)(MASSLESS, 0.0, begin.th, 0.0, begin.om, side, tau + d)) for d in (1e-5, -1e-5)
-    ]
+    turning, along, _, _ = massless.skim_rates(MASSLESS, end)
+    beside_it = [np.array(skim_state(MASSLESS, 0.0, begin.th, 0.0, begin.om, side, tau + d)) for d in (1e-5, -1e-5)]
     rates = (beside_it[0] - beside_it[1]) / 2e-5
     assert (along, turning) == pytest.approx((rates[2], rates[3]), rel=1e-6)
 
@@ -260,9 +255,9 @@ def test_the_blow_of_a_load(side, mu):
 
     def blown(body, state):
         s, c = math.sin(state.th), math.cos(state.th)
-        tau = interpreted(skim_duration)(body, c, s * state.om)
+        tau = skim_duration(body, c, s * state.om)
         sink, speed = s * state.om + body.gn * tau, state.vt + state.om * (1.0 + c)
-        after, p_n, p_t = interpreted(strike)(body, speed, -sink)
+        after, p_n, p_t = strike(body, speed, -sink)
         x = state.x + s + speed * tau
         lost_n = state.impact_n + 0.5 * sink * sink
         lost_t = state.impact_t + 0.5 * (speed * speed - after * after)
@@ -274,7 +269,7 @@ def test_the_blow_of_a_load(side, mu):
     expected = slopes(blown, body, begin, changes, z)
     tau = blown(body, begin)[0]
     kept = np.zeros((KEPT, z.shape[1]))
-    interpreted(massless.follow_strike)(body, begin, tau, changes, z, kept)
+    massless.follow_strike(body, begin, tau, changes, z, kept)
     found = np.concatenate([z[[T, X, VT, IMPACT_N, IMPACT_T]], kept[[BEFORE_VT, BEFORE_VN, P_N, P_T]]])
     assert found.ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-6, abs=1e-7)
     assert (z[[TH, OM, VN]] == 0.0).all()

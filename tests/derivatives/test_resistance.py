@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import forced
+from hophoop._native import forced
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.parameters import value_of

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots
-from hophoop._jit import forced
+from hophoop._native import forced
 
 
 @pytest.fixture(autouse=True)

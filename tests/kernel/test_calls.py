@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-
 from hophoop._jit.calls import caller
 
 EVENT = np.dtype([("t", "<f8"), ("kind", "<i8")])

@@ -10,10 +10,10 @@ import sys
 from pathlib import Path
 
 import pytest
-
-import hophoop as hh
 from hophoop._jit import library as native
 from hophoop._jit import sources
+
+import hophoop as hh
 
 
 def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:

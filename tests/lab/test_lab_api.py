@@ -9,10 +9,10 @@ import pytest
 fastapi = pytest.importorskip("fastapi", reason="the extra 'lab' is not installed")
 pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
+from hophoop._jit import policy  # noqa: E402
 
 import hophoop as hh  # noqa: E402
 from hophoop import maps  # noqa: E402
-from hophoop._jit import policy  # noqa: E402
 from hophoop.lab import api, app, calls, packing, worker  # noqa: E402
 from hophoop.lab.limits import USUAL  # noqa: E402
 from hophoop.lab.workers import Workers  # noqa: E402

@@ -62,9 +62,9 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "an even function": (
         ("mass", "part_reach", "return math.hypot(at, 0.5 * first)", "return math.hypot(at, -0.5 * first)"),
         ("energy", "kinetic_energy", "return _kinetic(body, s, c, cosine(0.5 * th), om, vt, vn, th_low)", "return _kinetic(body, s, c, cosine( -0.5 * th), om, vt, vn, th_low)"),
-        ("energy", "kinetic_energies", "return interpreted(_kinetic)(body, s, c, elementwise.cosine(0.5 * th), om, vt, vn, th_low)", "return interpreted(_kinetic)(body, s, c, elementwise.cosine( -0.5 * th), om, vt, vn, th_low)"),
+        ("energy", "kinetic_energies", "return _kinetic(body, s, c, elementwise.cosine(0.5 * th), om, vt, vn, th_low)", "return _kinetic(body, s, c, elementwise.cosine( -0.5 * th), om, vt, vn, th_low)"),
         ("energy", "potential_energy", "return _potential(body, x, y, sine(th), sine(0.5 * th))", "return _potential(body, x, y, sine(th), sine( -0.5 * th))"),
-        ("energy", "potential_energies", "return interpreted(_potential)(body, x, y, elementwise.sine(th), elementwise.sine(0.5 * th))", "return interpreted(_potential)(body, x, y, elementwise.sine(th), elementwise.sine( -0.5 * th))"),
+        ("energy", "potential_energies", "return _potential(body, x, y, elementwise.sine(th), elementwise.sine(0.5 * th))", "return _potential(body, x, y, elementwise.sine(th), elementwise.sine( -0.5 * th))"),
     ),
     "a further piece of the impact that has no length": (
         ("impact", "impact", "break", "continue"),

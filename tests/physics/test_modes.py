@@ -358,7 +358,7 @@ def test_without_friction_a_hilltop_is_left_to_the_side_where_it_stands():
 
 def test_where_rounding_hides_which_of_roll_and_slip_there_is(monkeypatch):
     """What the tests of both refuse is told by the cone alone; without f_n < 0 it flies, and μ = ∞ leaves it open."""
-    rule = getattr(modes.next_mode, "py_func", modes.next_mode)
+    rule = modes.next_mode
     monkeypatch.setattr(modes, "can_roll", lambda *_: False)
     monkeypatch.setattr(modes, "can_start_slip", lambda *_: False)
     seen = set()

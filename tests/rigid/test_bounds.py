@@ -140,7 +140,7 @@ def test_a_search_for_roots_ends(monkeypatch):
     """A wave needs more than one interval; with so few its fall is not found, and nothing hangs."""
     series = np.polynomial.chebyshev.chebinterpolate(lambda x: np.cos(4 * x + 1.0), roots.ORDER - 1)
     stack = np.zeros((roots.DEPTH + 3, roots.ORDER + 2))
-    search = roots.first_fall_after.py_func
+    search = roots.first_fall_after
     found = search(series, -2.0, 0.0, stack)
     assert math.cos(4 * found + 1.0) == pytest.approx(0.0, abs=1e-7)
     monkeypatch.setattr(roots, "MOST_INTERVALS", 1)
@@ -289,7 +289,7 @@ def test_a_fast_start_is_clear_of_doubt_after_a_turn_or_two():
 def solving(monkeypatch, change):
     """The sizes of the panels that are solved, with what `change` makes of each result."""
     solved = []
-    solve = panel_choice.solve.py_func
+    solve = panel_choice.solve
 
     def changed(body, panel, work):
         solved.append(panel.extent)
@@ -302,8 +302,8 @@ def solving(monkeypatch, change):
 
 def choose(state, body):
     scratch = new_scratch()
-    state = panel_choice.anchored.py_func(body, 0, state, *sines_of(state), scratch)
-    return panel_choice.choose_panel.py_func(body, 0, state, *sines_of(state), panel_choice.START_LEVEL, scratch), scratch
+    state = panel_choice.anchored(body, 0, state, *sines_of(state), scratch)
+    return panel_choice.choose_panel(body, 0, state, *sines_of(state), panel_choice.START_LEVEL, scratch), scratch
 
 
 @pytest.mark.parametrize("omega", [0.0, 1.0, 1e-10, 1e-150])
@@ -343,7 +343,7 @@ def test_a_turning_point_is_moved_so_often_and_no_more(monkeypatch):
     before = panel_choice.linear_panel(0, 0, 1.0, begin)
     scratch = new_scratch()
     solved = solving(monkeypatch, lambda totals, count: totals._replace(tail=0.0, u=1.1 if count % 2 else 0.9))
-    panel_choice.solve_arrival.py_func(body, before, 0.1, scratch.work)
+    panel_choice.solve_arrival(body, before, 0.1, scratch.work)
     assert len(solved) == 1 + panel_choice.MOST_MOVES
     # with the true solutions a few moves are enough
     monkeypatch.undo()

@@ -9,7 +9,6 @@ import pytest
 
 import hophoop as hh
 from contact_tools import body_of, events_of, log_of, phase_at, sliding, state_of
-from hophoop._jit import interpreted
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -26,7 +25,7 @@ ROLL, SPIN, SKID, FLIGHT = (contact_phase.ROLL, contact_phase.SPIN, contact_phas
 def test_rolling_that_cannot_be_followed_ends_in_doubt():
     log, scratch = log_of()
     state = state_of(1.0, 0.5)._replace(t=3.0)
-    after = interpreted(contact_phase.after_rolling)(body_of(), phase_at(ROLL, state), contact_phase.STUCK, state, log, scratch)
+    after = contact_phase.after_rolling(body_of(), phase_at(ROLL, state), contact_phase.STUCK, state, log, scratch)
     assert (after.mode, after.what, after.status) == (ROLL, contact_phase.STUCK, Status.UNDETERMINED)
     assert scratch.doubt.tolist() == [3.0, 3.0]
     assert events_of(log) == []
@@ -43,7 +42,7 @@ def test_after_rolling_that_needs_all_friction_it_slips_against_it_or_flies(what
     for mu_k, zeros in ((0.5, 2), (0.25, 1)):
         log, scratch = log_of()
         body = body_of()._replace(mu_k=mu_k)
-        after = interpreted(contact_phase.after_rolling)(body, phase_at(ROLL, state), what, state, log, scratch)
+        after = contact_phase.after_rolling(body, phase_at(ROLL, state), what, state, log, scratch)
         assert (after.mode, after.what, after.status, after.begins, after.bounce) == (mode, what, -1, True, 0.75)
         assert mode == FLIGHT or after.zeros == zeros
         assert events_of(log) == [(Event.TAKEOFF if mode == FLIGHT else Event.SLIP_START, ROLL, mode)]
@@ -53,7 +52,7 @@ def test_after_rolling_that_needs_all_friction_it_slips_against_it_or_flies(what
 def test_slip_that_lifts_off_flies(mode):
     log, scratch = log_of()
     state = state_of(0.0, 2.0, 1.0 if mode == SKID else -1.0)
-    after = interpreted(contact_phase.after_slip)(body_of(), phase_at(mode, state), contact_phase.LIFT, state, log, scratch)
+    after = contact_phase.after_slip(body_of(), phase_at(mode, state), contact_phase.LIFT, state, log, scratch)
     assert (after.mode, after.what, after.status, after.zeros) == (FLIGHT, contact_phase.LIFT, -1, 3)
     assert events_of(log) == [(Event.TAKEOFF, mode, FLIGHT)]
 
@@ -62,7 +61,7 @@ def test_slip_that_lifts_off_flies(mode):
 def test_slip_that_ends_rolls_where_it_can(mode):
     log, scratch = log_of()
     state = state_of(3.0, 0.5)
-    after = interpreted(contact_phase.after_slip)(body_of(), phase_at(mode, state), contact_phase.STOP, state, log, scratch)
+    after = contact_phase.after_slip(body_of(), phase_at(mode, state), contact_phase.STOP, state, log, scratch)
     assert (after.mode, after.what, after.status, after.bounce) == (ROLL, contact_phase.STOP, -1, 0.75)
     assert events_of(log) == [(Event.STICK, mode, ROLL)]
 
@@ -71,9 +70,9 @@ def turned(mode, th, vt=0.0, stop=0, **plane):
     """What follows a turning point there, and what is written."""
     log, scratch = log_of()
     state = state_of(th, 0.0, vt)._replace(t=3.0)
-    limits = interpreted(limits_of)(state, 8.0, math.nan, stop)
+    limits = limits_of(state, 8.0, math.nan, stop)
     phase = phase_at(mode, state)
-    after = interpreted(contact_phase.turned_step)(body_of(**plane), phase, state, 7, limits, log, scratch)
+    after = contact_phase.turned_step(body_of(**plane), phase, state, 7, limits, log, scratch)
     return after, events_of(log)
 
 
@@ -114,9 +113,9 @@ def test_slip_without_rotation_that_stops_on_a_slope_turns_round(sigma):
     mode, other = (SKID, SPIN) if sigma > 0 else (SPIN, SKID)
     body = body_of(mu=0.0, slope=-0.25 * sigma)
     phase = sliding(sigma)
-    limits = interpreted(limits_of)(phase.state, 50.0, math.nan, 0)
+    limits = limits_of(phase.state, 50.0, math.nan, 0)
     log, scratch = log_of()
-    after = interpreted(contact_phase.still_step)(body, phase, phase.state, limits, log, scratch)
+    after = contact_phase.still_step(body, phase, phase.state, limits, log, scratch)
     assert (after.mode, after.what, after.status) == (other, contact_phase.STOP, -1)
     assert events_of(log) == [(Event.SLIP_REVERSAL, mode, other)]
 
@@ -125,20 +124,18 @@ def test_the_massless_hoop_skims_where_rolling_has_no_force_left():
     """And one with inertia 1 slips."""
     state = state_of(1.0, 0.5)
     log, scratch = log_of()
-    after = interpreted(contact_phase.after_rolling)(
-        body_of(1.0), phase_at(ROLL, state), panel_events.CONE_AHEAD, state, log, scratch
-    )
+    after = contact_phase.after_rolling(body_of(1.0), phase_at(ROLL, state), panel_events.CONE_AHEAD, state, log, scratch)
     assert (after.mode, events_of(log)) == (int(Mode.SKIM), [(Event.SKIM, ROLL, Mode.SKIM)])
     log, scratch = log_of()
     heavy = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=1.0), plane=hh.Plane(mu=0.5)).to_body()
-    after = interpreted(contact_phase.after_rolling)(heavy, phase_at(ROLL, state), panel_events.CONE_AHEAD, state, log, scratch)
+    after = contact_phase.after_rolling(heavy, phase_at(ROLL, state), panel_events.CONE_AHEAD, state, log, scratch)
     assert (after.mode, events_of(log)) == (SPIN, [(Event.SLIP_START, ROLL, SPIN)])
 
 
 def moved_by_kernel(body, state, t_end, stop=0):
     """(status, kinds of the events, events, number of segments)."""
     events, segments = np.empty(40, EVENT), np.empty(2000, SEGMENT)
-    status, count, pieces = interpreted(run)(body, state, t_end, math.nan, stop, events, segments, new_scratch(), events[:0])
+    status, count, pieces = run(body, state, t_end, math.nan, stop, events, segments, new_scratch(), events[:0])
     return status, [Event(kind).name for kind in events["kind"][:count]], events[:count], pieces
 
 

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 import hophoop as hh
 from contact_tools import STARTED, body_of, sines_of, state_of
-from hophoop._jit import forced, interpreted
+from hophoop._native import forced
 from hophoop.numerics.collocation import ORDER, lagrange
 from hophoop.numerics.constants import NODES
 from hophoop.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
@@ -47,7 +47,7 @@ def test_an_angle_counted_in_the_next_turn_is_the_same(th, anchor, mu):
     """θ to 30 digits, from a valley or a hilltop of slip just as far; of the next hilltop of rolling D θ̇² + 2 V is another."""
     body = body_of(slope=0.3, mu=mu)
     before = state_of(0.0, 1.0)._replace(turns=5.0, th=th, th_low=3e-17, anchor=anchor)
-    after = interpreted(contact_phase.counted)(body, before)
+    after = contact_phase.counted(body, before)
     way = math.copysign(1.0, th)
     with mp.workdps(40):
         assert after.turns == 5.0 + way
@@ -74,7 +74,7 @@ def test_on_a_hilltop_only_what_is_there_exactly_stays(way, base, largest):
     for kind in (ROLLING, SLIPPING):
         for psi, still in ((0.0, True), (0.5 * largest, True), (2.0 * largest, False), (1e-20, False)):
             state = state_of(base, anchor=Anchor(kind, 0.0, base, 0.0, 0.5))._replace(th_low=way * psi)
-            assert interpreted(contact_phase.is_still)(body, 0, state) is still
+            assert contact_phase.is_still(body, 0, state) is still
 
 
 @pytest.mark.parametrize("th", [math.pi, -math.pi, 0.5 * math.pi, 0.0])
@@ -83,16 +83,14 @@ def test_elsewhere_what_has_no_torque_stays(th):
     valley = abs(th) == math.pi
     for anchor in (Anchor(FREE, 0.0, 0.0, 0.0, 0.0), Anchor(ROLLING, 0.0, th, 0.0, -0.5)):
         for psi in (0.0, 1e-16, 1e-14):
-            still = interpreted(contact_phase.is_still)(body_of(), 0, state_of(th + psi, anchor=anchor))
+            still = contact_phase.is_still(body_of(), 0, state_of(th + psi, anchor=anchor))
             assert still is ((valley and psi < 1e-15) or (th == 0.0 and psi < 1e-15))
 
 
 def test_speeds_whose_squares_underflow_are_none():
     events = np.empty(10, EVENT)
     start = state_of(math.pi, om=1e-150)
-    status, count, _ = interpreted(run)(
-        body_of(), start, 1.0, math.nan, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0]
-    )
+    status, count, _ = run(body_of(), start, 1.0, math.nan, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0])
     assert status == Status.AT_REST
     assert events["kind"][:count].tolist() == [Event.START, Event.REST, Event.END]
 
@@ -110,10 +108,10 @@ def test_the_excess_of_slip_grows_by_the_panels_factor_at_its_end_only(kind):
     body = body_of()
     anchor = Anchor(SLIPPING, 0.5, 0.25, 1e-18, 0.75)
     given = Given(kind=kind, growth=4.0)
-    at_end = interpreted(contact_phase.carried)(body, given, given, 1.0, state_of(0.5, anchor=anchor))
+    at_end = contact_phase.carried(body, given, given, 1.0, state_of(0.5, anchor=anchor))
     factor = 4.0 if kind == LINEAR else 0.25  # solved from the turning point back
     assert at_end.anchor == anchor._replace(excess=0.5 * factor)
-    inside = interpreted(contact_phase.carried)(body, given, given, math.nextafter(1.0, 0.0), state_of(0.5, anchor=anchor))
+    inside = contact_phase.carried(body, given, given, math.nextafter(1.0, 0.0), state_of(0.5, anchor=anchor))
     assert inside.anchor.kind == FREE
 
 
@@ -123,7 +121,7 @@ def test_without_friction_the_excess_goes_as_one_over_the_inertia(xi):
     body = body_of(mu=0.0)
     anchor = Anchor(SLIPPING, 0.5, 0.0, 0.0, 0.75)
     given = Given(sine=math.sin(0.25))
-    after = interpreted(contact_phase.carried)(body, given, given, xi, state_of(1.0, anchor=anchor))
+    after = contact_phase.carried(body, given, given, xi, state_of(1.0, anchor=anchor))
     inertia = [body.kap + (body.eps * math.sin(angle)) ** 2 for angle in (0.25, 1.0)]
     assert after.anchor.excess == pytest.approx(0.5 * inertia[0] / inertia[1], rel=1e-15)
 
@@ -144,7 +142,7 @@ def test_where_the_rotation_turns_round_the_couple_does_too_and_the_grip_may_go(
     body = motion.scenario.to_body()
     shares = []
     for omega in (1e-9 * side, -1e-9 * side):
-        friction, normal = interpreted(forces_rolling)(body, math.sin(turn.angle), math.cos(turn.angle), omega)
+        friction, normal = forces_rolling(body, math.sin(turn.angle), math.cos(turn.angle), omega)
         shares.append(abs(friction) / normal)
     assert shares[0] < body.mu_s < shares[1]
 
@@ -156,7 +154,7 @@ def test_a_slow_start_in_a_short_time(offset):
     rate = math.sqrt(body.eps / (body.kap + (1.0 + body.eps) ** 2))
     events, none = np.empty(10, EVENT), np.empty(0, SEGMENT)
     for t_end in (0.5, 2.0):
-        status, count, _ = interpreted(run)(body, state_of(offset), t_end, math.nan, 0, events, none, new_scratch(), events[:0])
+        status, count, _ = run(body, state_of(offset), t_end, math.nan, 0, events, none, new_scratch(), events[:0])
         assert (status, count) == (Status.COMPLETED, 2)
         assert events["angle"][1] == pytest.approx(offset * math.cosh(rate * t_end), rel=1e-13, abs=0.0)
         assert events["omega"][1] == pytest.approx(offset * rate * math.sinh(rate * t_end), rel=1e-12, abs=0.0)
@@ -170,7 +168,7 @@ def test_rolling_lasts_until_it_needs_all_friction(f, side):
         motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(rolling_resistance=f), hh.Start.rolling(3.1 * side), duration=1.0)
     slip, body = motion.find("slip_start")[0], motion.scenario.to_body()
     om = slip.omega * motion.units.time
-    friction, normal = interpreted(forces_rolling)(body, math.sin(slip.angle), math.cos(slip.angle), om)
+    friction, normal = forces_rolling(body, math.sin(slip.angle), math.cos(slip.angle), om)
     assert abs(friction) == pytest.approx(body.mu_s * normal, rel=1e-11)
     assert normal > 0.0
 
@@ -187,8 +185,8 @@ def test_a_small_square_of_the_speed_has_its_digits_beside_a_turning_point(kind,
         return (1.0 if end is None else (end - at) ** 2) * (1.0 + 0.25 * at)
 
     weights = np.empty(ORDER)
-    interpreted(lagrange)(xi, weights)
-    found = interpreted(contact_phase.u_between)(Given(kind=kind), xi, weights, square(NODES))
+    lagrange(xi, weights)
+    found = contact_phase.u_between(Given(kind=kind), xi, weights, square(NODES))
     assert found == pytest.approx(square(xi), rel=1e-13, abs=0.0)
 
 
@@ -196,10 +194,10 @@ def solved_panel(body, sigma, th, om):
     """(panel, totals, state at its start, arrays) as the kernel chooses it."""
     scratch = new_scratch()
     state = state_of(th, om, 0.75 * sigma)._replace(**STARTED)
-    state = interpreted(contact_phase.anchored)(body, sigma, state, *sines_of(state), scratch)
-    panel, totals, _ = interpreted(contact_phase.choose_panel)(body, sigma, state, *sines_of(state), 2, scratch)
+    state = contact_phase.anchored(body, sigma, state, *sines_of(state), scratch)
+    panel, totals, _ = contact_phase.choose_panel(body, sigma, state, *sines_of(state), 2, scratch)
     assert totals.tail < 2e-13
-    interpreted(contact_phase.fill_inside)(panel, scratch.work)
+    contact_phase.fill_inside(panel, scratch.work)
     return panel, totals, state, scratch
 
 
@@ -230,7 +228,7 @@ def test_a_place_on_a_panel_is_where_the_hoop_comes_to(kind, th, om, sigma, resi
     panel, totals, state, scratch = solved_panel(body, sigma, th, om)
     assert panel.kind == kind
     for xi in (-1.0, -0.5, 0.375, 1.0):
-        after = interpreted(contact_phase.state_on_panel)(body, panel, totals, state, xi, scratch)
+        after = contact_phase.state_on_panel(body, panel, totals, state, xi, scratch)
         expected = followed(body, sigma, panel.way, state, after.t - state.t)
         found = [after.x, after.th, after.om, after.vt, after.friction, after.resisted]
         assert found == pytest.approx(expected, rel=1e-11, abs=1e-11)
@@ -248,5 +246,5 @@ def test_no_place_on_a_panel_is_before_its_begin(sigma, resist, th, om):
     panel, totals, state, scratch = solved_panel(body, sigma, th, om)
     state = state._replace(t=0.0, t_low=0.0)
     for place in range(1, 20):
-        after = interpreted(contact_phase.state_on_panel)(body, panel, totals, state, -1.0 + place * 2.0**-53, scratch)
+        after = contact_phase.state_on_panel(body, panel, totals, state, -1.0 + place * 2.0**-53, scratch)
         assert after.t >= 0.0

@@ -8,7 +8,6 @@ import pytest
 
 import hophoop as hh
 from contact_tools import STARTED, body_of, log_of, sliding, state_of
-from hophoop._jit import interpreted
 from hophoop.panels.panel import HOLD
 from hophoop.physics.body import Event, Status
 from hophoop.physics.resistance import torque_at_rest
@@ -25,7 +24,7 @@ def test_slip_that_does_not_turn_is_slowed_as_a_block_is(sigma, slope):
     """v̇_t = g_t − σ μ g_n: it stops where that goes against it."""
     body = body_of(slope=slope, mu=0.5)
     rate = math.sin(slope) - sigma * 0.5 * math.cos(slope)
-    found, until = interpreted(contact_phase.frozen_end)(body, sigma, 3.0 * sigma)
+    found, until = contact_phase.frozen_end(body, sigma, 3.0 * sigma)
     assert found == pytest.approx(rate, rel=1e-14)
     assert until == (pytest.approx(-3.0 * sigma / rate, rel=1e-14) if sigma * rate < 0.0 else math.inf)
 
@@ -36,11 +35,11 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     """The distance, the speed and friction's work are those of a block; a stop at the very end of time comes first."""
     body = body_of(slope=0.25, mu=0.5)
     log, _ = log_of()
-    rate, until = interpreted(contact_phase.frozen_end)(body, sigma, 1.5 * sigma)
+    rate, until = contact_phase.frozen_end(body, sigma, 1.5 * sigma)
     phase = sliding(sigma)
     state = phase.state._replace(t=0.0, t_low=0.0) if at_stop == 1.0 else phase.state
     t_end = state.t + at_stop * until
-    what, after = interpreted(contact_phase.hold)(body, phase.mode, state, t_end, log)
+    what, after = contact_phase.hold(body, phase.mode, state, t_end, log)
     stops = at_stop >= 1.0
     tau = until if stops else 0.5 * until
     slid = 1.5 * sigma * tau + 0.5 * rate * tau * tau
@@ -63,7 +62,7 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("resist", [0.0, 0.0625])
 def test_rest_is_stable_in_a_valley_or_where_the_couple_holds_it_with_some_left(side, resist):
-    stable = interpreted(contact_phase.equilibrium_is_stable)
+    stable = contact_phase.equilibrium_is_stable
     level = body_of(rolling_resistance=resist)
     assert stable(level, math.pi * side)
     assert stable(level, 0.0) is (resist > 0.0)
@@ -79,15 +78,15 @@ def test_rest_on_a_slope_is_held_by_what_the_weight_on_the_slope_gives(side):
     body = body_of(slope=0.8 * side, rolling_resistance=0.01)
     for part in (-1.001, -0.999, 0.999, 1.001):
         th = math.asin((part * 0.01 * math.cos(0.8) - math.sin(0.8)) / 0.75) - 0.8
-        assert interpreted(contact_phase.equilibrium_is_stable)(body, side * th) is (abs(part) < 1.0)
+        assert contact_phase.equilibrium_is_stable(body, side * th) is (abs(part) < 1.0)
 
 
 def test_rest_held_by_all_the_couple_and_rest_of_a_ring_are_not_stable():
     body = body_of(rolling_resistance=0.1)
-    needed = interpreted(torque_at_rest)(body, math.sin(0.1), math.cos(0.1))
-    assert not interpreted(contact_phase.equilibrium_is_stable)(body._replace(resist=needed), 0.1)
+    needed = torque_at_rest(body, math.sin(0.1), math.cos(0.1))
+    assert not contact_phase.equilibrium_is_stable(body._replace(resist=needed), 0.1)
     ring = hh.Scenario(hoop=hh.Hoop(eccentricity=0.0, inertia_ratio=1.0)).to_body()
-    assert not interpreted(contact_phase.equilibrium_is_stable)(ring, 1.0)
+    assert not contact_phase.equilibrium_is_stable(ring, 1.0)
 
 
 @pytest.mark.parametrize(("th", "stable"), [(math.pi, 1), (0.0, 0)])
@@ -95,8 +94,8 @@ def test_rest_is_written_as_an_event_and_lasts_to_the_end_of_time(th, stable):
     log, scratch = log_of()
     state = state_of(th)._replace(**STARTED)
     phase = Phase(contact_phase.ROLL, state, False, 0, 0.0, 5, 0.75, 0, -1)
-    limits = interpreted(limits_of)(state, 8.0, math.nan, 0)
-    after = interpreted(contact_phase.still_step)(body_of(), phase, state, limits, log, scratch)
+    limits = limits_of(state, 8.0, math.nan, 0)
+    after = contact_phase.still_step(body_of(), phase, state, limits, log, scratch)
     assert (after.mode, after.what, after.status) == (contact_phase.ROLL, contact_phase.STILL, Status.AT_REST)
     assert after.state == state._replace(t=8.0, t_low=0.0)
     assert (after.bounce, after.begins) == (0.75, False)
@@ -114,14 +113,14 @@ def test_after_slip_without_rotation_comes_what_the_mode_rule_says(sigma, gamma)
     """Rolling, as there is no torque; always of the hoop without mass. With the time over the motion ends in slip."""
     body = body_of(gamma)
     phase = sliding(sigma, 2.5 if gamma == 1.0 else math.pi)
-    limits = interpreted(limits_of)(phase.state, 50.0, math.nan, 0)
+    limits = limits_of(phase.state, 50.0, math.nan, 0)
     log, scratch = log_of()
-    after = interpreted(contact_phase.still_step)(body, phase, phase.state, limits, log, scratch)
+    after = contact_phase.still_step(body, phase, phase.state, limits, log, scratch)
     assert (after.mode, after.what, after.status, after.bounce) == (contact_phase.ROLL, contact_phase.STOP, -1, 0.75)
     assert after.begins
     assert after.state.t == pytest.approx(6.0, rel=1e-15)
     assert log.events[:1][["kind", "before_mode", "after_mode"]].tolist() == [(Event.STICK, phase.mode, contact_phase.ROLL)]
-    over = interpreted(contact_phase.still_step)(body, phase, phase.state, limits._replace(t_end=4.0), *log_of())
+    over = contact_phase.still_step(body, phase, phase.state, limits._replace(t_end=4.0), *log_of())
     assert (over.mode, over.what, over.status) == (phase.mode, contact_phase.LIMIT, Status.COMPLETED)
 
 
@@ -134,23 +133,23 @@ def test_a_load_close_to_the_plane_rests_in_its_valley_to_the_rounding_of_the_an
         return
     for turn in (0.0, -2.0 * math.pi):
         for th in (math.nextafter(valley + turn, -9.0), valley + turn, math.nextafter(valley + turn, 9.0)):
-            assert interpreted(contact_phase.is_still)(body, 0, state_of(0.0)._replace(th=th))
-        assert not interpreted(contact_phase.is_still)(body, 0, state_of(0.0)._replace(th=valley + turn + 1e-12))
+            assert contact_phase.is_still(body, 0, state_of(0.0)._replace(th=th))
+        assert not contact_phase.is_still(body, 0, state_of(0.0)._replace(th=valley + turn + 1e-12))
 
 
 @pytest.mark.parametrize("slope", [0.05 * k for k in range(-8, 9)])
 def test_a_ring_that_rolling_resistance_holds_on_a_slope_stays(slope):
     ring = hh.Scenario(hoop=hh.Hoop(eccentricity=0.0, inertia_ratio=0.7), plane=hh.Plane(slope=slope, rolling_resistance=0.5))
     for th in (0.0, 1.0, -4.0):
-        assert interpreted(contact_phase.is_still)(ring.to_body(), 0, state_of(th))
+        assert contact_phase.is_still(ring.to_body(), 0, state_of(th))
 
 
 def test_without_gravity_what_does_not_turn_stays():
-    assert interpreted(contact_phase.is_still)(body_of(gravity=0.0), 0, state_of(1.0))
+    assert contact_phase.is_still(body_of(gravity=0.0), 0, state_of(1.0))
 
 
 def test_the_massless_hoop_stays_where_it_slips_or_has_its_load_on_the_plane():
-    stays, massless = interpreted(contact_phase.stays), body_of(1.0)
+    stays, massless = contact_phase.stays, body_of(1.0)
     for sigma in (1, -1):
         assert stays(massless, sigma, state_of(1.0))
         assert not stays(body_of(), sigma, state_of(1.0))

@@ -10,7 +10,6 @@ import pytest
 from numpy.polynomial import chebyshev
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND
 from hophoop.panels.panel import A, B
@@ -28,7 +27,7 @@ def body_of(eps=0.0, kap=1.0, mu=0.5, slope=0.0, **plane):
 
 
 def in_doubt(body, angle=0.0, vt=0.0, om=0.0):
-    return interpreted(mode_is_in_doubt)(body, interpreted(start_state)(0.0, 0.0, angle, vt, 0.0, om))
+    return mode_is_in_doubt(body, start_state(0.0, 0.0, angle, vt, 0.0, om))
 
 
 @pytest.mark.parametrize("kap", [1.0, 0.5])
@@ -109,15 +108,15 @@ def test_without_friction_and_without_mass_there_is_no_margin():
 
 
 def test_the_first_doubt_stays():
-    interpreted(note_doubt)(SCRATCH, 1.0, 2.0)
-    interpreted(note_doubt)(SCRATCH, 3.0, 4.0)
+    note_doubt(SCRATCH, 1.0, 2.0)
+    note_doubt(SCRATCH, 3.0, 4.0)
     assert SCRATCH.doubt.tolist() == [1.0, 2.0]
     SCRATCH.doubt[:] = math.nan
 
 
 def grazes(function, scale=1.0):
     SCRATCH.values[:] = 1e3  # what was there before does not count
-    return interpreted(grazes_zero)(function(NODES), scale, SCRATCH)
+    return grazes_zero(function(NODES), scale, SCRATCH)
 
 
 @pytest.mark.parametrize("place", [-0.9, -0.3, 0.0, 0.55, 0.95])
@@ -154,7 +153,7 @@ def test_what_falls_all_the_way_has_no_smallest_value_inside():
 @pytest.mark.parametrize("place", np.linspace(-0.99, 0.99, 23))
 def test_the_nodes_show_where_to_look_for_a_graze(place):
     """A parabola that touches zero between them is nearly zero at one, beside its range."""
-    assert interpreted(fall_of)((NODES - place) ** 2 + 1e-12, False, 0.0, SCRATCH) == (NOT_FOUND, True)
+    assert fall_of((NODES - place) ** 2 + 1e-12, False, 0.0, SCRATCH) == (NOT_FOUND, True)
 
 
 class Sides(NamedTuple):
@@ -172,9 +171,9 @@ def test_slip_is_measured_beside_both_speeds(om):
     scratch = new_scratch()
     scratch.work[A] = 1.0 + NODES**2
     scratch.work[B] = NODES**2 + 4.0 * CLOSE
-    state = interpreted(start_state)(0.0, 0.0, 0.0, 3.0, 0.0, om)
-    assert interpreted(has_graze)(body, Sides(1, 3.0, 1.0), state, scratch)
-    assert not interpreted(has_graze)(body, Sides(1, 0.0, 1.0), state, scratch)
+    state = start_state(0.0, 0.0, 0.0, 3.0, 0.0, om)
+    assert has_graze(body, Sides(1, 3.0, 1.0), state, scratch)
+    assert not has_graze(body, Sides(1, 0.0, 1.0), state, scratch)
 
 
 @pytest.mark.parametrize("sigma", [0, 1, -1])
@@ -182,7 +181,7 @@ def test_slip_is_measured_beside_both_speeds(om):
 def test_margins_graze_zero_beside_forces_and_the_end_of_slip_beside_speeds(which, sigma):
     """In rolling g_n + |g_t| + θ̇² at the panel's begin, in slip g_n + θ̇² for N and |v_t| + |θ̇| for v_t."""
     body = body_of(0.5, 0.75, slope=0.5)
-    state = interpreted(start_state)(0.0, 0.0, 0.0, 3.0, 0.0, -0.5)
+    state = start_state(0.0, 0.0, 0.0, 3.0, 0.0, -0.5)
     beside = body.gn + 0.25
     if sigma == 0:
         beside += body.gt
@@ -192,4 +191,4 @@ def test_margins_graze_zero_beside_forces_and_the_end_of_slip_beside_speeds(whic
         scratch = new_scratch()
         scratch.work[A] = scratch.work[B] = 1.0 + NODES**2
         scratch.work[which] = NODES**2 + part * CLOSE * beside
-        assert interpreted(has_graze)(body, Sides(sigma, 3.0, 0.25), state, scratch) is doubtful
+        assert has_graze(body, Sides(sigma, 3.0, 0.25), state, scratch) is doubtful

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -27,10 +26,10 @@ def body_of(gamma=0.75, **plane):
 def motion_of(body, *start, t_end=1.0, span=math.nan, stop=0, scratch=None):
     """(status, events) of the kernel; x, y, θ, v_t, v_n, θ̇ in its units."""
     events = np.empty(100, EVENT)
-    state = interpreted(start_state)(*start)
+    state = start_state(*start)
     room = np.empty(0, SEGMENT)
     with np.errstate(all="ignore"):  # as where a kernel gives up a panel
-        status, count, _ = interpreted(run)(body, state, t_end, span, stop, events, room, scratch or new_scratch(), events[:0])
+        status, count, _ = run(body, state, t_end, span, stop, events, room, scratch or new_scratch(), events[:0])
     return status, events[:count]
 
 
@@ -128,21 +127,21 @@ def test_a_doubt_of_the_motion_before_is_forgotten():
 def test_bounces_are_closed_when_those_to_come_take_no_time(ratio, time):
     """Each takes 2 v/g and is slower by the same ratio: 2 v/(g (1 − ratio)) in all, beside the time so far or its unit."""
     body = body_of(0.0)
-    before = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)._replace(t=time)
+    before = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)._replace(t=time)
     allowed = flight_phase.CLOSING * max(time, 1.0) * (1.0 - ratio) / 2.0
     for v_n, closes in ((0.99 * allowed, True), (1.01 * allowed, False)):
-        after = interpreted(with_velocities)(before, 0.0, v_n, 0.0)
-        assert interpreted(flight_phase.is_last_bounce)(body, before, after, v_n / ratio) is closes
+        after = with_velocities(before, 0.0, v_n, 0.0)
+        assert flight_phase.is_last_bounce(body, before, after, v_n / ratio) is closes
 
 
 def test_bounces_that_grow_no_slower_are_not_closed():
     body = body_of(0.0)
-    state = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 1e-14, 0.0)
+    state = start_state(0.0, 0.0, 0.0, 0.0, 1e-14, 0.0)
     for last in (1e-14, 0.5e-14, 0.0):
-        assert not interpreted(flight_phase.is_last_bounce)(body, state, state, last)
-    assert not interpreted(flight_phase.is_last_bounce)(body, state, state._replace(vn=0.0), 1.0)
-    assert not interpreted(flight_phase.is_last_bounce)(body_of(0.0, gravity=0.0), state, state, 1.0)
-    assert interpreted(flight_phase.is_last_bounce)(body, state, state._replace(vn=1e-101), 1e-101)
+        assert not flight_phase.is_last_bounce(body, state, state, last)
+    assert not flight_phase.is_last_bounce(body, state, state._replace(vn=0.0), 1.0)
+    assert not flight_phase.is_last_bounce(body_of(0.0, gravity=0.0), state, state, 1.0)
+    assert flight_phase.is_last_bounce(body, state, state._replace(vn=1e-101), 1e-101)
 
 
 @pytest.mark.parametrize(("speed", "doubtful"), [(3.6166282640049716, True), (3.1, False), (2.8, False)])
@@ -154,8 +153,8 @@ def test_a_margin_that_only_touches_zero_is_a_doubt(speed, doubtful):
 
 
 def test_tables_that_are_too_short_are_said():
-    events, state = np.empty(100, EVENT), interpreted(start_state)(0.0, 0.0, 0.5, 0.0, 0.0, 1.0)
+    events, state = np.empty(100, EVENT), start_state(0.0, 0.0, 0.5, 0.0, 0.0, 1.0)
     for room, pieces, expected in ((events, 2, (Status.BUFFER, 2)), (events[:2], 0, (Status.EVENT_LIMIT, 0))):
         table = np.empty(pieces, SEGMENT)
-        found = interpreted(run)(body_of(), state, 9.0, math.nan, 0, room, table, new_scratch(), events[:0])
+        found = run(body_of(), state, 9.0, math.nan, 0, room, table, new_scratch(), events[:0])
         assert found[::2] == expected

@@ -9,7 +9,6 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.panels.panel import FLY
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.energy import kinetic_energies, potential_energies
@@ -28,23 +27,23 @@ def body_of(gamma=0.75, **plane):
 
 
 def state_of(angle=0.5, *, y=0.0, vt=0.0, vn=0.0, om=0.0, time=0.0):
-    return interpreted(start_state)(0.25, y, angle, vt, vn, om)._replace(t=time)
+    return start_state(0.25, y, angle, vt, vn, om)._replace(t=time)
 
 
 def limits(state, t_end=9.0, span=math.nan, stop=0):
-    return interpreted(limits_of)(state, t_end, span, stop)
+    return limits_of(state, t_end, span, stop)
 
 
 def tables():
     events, segments, scratch = np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch()
-    return interpreted(new_log)(events, segments, scratch), scratch
+    return new_log(events, segments, scratch), scratch
 
 
 def fly(body, state, given, zeros=0):
     """(what, state at the end, apexes, segment); with three zeros the gap opens by rounding alone."""
     log, scratch = tables()
     opening = 0.0 if zeros == 3 else body.eps * state.om**2 * math.cos(state.th) - body.gn
-    what, after = interpreted(flight_phase.fly)(body, state, opening, zeros, given, log)
+    what, after = flight_phase.fly(body, state, opening, zeros, given, log)
     assert scratch.written[1] == 1
     return what, after, log.events[: scratch.written[0]], log.segments[0]
 
@@ -151,7 +150,7 @@ def test_at_the_angle_at_which_the_rim_approaches_the_centre_of_gravity_stays(an
     body = body_of()
     rises = 64.0 * math.copysign(1.0, angle)
     state = state_of(angle, vt=3.0, vn=-5.0 + body.eps * rises * math.sin(angle), om=rises)._replace(th_low=1e-17)
-    after = interpreted(flight_phase.approaching)(body, state)
+    after = flight_phase.approaching(body, state)
     assert state.vn > 0.0 > after.vn
     assert (after.t, after.y, after.om, after.turns) == (state.t, state.y, state.om, state.turns)
     assert (after.th, after.th_low) == (-angle, -1e-17)
@@ -165,8 +164,8 @@ def test_at_the_angle_at_which_the_rim_approaches_the_centre_of_gravity_stays(an
 def step(state, stop, restitution=0.0):
     body = body_of(restitution=restitution)
     log, scratch = tables()
-    phase = interpreted(entered)(body, int(Mode.FLIGHT), state, 0.125, STOP, scratch)
-    after = interpreted(flight_phase.flight_step)(body, phase, limits(state, 9.0, stop=stop), log, scratch)
+    phase = entered(body, int(Mode.FLIGHT), state, 0.125, STOP, scratch)
+    after = flight_phase.flight_step(body, phase, limits(state, 9.0, stop=stop), log, scratch)
     return after, log.events["kind"][: scratch.written[0]].tolist()
 
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -28,13 +27,13 @@ def body_of(gamma=0.75, mu=0.5, **plane):
 
 
 def state_of(angle, *, y=0.0, vt=0.0, vn=0.0, om=0.0):
-    return interpreted(start_state)(0.5, y, angle, vt, vn, om)
+    return start_state(0.5, y, angle, vt, vn, om)
 
 
 def begin(body, state):
     """(first phase, events as (kind, mode before, mode after))."""
     events, scratch = np.zeros(20, EVENT), new_scratch()
-    phase = interpreted(kernel.begin)(body, state, interpreted(new_log)(events, np.empty(0, SEGMENT), scratch), scratch)
+    phase = kernel.begin(body, state, new_log(events, np.empty(0, SEGMENT), scratch), scratch)
     return phase, [tuple(map(int, row)) for row in events[["kind", "before_mode", "after_mode"]][: scratch.written[0]]]
 
 
@@ -134,9 +133,7 @@ def run(events=100, segments=1000, t_end=4.0, panels=None, script=None):
     if panels is not None:
         scratch.written[3] = panels
     script = tables[0][:0] if script is None else script
-    found = interpreted(kernel.run)(
-        body_of(), state_of(0.0, om=3.1 / math.sqrt(9.81)), t_end, math.nan, 0, *tables, scratch, script
-    )
+    found = kernel.run(body_of(), state_of(0.0, om=3.1 / math.sqrt(9.81)), t_end, math.nan, 0, *tables, scratch, script)
     return found, tables[0], tables[1]
 
 
@@ -172,7 +169,7 @@ def test_where_the_panels_are_used_up_the_motion_ends_where_it_has_come_to():
 def bouncing(events, segments):
     """(status, number of events, number of segments) of a ball that bounces for ever."""
     tables = np.zeros(events, EVENT), np.zeros(segments, SEGMENT)
-    return interpreted(kernel.run)(
+    return kernel.run(
         body_of(0.0, restitution=1.0), state_of(0.0, y=0.5), 1e6, math.nan, 0, *tables, new_scratch(), tables[0][:0]
     )
 

@@ -7,7 +7,6 @@ import math
 import pytest
 from mpmath import mp, mpf
 
-from hophoop._jit import interpreted
 from hophoop.records.state import start_state
 from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, angle_left, at_span, limits_of
 
@@ -15,11 +14,11 @@ EXACT_TURN = 2.0 * math.pi
 
 
 def start_of(angle=0.25, low=0.0):
-    return interpreted(start_state)(0.0, 0.0, angle, 0.0, 0.0, 1.0)._replace(th_low=low)
+    return start_state(0.0, 0.0, angle, 0.0, 0.0, 1.0)._replace(th_low=low)
 
 
 def limits(span, start=None):
-    return interpreted(limits_of)(start or start_of(), 9.0, span, STOP_AT_TURN)
+    return limits_of(start or start_of(), 9.0, span, STOP_AT_TURN)
 
 
 def exactly(turns, high, low=0.0):
@@ -73,7 +72,7 @@ def test_the_angle_that_is_left_is_the_span_less_what_is_turned(way, span, turne
     start = start_of(0.25 - 5 * EXACT_TURN, low=2e-17)
     state = start._replace(turns=start.turns + way * turned, th=way * th, th_low=way * low)
     given = limits(span, start)
-    left = float(interpreted(angle_left)(given, state, way))
+    left = float(angle_left(given, state, way))
     with mp.workdps(40):
         begin = exactly(start.turns, start.th, start.th_low)
         expected = exactly(given.span_turns, given.span_rest) - way * (exactly(state.turns, state.th, state.th_low) - begin)
@@ -85,7 +84,7 @@ def test_of_a_small_span_the_low_parts_count(way):
     span = 2.0**-30
     start = start_of(0.25, low=2e-17)
     state = start._replace(th=0.25 + way * span, th_low=-1e-17)
-    assert float(interpreted(angle_left)(limits(span, start), state, way)) == pytest.approx(way * 3e-17, rel=1e-7, abs=0.0)
+    assert float(angle_left(limits(span, start), state, way)) == pytest.approx(way * 3e-17, rel=1e-7, abs=0.0)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
@@ -95,10 +94,10 @@ def test_the_state_at_the_end_of_the_span_is_there_exactly(way, span):
     start = start_of(0.3 + 2 * EXACT_TURN, low=2e-17)
     given = limits(span, start)
     state = start._replace(t=2.0, t_low=1e-17, x=3.0, x_low=1e-17, y=0.5, turns=90.0, th=1.0, th_low=0.0)
-    found = interpreted(at_span)(given, state, way)
+    found = at_span(given, state, way)
     assert found._replace(turns=90.0, th=1.0, th_low=0.0) == state
     with mp.workdps(40):
         begin = exactly(start.turns, start.th, start.th_low)
         expected = begin + way * exactly(given.span_turns, given.span_rest)
         assert abs(exactly(found.turns, found.th, found.th_low) - expected) < 1e-29
-    assert abs(float(interpreted(angle_left)(given, found, way))) < 1e-15
+    assert abs(float(angle_left(given, found, way))) < 1e-15

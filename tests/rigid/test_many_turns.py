@@ -11,7 +11,6 @@ import pytest
 
 import hophoop as hh
 from bits_tools import event_rows
-from hophoop._jit import interpreted, jit
 from hophoop.numerics.double_double import PI, nearest_whole, turns_and_rest
 from hophoop.panels.landing import from_top
 from hophoop.records.state import start_state
@@ -86,7 +85,7 @@ def reduced(angle):
 def test_whole_turns_of_any_angle(exponent):
     rng = np.random.default_rng(exponent)
     for angle in (rng.uniform(-1.0, 1.0, 20) * 10.0**exponent).tolist():
-        whole, rest, (turns, high, low) = interpreted(reduced)(angle)
+        whole, rest, (turns, high, low) = reduced(angle)
         assert (whole, rest, (turns, high, low)) == reduced(angle)
         assert whole == mpmath.nint(mpmath.mpf(angle)) or abs(whole - angle) == 0.5
         assert abs(rest) <= PI + 1e-15 * min(abs(angle), 1e15)
@@ -109,7 +108,7 @@ def test_an_angle_that_is_no_number():
 def test_numbers_whose_squares_overflow_end_the_motion():
     """At the last state that can be reckoned with, not at infinity or before its start."""
     before = start_state(0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-    follows = interpreted(kernel.can_follow)
+    follows = kernel.can_follow
     assert follows(before, before._replace(t=1.0), 5.0)
     assert follows(before, before, 5.0)
     assert not follows(before._replace(t=1.0), before._replace(t=math.nextafter(1.0, 0.0)), 5.0)

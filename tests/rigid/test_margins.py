@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.physics.body import Mode
 from hophoop.rigid.margins import MARGINS, margins_of
 from newton_euler import BODIES, STATES, accelerations, responses
 
 
 def margins(body, mode, th, om, slip=0.0, height=0.0):
-    return dict(zip(MARGINS, interpreted(margins_of)(body, int(mode), th, 0.0, om, slip, height), strict=True))
+    return dict(zip(MARGINS, margins_of(body, int(mode), th, 0.0, om, slip, height), strict=True))
 
 
 def free_opening(body, th, om):

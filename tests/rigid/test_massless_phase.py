@@ -10,7 +10,6 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.panels.panel import FLY, SKIMMING
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import UNDECIDED
@@ -30,18 +29,18 @@ def body_of(mu=0.5, restitution=0.0, gravity=9.81):
 
 
 def state_of(angle, om=0.0, vt=0.0, x=0.0):
-    return interpreted(start_state)(x, 0.0, angle, vt, 0.0, om)
+    return start_state(x, 0.0, angle, vt, 0.0, om)
 
 
 def tables():
     events, segments, scratch = np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch()
-    return interpreted(new_log)(events, segments, scratch), scratch
+    return new_log(events, segments, scratch), scratch
 
 
 def let_go(body, state):
     """(mode, state, events)."""
     log, scratch = tables()
-    mode, after = interpreted(massless_phase.let_go)(body, state, log)
+    mode, after = massless_phase.let_go(body, state, log)
     return mode, after, log.events[: scratch.written[0]]
 
 
@@ -83,7 +82,7 @@ def test_beside_the_top_the_load_passes_it(angle, om):
 def skim(body, state, t_end):
     """(whether it strikes, state, v_n of the load, segment)."""
     log, scratch = tables()
-    strikes, after, vn = interpreted(massless_phase.skim)(body, state, t_end, log)
+    strikes, after, vn = massless_phase.skim(body, state, t_end, log)
     assert scratch.written[:2].tolist() == [0, 1]
     return strikes, after, vn, log.segments[0]
 
@@ -160,9 +159,9 @@ def test_without_gravity_a_load_at_rest_never_strikes():
 
 def step(body, state, t_end=99.0):
     log, scratch = tables()
-    phase = interpreted(entered)(body, int(Mode.SKIM), state, 0.125, STOP, scratch)
-    given = interpreted(limits_of)(state, t_end, math.nan, 0)
-    after = interpreted(massless_phase.skim_step)(body, phase, given, log, scratch)
+    phase = entered(body, int(Mode.SKIM), state, 0.125, STOP, scratch)
+    given = limits_of(state, t_end, math.nan, 0)
+    after = massless_phase.skim_step(body, phase, given, log, scratch)
     return phase, after, log.events[: scratch.written[0]], log.segments[: scratch.written[1]]
 
 

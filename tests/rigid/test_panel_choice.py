@@ -11,7 +11,6 @@ from scipy.optimize import brentq
 
 import hophoop as hh
 from contact_tools import sines_of
-from hophoop._jit import interpreted
 from hophoop.panels.anchor import FREE, ROLLING, SLIPPING
 from hophoop.panels.panel import ARRIVE, LEAVE, LINEAR, Begin, leaving_panel, linear_panel
 from hophoop.records.scratch import new_scratch
@@ -32,15 +31,15 @@ def body_of(eps=0.5, kap=0.75, **plane):
 
 
 def state_of(th, om, vt=0.0):
-    return interpreted(start_state)(0.0, 0.0, th, vt, 0.0, om)
+    return start_state(0.0, 0.0, th, vt, 0.0, om)
 
 
 def begin_of(body, sigma, state, scratch=None):
-    return interpreted(panel_choice.begin_of)(body, sigma, state, *sines_of(state), scratch or new_scratch())
+    return panel_choice.begin_of(body, sigma, state, *sines_of(state), scratch or new_scratch())
 
 
 def anchored(body, sigma, state):
-    return interpreted(panel_choice.anchored)(body, sigma, state, *sines_of(state), new_scratch())
+    return panel_choice.anchored(body, sigma, state, *sines_of(state), new_scratch())
 
 
 # where a panel begins
@@ -123,7 +122,7 @@ def test_slip_beside_its_hilltop_has_all_digits_of_its_torque(sigma, psi):
 
 def test_how_much_narrower_the_next_panel_is():
     """By √2 a level, which gains 2⁸; never by more than four levels at once, and by three where nothing is known."""
-    narrower = interpreted(panel_choice.narrower)
+    narrower = panel_choice.narrower
     for size, more in ((1.0, 3), (math.inf, 3), (math.nan, 3), (0.99, 4), (2.0**25, 3), (2.0**-9, 4)):
         assert narrower(7, size) == 7 + more
     for power, more in ((0.5, 1), (7.5, 1), (8.5, 2), (15.5, 2), (16.5, 3), (23.5, 3), (24.5, 4), (36.5, 4)):
@@ -136,7 +135,7 @@ def test_how_much_narrower_slip_is_that_begins_beside_p_sigma_of_zero():
     begin = Begin(0.0, 0.0, -0.6, 0.8, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
 
     def levels(way=1.0, sigma=1, **values):
-        return interpreted(panel_choice.levels_away)(body, sigma, way, begin._replace(**values))
+        return panel_choice.levels_away(body, sigma, way, begin._replace(**values))
 
     assert levels() == math.ceil(2.0 * math.log2(1e3))
     assert levels(u=0.25) == math.ceil(2.0 * math.log2(4e3))
@@ -166,14 +165,14 @@ def start_before(body, th, way, ahead):
 def linear(body, sigma, state, level, scratch):
     """(panel, totals) of a width."""
     begin = begin_of(body, sigma, state, scratch)
-    panel = interpreted(linear_panel)(sigma, level, math.copysign(1.0, state.om), begin)
-    return panel, interpreted(panel_choice.solve)(body, panel, scratch.work)
+    panel = linear_panel(sigma, level, math.copysign(1.0, state.om), begin)
+    return panel, panel_choice.solve(body, panel, scratch.work)
 
 
 def turning_point(body, sigma, state, level):
     scratch = new_scratch()
     panel, totals = linear(body, sigma, state, level, scratch)
-    return interpreted(panel_choice.turning_point_ahead)(body, panel, totals, scratch)
+    return panel_choice.turning_point_ahead(body, panel, totals, scratch)
 
 
 @pytest.mark.parametrize("slope", [0.0, 0.125])
@@ -216,7 +215,7 @@ def test_whether_rolling_turns_not_far_beyond_a_panel(way):
 
     def turns(ahead, level, begin=0.25):
         panel, _ = linear(body, 0, start_before(body, math.pi + begin * way, way, ahead), level, new_scratch())
-        return interpreted(panel_choice.turns_within)(body, panel, 8.0 * panel.extent)
+        return panel_choice.turns_within(body, panel, 8.0 * panel.extent)
 
     for ahead, level in ((0.3, 0), (0.6, 6), (0.3, 9), (1.7, 0), (1.0, 2)):
         assert turns(ahead, level)
@@ -234,7 +233,7 @@ def test_a_panel_up_to_a_turning_point_begins_with_the_speed_there(way, th, ahea
     state = start_before(body, math.pi + way * th, way, ahead)
     scratch = new_scratch()
     before, _ = linear(body, 0, state, 2, scratch)
-    panel, totals = interpreted(panel_choice.solve_arrival)(body, before, ahead * off, scratch.work)
+    panel, totals = panel_choice.solve_arrival(body, before, ahead * off, scratch.work)
     assert panel.kind == ARRIVE
     assert panel.extent == pytest.approx(ahead, rel=1e-11)
     assert totals.u == pytest.approx(state.om**2, rel=4e-15)
@@ -248,7 +247,7 @@ def test_a_panel_up_to_a_turning_point_is_not_moved_where_it_is_not_resolved(way
     body = body_of()
     scratch = new_scratch()
     before, _ = linear(body, 0, start_before(body, math.pi, way, ahead), 2, scratch)
-    panel, totals = interpreted(panel_choice.solve_arrival)(body, before, ahead, scratch.work)
+    panel, totals = panel_choice.solve_arrival(body, before, ahead, scratch.work)
     assert (panel.kind, panel.extent) == (ARRIVE, ahead)
     assert totals.tail > RESOLVED
 
@@ -265,7 +264,7 @@ def test_how_wide_the_first_panel_of_slip_from_rest_is():
 
     def extent(th, vt, sigma=1):  # of the `body` at the time
         begin = begin_of(body, sigma, state_of(th, 0.0, vt))
-        return interpreted(panel_choice.first_extent)(body, sigma, vt, begin)
+        return panel_choice.first_extent(body, sigma, vt, begin)
 
     alpha, rate = at_rest(body, 1.0, 1)
     assert rate < -0.1 < 0.1 < alpha
@@ -281,7 +280,7 @@ def test_how_wide_the_first_panel_of_slip_from_rest_is():
     assert extent(1.0, 1e-155) == 1e-300
     assert extent(1.0, 0.0) == 0.4
     begin = begin_of(body, 0, state_of(1.0, 0.0))
-    assert interpreted(panel_choice.first_extent)(body, 0, 0.0, begin) == 0.4
+    assert panel_choice.first_extent(body, 0, 0.0, begin) == 0.4
     # slip that the slope drives does not end
     body = body_of(mu=0.125, slope=0.75)
     assert at_rest(body, 1.0, 1)[1] > 0.05
@@ -295,7 +294,7 @@ def test_the_first_panel_of_slip_that_hardly_turns():
 
     def extent(th, vt):
         begin = begin_of(body, 1, state_of(th, 0.0, vt))
-        return interpreted(panel_choice.first_extent)(body, 1, vt, begin)
+        return panel_choice.first_extent(body, 1, vt, begin)
 
     th = still + 1e-5
     alpha, rate = at_rest(body, th, 1)
@@ -323,7 +322,7 @@ def test_the_first_panel_of_slip_that_hardly_turns():
 def chosen(body, sigma, state, level):
     """(panel, totals, level of the next one, how many were tried)."""
     scratch = new_scratch()
-    panel, totals, after = interpreted(panel_choice.choose_panel)(body, sigma, state, *sines_of(state), level, scratch)
+    panel, totals, after = panel_choice.choose_panel(body, sigma, state, *sines_of(state), level, scratch)
     return panel, totals, after, scratch.written[2]
 
 
@@ -407,7 +406,7 @@ def test_a_panel_outlasts_the_motion():
     _, totals = linear(body_of(), 0, state_of(2.0, 1.0), 2, new_scratch())
 
     def outlasts(time, left):
-        return interpreted(panel_choice.outlasts)(totals._replace(time=time), left)
+        return panel_choice.outlasts(totals._replace(time=time), left)
 
     assert outlasts(64.1, 1.0)
     assert outlasts(64.1, 1e-9)
@@ -417,7 +416,7 @@ def test_a_panel_outlasts_the_motion():
 
 
 def shortened(body, state, panel, totals, left):
-    return interpreted(panel_choice.shortened)(body, panel, totals, state, left, new_scratch())
+    return panel_choice.shortened(body, panel, totals, state, left, new_scratch())
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
@@ -453,8 +452,8 @@ def test_a_panel_from_rest_that_outlasts_the_motion_is_made_shorter(left):
     state = state_of(0.0, 0.0)
     begin = begin_of(body, 0, state)
     scratch = new_scratch()
-    panel = interpreted(leaving_panel)(0, 1.0, 0.4, begin)
-    totals = interpreted(panel_choice.solve)(body, panel, scratch.work)
+    panel = leaving_panel(0, 1.0, 0.4, begin)
+    totals = panel_choice.solve(body, panel, scratch.work)
     assert totals.time == pytest.approx(math.sqrt(2.0 * 0.4 / (0.5 * 1e-8)), rel=1e-13)
     short, totals = shortened(body, state, panel, totals, left)
     assert (short.kind, short.way, short.ref) == (LEAVE, 1.0, 0.0)

@@ -11,7 +11,6 @@ from scipy.optimize import brentq, minimize_scalar
 
 import hophoop as hh
 from contact_tools import sines_of
-from hophoop._jit import interpreted
 from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND
 from hophoop.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
@@ -26,7 +25,7 @@ SCRATCH = new_scratch()
 
 
 def fall(values, fresh=False, floor=0.0):
-    return interpreted(panel_events.fall_of)(np.array(values), fresh, floor, SCRATCH)
+    return panel_events.fall_of(np.array(values), fresh, floor, SCRATCH)
 
 
 @pytest.mark.parametrize("zero", [-0.9, -0.2, 0.0, 0.7])
@@ -99,22 +98,18 @@ def body_of(eccentricity, inertia_ratio, **plane):
 @pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.9, 0.02), (0.3, 2.0), (0.0, 1.0)])
 def test_the_rounding_of_slip_without_friction(eps, kap):
     """From rest at the top to the bottom the weight gives 2 ε of energy, all to ½ κ θ̇²: the rim then slips at (1 − ε) θ̇."""
-    at_rest = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    at_rest = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     lowest = (1.0 - eps) * math.sqrt(2.0 * 2.0 * eps / kap)
-    found = interpreted(panel_events.graze_rounding)(body_of(eps, kap), at_rest)
+    found = panel_events.graze_rounding(body_of(eps, kap), at_rest)
     assert found == pytest.approx(1e-14 * (2.0 * math.sqrt(eps) + lowest), rel=1e-14, abs=0.0)
-    moving = interpreted(start_state)(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
-    assert interpreted(panel_events.graze_rounding)(body_of(eps, kap), moving) == pytest.approx(
-        found + 5e-14, rel=1e-14, abs=0.0
-    )
-    assert interpreted(panel_events.graze_rounding)(body_of(eps, kap, gravity=0.0), moving) == pytest.approx(
-        5e-14, rel=1e-14, abs=0.0
-    )
+    moving = start_state(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
+    assert panel_events.graze_rounding(body_of(eps, kap), moving) == pytest.approx(found + 5e-14, rel=1e-14, abs=0.0)
+    assert panel_events.graze_rounding(body_of(eps, kap, gravity=0.0), moving) == pytest.approx(5e-14, rel=1e-14, abs=0.0)
 
 
 def test_the_rounding_of_slip_without_mass_in_the_rim():
-    moving = interpreted(start_state)(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
-    found = interpreted(panel_events.graze_rounding)(body_of(1.0, 0.0), moving)
+    moving = start_state(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
+    found = panel_events.graze_rounding(body_of(1.0, 0.0), moving)
     assert found == pytest.approx(1e-14 * (2.0 + 3.0 + 2.0), rel=1e-14, abs=0.0)
 
 
@@ -133,9 +128,9 @@ def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0, vt=1.0):
     scratch.work[COSINE] = -1.0
     scratch.work[U] = (load - body.gn) / body.eps
     scratch.work[SLIP] = sigma * slip
-    state = interpreted(start_state)(0.0, 0.0, math.pi, sigma * vt, 0.0, 1.0)._replace(t=3.0)
+    state = start_state(0.0, 0.0, math.pi, sigma * vt, 0.0, 1.0)._replace(t=3.0)
     panel = Panel(sigma)
-    xi, what, doubtful = interpreted(panel_events.end_of_slip)(body, panel, panel, state, fresh, zeros, scratch)
+    xi, what, doubtful = panel_events.end_of_slip(body, panel, panel, state, fresh, zeros, scratch)
     noted = scratch.doubt.tolist() == [3.0, 5.0]
     assert noted or np.isnan(scratch.doubt).all()
     return xi, what, doubtful, noted
@@ -236,14 +231,14 @@ def needed(panel, xi, u, body, rho=0.0):
 def rolled(body, th, om, level=2):
     """(panel, totals, scratch) of a solved panel of rolling."""
     scratch = new_scratch()
-    state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, om)
-    begin = interpreted(panel_choice.begin_of)(body, 0, state, *sines_of(state), scratch)
-    panel = interpreted(linear_panel)(0, level, math.copysign(1.0, om), begin)
-    return panel, interpreted(panel_choice.solve)(body, panel, scratch.work), scratch
+    state = start_state(0.0, 0.0, th, 0.0, 0.0, om)
+    begin = panel_choice.begin_of(body, 0, state, *sines_of(state), scratch)
+    panel = linear_panel(0, level, math.copysign(1.0, om), begin)
+    return panel, panel_choice.solve(body, panel, scratch.work), scratch
 
 
 def end_of_rolling(body, panel, scratch, fresh=False):
-    return interpreted(panel_events.end_of_rolling)(body, panel, fresh, scratch)
+    return panel_events.end_of_rolling(body, panel, fresh, scratch)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
@@ -318,7 +313,7 @@ def test_where_the_time_is_over():
     scratch = new_scratch()
     scratch.work[RATE] = 0.5  # the panel takes 1
     for left, xi in ((0.25, -0.5), (0.5, 0.0), (1.0, 1.0), (1.5, 1.0), (0.0, -1.0), (-0.5, -1.0), (-1.0, -1.0)):
-        assert interpreted(panel_events.end_of_time)(left, scratch) == pytest.approx(xi, abs=1e-14)
+        assert panel_events.end_of_time(left, scratch) == pytest.approx(xi, abs=1e-14)
 
 
 def test_how_a_flight_opens():
@@ -327,7 +322,7 @@ def test_how_a_flight_opens():
     fast, free = 2.0, math.sqrt(2.0)  # ε θ̇² = 2 g and g, with the load at the top
 
     def opening(y, v_n, om):
-        return interpreted(opening_of)(body, interpreted(start_state)(0.0, y, 0.0, 0.0, v_n, om))
+        return opening_of(body, start_state(0.0, y, 0.0, 0.0, v_n, om))
 
     assert opening(1.0, 0.0, fast) == (1.0, 0)
     assert opening(0.0, 1.0, fast) == (1.0, 1)
@@ -340,15 +335,15 @@ FAR = 1e3
 
 
 def earliest(body, panel, totals, state, scratch, *, t_end=FAR, span=math.nan, begin=None, fresh=False, blind=False):
-    limits = interpreted(limits_of)(begin or state, t_end, span, 0)
-    return interpreted(panel_events.earliest_event)(body, panel, totals, state, fresh, blind, 0, limits, scratch)
+    limits = limits_of(begin or state, t_end, span, 0)
+    return panel_events.earliest_event(body, panel, totals, state, fresh, blind, 0, limits, scratch)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
 def test_a_panel_ends_at_the_angle_or_the_time_that_is_the_limit(way):
     """Of a ring that rolls at the speed of 1 on a panel of 0.9 rad: whichever is first."""
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.5)).to_body()
-    state = interpreted(start_state)(0.0, 0.0, way * 0.5, 0.0, 0.0, way)
+    state = start_state(0.0, 0.0, way * 0.5, 0.0, 0.0, way)
     panel, totals, scratch = rolled(body, way * 0.5, way, level=0)
     assert totals.time == pytest.approx(0.9, rel=1e-15)
     on, angle, time = panel_events.ON, panel_events.FULL_ANGLE, panel_events.LIMIT
@@ -377,10 +372,10 @@ def test_a_panel_ends_at_the_angle_or_the_time_that_is_the_limit(way):
 def test_the_limits_of_a_panel_up_to_a_turning_point(way):
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=5.0)).to_body()
     th = math.pi + way * 2.5
-    state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, way * 1e-2)
+    state = start_state(0.0, 0.0, th, 0.0, 0.0, way * 1e-2)
     scratch = new_scratch()
     with np.errstate(all="ignore"):  # of panels that are given up
-        panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 0, state, *sines_of(state), 2, scratch)
+        panel, totals, _ = panel_choice.choose_panel(body, 0, state, *sines_of(state), 2, scratch)
     assert panel.kind == ARRIVE
     assert earliest(body, panel, totals, state, scratch) == (1.0, panel_events.TURNED)
     for part in (0.25, 0.75):
@@ -391,8 +386,8 @@ def test_the_limits_of_a_panel_up_to_a_turning_point(way):
 def test_a_ring_that_slips_until_it_rolls():
     """At 2 μ g the slip is lost, on a level: no limit of it is passed."""
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.5)).to_body()
-    state, scratch = interpreted(start_state)(0.0, 0.0, 0.5, 0.125, 0.0, 2.0), new_scratch()
-    panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 1, state, *sines_of(state), 2, scratch)
+    state, scratch = start_state(0.0, 0.0, 0.5, 0.125, 0.0, 2.0), new_scratch()
+    panel, totals, _ = panel_choice.choose_panel(body, 1, state, *sines_of(state), 2, scratch)
     xi, what = earliest(body, panel, totals, state, scratch)
     turned = 2.0 * 0.125 + 0.5 * 0.5 * 0.125**2  # in 1/8
     assert (xi, what) == (pytest.approx(2.0 * turned / panel.extent - 1.0, abs=1e-13), panel_events.STOP)
@@ -404,7 +399,7 @@ def test_a_doubt_lasts_for_the_panel(way):
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=0.5)).to_body()
     th, om = way * (math.pi - 1.5), way * 1.0
     panel, totals, scratch = rolled(body, th, om, level=0)
-    state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, om)._replace(t=3.0)
+    state = start_state(0.0, 0.0, th, 0.0, 0.0, om)._replace(t=3.0)
     u = np.polynomial.Polynomial.fit(NODES, scratch.work[U], 15)
 
     def need(xi):
@@ -424,7 +419,7 @@ def test_without_a_limit_of_friction_a_force_that_touches_zero_is_no_doubt():
     """The rim then lifts off and comes back at once, or does not."""
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=math.inf)).to_body()
     panel, totals, scratch = rolled(body, -0.45, 1.0, level=0)
-    state = interpreted(start_state)(0.0, 0.0, -0.45, 0.0, 0.0, 1.0)
+    state = start_state(0.0, 0.0, -0.45, 0.0, 0.0, 1.0)
 
     def lowest(u):
         normals = [needed(panel, xi, u, body)[1] for xi in NODES]

@@ -9,7 +9,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop._jit import forced, interpreted
+from hophoop._native import forced
 from hophoop.physics.body import Mode
 from hophoop.physics.modes import UNDECIDED
 from hophoop.records.scratch import new_scratch
@@ -24,7 +24,7 @@ def body_of(gamma=0.75, mu=0.5, **plane):
 
 
 def state_of(angle=0.5, vt=0.0, om=1.0, time=0.0):
-    return interpreted(start_state)(0.0, 0.0, angle, vt, 0.0, om)._replace(t=time)
+    return start_state(0.0, 0.0, angle, vt, 0.0, om)._replace(t=time)
 
 
 def before(state, bounce=0.25):
@@ -48,7 +48,7 @@ def test_the_gap_that_opens_by_rounding_alone_opens_like_the_cube_of_time(angle,
     for _ in range(3):  # θ̇² is on both sides
         u = (body.gn + opening) / (body.eps * math.cos(angle))
         opening = part * 1e-13 * (body.gn + u)
-    found, zeros = interpreted(phases.opening_of)(body, state_of(angle, om=math.sqrt(u)))
+    found, zeros = phases.opening_of(body, state_of(angle, om=math.sqrt(u)))
     assert zeros == count
     assert found == (0.0 if count == 3 else pytest.approx(opening, rel=0.1))
 
@@ -57,7 +57,7 @@ def test_a_lift_off_from_slip_begins_with_the_third_derivative_of_the_gap():
     body, angle = body_of(), 0.7
     om = math.sqrt(body.gn / (body.eps * math.cos(angle)))
     state = state_of(angle, vt=-0.5, om=om)
-    flight = interpreted(phases.lifted)(before(state), state, LIFT)
+    flight = phases.lifted(before(state), state, LIFT)
     th, spin = mpf(angle), mpf(om)
 
     def gap(tau):
@@ -77,7 +77,7 @@ def test_slip_from_the_friction_cone_begins_as_often_with_zero_as_its_motion_say
     speeds = [abs(motion.at(slip.t + k * tau).slip) for k in (1.0, 2.0)]
     power = math.log2(speeds[1] / speeds[0])
     state = state_of()
-    found = interpreted(phases.slipping)(motion.scenario.to_body(), before(state), Mode.SKID, state, CONE_AHEAD)
+    found = phases.slipping(motion.scenario.to_body(), before(state), Mode.SKID, state, CONE_AHEAD)
     assert found.zeros == pytest.approx(power, abs=0.01)
     assert found == phases.Phase(Mode.SKID, state, True, found.zeros, 0.0, START_LEVEL, 0.25, CONE_AHEAD, phases.GOING)
 
@@ -85,7 +85,7 @@ def test_slip_from_the_friction_cone_begins_as_often_with_zero_as_its_motion_say
 @pytest.mark.parametrize(("speed", "zeros"), [(0.0, 1), (1.0, 0), (-1.0, 0), (1e-300, 0)])
 def test_slip_after_a_jump_begins_at_its_speed_or_with_zero(speed, zeros):
     state = state_of(vt=speed)
-    found = interpreted(phases.entered)(body_of(), Mode.SKID, state, 0.5, ON, new_scratch())
+    found = phases.entered(body_of(), Mode.SKID, state, 0.5, ON, new_scratch())
     assert found == phases.Phase(Mode.SKID, state, True, zeros, 0.0, START_LEVEL, 0.5, ON, phases.GOING)
 
 
@@ -94,7 +94,7 @@ def test_where_nothing_is_decided_more_digits_may_tell(gamma, mu, doubtful):
     """Not where the model itself has no answer: without a mass in the rim, or where no friction is too much."""
     scratch = new_scratch()
     state = state_of(time=3.0)
-    found = interpreted(phases.entered)(body_of(gamma, mu), UNDECIDED, state, 0.0, ON, scratch)
+    found = phases.entered(body_of(gamma, mu), UNDECIDED, state, 0.0, ON, scratch)
     assert found.status == phases.UNDETERMINED
     assert np.array_equal(scratch.doubt, [3.0, 3.0] if doubtful else [math.nan, math.nan], equal_nan=True)
 
@@ -102,6 +102,6 @@ def test_where_nothing_is_decided_more_digits_may_tell(gamma, mu, doubtful):
 def test_a_phase_that_goes_on_or_ends_keeps_what_it_has():
     first, later = state_of(), state_of(om=2.0, time=1.0)
     phase = phases.Phase(Mode.SKID, first, True, 2, 0.5, 7, 0.25, ON, phases.GOING)
-    assert interpreted(phases.gone_on)(phase, later, 8, LIFT) == phase._replace(state=later, begins=False, level=8, what=LIFT)
-    ended = interpreted(phases.ended)(phase, Mode.FLIGHT, later, LIFT, phases.UNDETERMINED)
+    assert phases.gone_on(phase, later, 8, LIFT) == phase._replace(state=later, begins=False, level=8, what=LIFT)
+    ended = phases.ended(phase, Mode.FLIGHT, later, LIFT, phases.UNDETERMINED)
     assert ended == phase._replace(mode=Mode.FLIGHT, state=later, begins=False, what=LIFT, status=phases.UNDETERMINED)

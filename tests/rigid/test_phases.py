@@ -7,7 +7,7 @@ import pytest
 
 import hophoop as hh
 from hophoop import article
-from hophoop._jit import forced
+from hophoop._native import forced
 from random_scenarios import draw
 
 

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.panels.anchor import SLIPPING, Anchor, frictionless_value
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -24,8 +23,8 @@ from hophoop.rigid.phase import Phase
 @pytest.mark.parametrize("angle", [0.5, 3.0, -2.0])
 def test_the_centre_of_gravity_keeps_its_velocity_along_the_plane(om, angle):
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.75)).to_body()
-    state = interpreted(start_state)(0.25, 0.0, angle, -0.5, 0.0, om)._replace(th_low=1e-10, vn=0.125)
-    after = interpreted(contact_phase.regained)(body, state, 0.16)
+    state = start_state(0.25, 0.0, angle, -0.5, 0.0, om)._replace(th_low=1e-10, vn=0.125)
+    after = contact_phase.regained(body, state, 0.16)
     assert after.om == math.copysign(0.4, om)
     along = [at.vt + at.om * (1.0 + 0.75 * math.cos(angle + 1e-10)) for at in (state, after)]
     assert along[1] == pytest.approx(along[0], abs=1e-14)
@@ -37,15 +36,13 @@ def test_the_centre_of_gravity_keeps_its_velocity_along_the_plane(om, angle):
 def test_what_is_conserved_sets_a_lost_rate_of_turning_right(off, regains, sigma):
     """Slip without friction beside the hilltop, with a rate that is not that of its anchor by some part of it."""
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=0.0)).to_body()
-    right = math.sqrt(1e-3 + interpreted(frictionless_value)(body, 0.05, 0.0))
+    right = math.sqrt(1e-3 + frictionless_value(body, 0.05, 0.0))
     lost = right * (1.0 + off)
-    state = interpreted(start_state)(0.25, 0.0, 0.05, 3.0 * sigma, 0.0, lost)._replace(
-        anchor=Anchor(SLIPPING, 1e-3, 0.0, 0.0, 0.75)
-    )
-    log = interpreted(new_log)(np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch())
+    state = start_state(0.25, 0.0, 0.05, 3.0 * sigma, 0.0, lost)._replace(anchor=Anchor(SLIPPING, 1e-3, 0.0, 0.0, 0.75))
+    log = new_log(np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch())
     phase = Phase(contact_phase.SKID if sigma > 0 else contact_phase.SPIN, state, False, 0, 0.0, 5, 0.0, 0, -1)
-    limits = interpreted(limits_of)(state, 0.125, math.nan, 0)
-    what, after, _ = interpreted(contact_phase.advance_contact)(body, phase, False, limits, log, new_scratch())
+    limits = limits_of(state, 0.125, math.nan, 0)
+    what, after, _ = contact_phase.advance_contact(body, phase, False, limits, log, new_scratch())
     first = log.segments[0]
     assert (what, after.t, first["t"]) == (LIMIT, 0.125, 0.0)
     assert first["omega"] == (pytest.approx(right, rel=1e-15) if regains else lost)

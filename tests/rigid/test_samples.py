@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import forced, interpreted
+from hophoop._native import forced
 from hophoop.numerics.constants import NODES
 from hophoop.panels.panel import FLY, HOLD, SKIMMING
 from hophoop.physics.body import Mode
@@ -81,8 +81,8 @@ def test_a_time_at_a_border_is_in_the_segment_before_or_after():
     segments = np.zeros(3, SEGMENT)
     segments["t"] = [0.0, 1.0, 2.0]
     for t, before, after in ((0.0, 0, 0), (0.5, 0, 0), (1.0, 0, 1), (1.5, 1, 1), (2.0, 1, 2), (9.0, 2, 2)):
-        assert interpreted(find_segment)(segments, t, True) == before
-        assert interpreted(find_segment)(segments, t, False) == after
+        assert find_segment(segments, t, True) == before
+        assert find_segment(segments, t, False) == after
 
 
 @pytest.mark.parametrize("end", [1.0, 0.5])
@@ -91,7 +91,7 @@ def test_the_place_of_a_time_on_a_panel(end):
     segment, scratch = np.zeros(1, SEGMENT)[0], new_scratch()
     segment["xi"] = end
     for tau, place in ((0.0, -1.0), (1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
-        assert interpreted(place_on_panel)(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
+        assert place_on_panel(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
 
 
 def body_of(eps, kap, **plane):
@@ -104,7 +104,7 @@ def test_the_force_in_rolling_is_newton_s(rho):
     body = body_of(0.5, 2.0, slope=0.25)
     th, om = 0.75, 2.0
     _, _, _, friction, normal = accelerations(body, th, om, "roll", rho)
-    found = interpreted(contact_force)(body, 0, th, 0.0, om, rho)
+    found = contact_force(body, 0, th, 0.0, om, rho)
     assert found == (pytest.approx(friction, rel=1e-13), pytest.approx(normal, rel=1e-13))
 
 
@@ -118,7 +118,7 @@ def sampled(body, left=False, tau=2.0, **values):
     segments["t"], segments["t_low"], segments["t_end"] = BEGIN, -BEFORE, BEGIN + tau
     for name, value in values.items():
         segments[name] = value
-    interpreted(sample)(body, segments, np.array([BEGIN + tau]), left, out)
+    sample(body, segments, np.array([BEGIN + tau]), left, out)
     return dict(zip(COLUMNS, out[0].tolist(), strict=True))
 
 

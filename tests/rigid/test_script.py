@@ -9,7 +9,6 @@ import pytest
 
 import hophoop as hh
 from bits_tools import kept_scenarios
-from hophoop._jit import interpreted
 from hophoop.panels.anchor import FREE, ROLLING
 from hophoop.panels.panel import FLY, HOLD
 from hophoop.physics.body import Event, Mode
@@ -40,17 +39,17 @@ MOTIONS = {
 
 def motion_of(body, start, t_end, script=None):
     events, segments = np.zeros(100, EVENT), np.zeros(2000, SEGMENT)
-    state = interpreted(start_state)(*start)
+    state = start_state(*start)
     script = events[:0] if script is None else script
     with np.errstate(all="ignore"):  # numbers of a table are NumPy's, which warn where a kernel gives up a panel
-        status, count, pieces = interpreted(run)(body, state, t_end, math.nan, 0, events, segments, new_scratch(), script)
+        status, count, pieces = run(body, state, t_end, math.nan, 0, events, segments, new_scratch(), script)
     # `run` writes the segments after the script
     return status, events[:count], np.concatenate([segments_of_script(body, script), segments[:pieces]])
 
 
 def samples(body, segments, times):
     out = np.empty((len(times), len(COLUMNS)))
-    interpreted(sample)(body, segments, times, False, out)
+    sample(body, segments, times, False, out)
     return out
 
 
@@ -106,7 +105,7 @@ def filled(body, mode, state, until):
     """The segments of one phase."""
     segments, scratch = np.zeros(50, SEGMENT), new_scratch()
     log = new_log(np.zeros(0, EVENT), segments, scratch)
-    interpreted(scripts.fill_phase)(body, mode, state, until, log, scratch)
+    scripts.fill_phase(body, mode, state, until, log, scratch)
     return segments[: scratch.written[1]]
 
 
@@ -119,7 +118,7 @@ def test_a_phase_of_slip_without_rotation_is_one_piece(mode, sigma):
     """On a slope, with the load where friction and weight have no torque: sin θ = −σ μ (1 + ε cos θ)/ε, here at cos θ = 0."""
     hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), hh.Plane(mu=0.5, slope=0.25)
     body = hh.Scenario(hoop=hoop, plane=plane).to_body()
-    state = interpreted(start_state)(0.0, 0.0, -sigma * 0.5 * math.pi, sigma * 1.0, 0.0, 0.0)
+    state = start_state(0.0, 0.0, -sigma * 0.5 * math.pi, sigma * 1.0, 0.0, 0.0)
     state = state._replace(th_low=-sigma * math.cos(0.5 * math.pi))  # what π/2 lacks: it is a hilltop, left within some 40 s
     (piece,) = filled(body, int(mode), state, 0.75)
     assert numbers_of(piece, "t", "t_end", "mode", "kind", "sigma", "way", "xi") == (0.0, 0.75, mode, HOLD, sigma, 0.0, 0.0)
@@ -128,7 +127,7 @@ def test_a_phase_of_slip_without_rotation_is_one_piece(mode, sigma):
 
 def test_a_phase_of_rest_is_one_piece():
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=0.5)).to_body()
-    (piece,) = filled(body, int(Mode.ROLL), interpreted(start_state)(0.0, 0.0, math.pi, 0.0, 0.0, 0.0), 0.75)
+    (piece,) = filled(body, int(Mode.ROLL), start_state(0.0, 0.0, math.pi, 0.0, 0.0, 0.0), 0.75)
     expected = (0.0, 0.75, Mode.ROLL, HOLD, 0, 0.0, 0.0, 0.0)
     assert numbers_of(piece, "t", "t_end", "mode", "kind", "sigma", "way", "xi", "opening") == expected
 
@@ -150,17 +149,17 @@ def repeated(body, state, kinds, mode, times):
     script, scratch = np.zeros(len(kinds), EVENT), new_scratch()
     log = new_log(script, np.zeros(0, SEGMENT), scratch)
     for kind in kinds:
-        interpreted(note)(log, kind, 0, mode, state)
+        note(log, kind, 0, mode, state)
     script["t"] = times
     log = new_log(np.zeros(20, EVENT), np.zeros(0, SEGMENT), scratch)
-    phase = interpreted(scripts.repeat)(body, script, log, scratch)
+    phase = scripts.repeat(body, script, log, scratch)
     return phase, scratch.written[0]
 
 
 def test_a_script_that_ends_inside_of_a_phase_goes_on_there():
     """Nothing begins there, no bounce was before; what rolling conserves is measured anew, in flight there is nothing."""
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=0.5)).to_body()
-    state = interpreted(start_state)(0.0, 0.0, 2.0, 0.0, 0.0, 0.5)
+    state = start_state(0.0, 0.0, 2.0, 0.0, 0.0, 0.5)
     phase, count = repeated(body, state, [Event.START, Event.TURN], int(Mode.ROLL), [0.0, 0.5])
     assert (phase.mode, phase.begins, phase.bounce, count) == (Mode.ROLL, False, 0.0, 1)
     assert phase.state.anchor.kind == ROLLING
@@ -176,7 +175,7 @@ def test_a_script_that_ends_inside_of_a_phase_goes_on_there():
 def test_a_script_that_ends_with_an_event_begins_the_phase_after_it(plane, zeros):
     """Slip from the friction cone begins with no speed, and without acceleration if both frictions are one."""
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=plane).to_body()
-    state = interpreted(start_state)(0.0, 0.0, 2.0, 0.0, 0.0, 0.5)
+    state = start_state(0.0, 0.0, 2.0, 0.0, 0.0, 0.5)
     kinds = [Event.START, Event.TURN, Event.SLIP_START, Event.SLIP_START]
     phase, count = repeated(body, state, kinds, int(Mode.SKID), [0.0, 0.0, 0.5, 0.5])
     assert (phase.mode, phase.begins, phase.zeros, phase.bounce, count) == (Mode.SKID, True, zeros, 0.0, 3)

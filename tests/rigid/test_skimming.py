@@ -9,7 +9,6 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop._jit import interpreted
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -25,8 +24,8 @@ def body_of(mu, restitution=0.0):
 
 def motion_of(body, angle, om, t_end=20.0):
     events, segments = np.empty(100, EVENT), np.empty(1000, SEGMENT)
-    start = interpreted(start_state)(0.0, 0.0, angle, 0.0, 0.0, om)
-    status, count, pieces = interpreted(run)(body, start, t_end, math.nan, 0, events, segments, new_scratch(), events[:0])
+    start = start_state(0.0, 0.0, angle, 0.0, 0.0, om)
+    status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, new_scratch(), events[:0])
     return status, events[:count], segments[:pieces]
 
 
@@ -82,7 +81,7 @@ def test_a_plane_without_slip_has_no_limit_where_it_presses():
     hoop = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=math.inf)).to_body()
     limits = []
     for omega in (0.0, 1.5, 3.0):  # on the plane, and held down by it, by less than the weight or more
-        found = dict(zip(MARGINS, interpreted(margins_of)(hoop, Mode.ROLL, 0.0, 0.0, omega, 0.0, 0.0), strict=True))
+        found = dict(zip(MARGINS, margins_of(hoop, Mode.ROLL, 0.0, 0.0, omega, 0.0, 0.0), strict=True))
         limits.append((math.copysign(1.0, found["normal_force"]), found["friction_limit"]))
     assert limits == [(1.0, math.inf), (-1.0, -math.inf), (-1.0, -math.inf)]
 
@@ -91,10 +90,10 @@ def test_a_plane_without_slip_has_no_limit_where_it_presses():
 @pytest.mark.parametrize("turns", [1, 2, 5])
 def test_the_angle_that_is_left_has_its_digits(way, turns):
     """Also where hardly anything is left of many turns."""
-    start = interpreted(start_state)(0.0, 0.0, 0.25, 0.0, 0.0, 1.0)
-    limits = interpreted(limits_of)(start, 9.0, 2.0 * math.pi * turns, 0)
+    start = start_state(0.0, 0.0, 0.25, 0.0, 0.0, 1.0)
+    limits = limits_of(start, 9.0, 2.0 * math.pi * turns, 0)
     th, low = way * 6.5, 1e-17
     state = start._replace(turns=way * (turns - 1), th=th, th_low=low)
     with mp.workdps(40):
         done = way * (2 * mp.pi * state.turns + mpf(th) + mpf(low) - mpf("0.25"))
-        assert abs(mpf(float(interpreted(angle_left)(limits, state, way))) - (2 * mp.pi * turns - done)) < 5e-16
+        assert abs(mpf(float(angle_left(limits, state, way))) - (2 * mp.pi * turns - done)) < 5e-16

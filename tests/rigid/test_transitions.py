@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import hophoop as hh
-from hophoop._jit import forced, interpreted
+from hophoop._native import forced
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.impact import impact
 from hophoop.physics.modes import UNDECIDED
@@ -114,8 +114,8 @@ def test_rounding_is_no_gain(size):
     random = np.random.default_rng(2)
     for _ in range(100):
         th, vt, vn, om = random.uniform(-3.0, 3.0, 4) * [1.0, size, size, size]
-        state = interpreted(start_state)(0.0, 0.0, th, vt, -abs(vn), om)
-        assert interpreted(collide)(body, 1.0, state, Event.IMPACT, Mode.FLIGHT, 1)[1].gain == 0.0
+        state = start_state(0.0, 0.0, th, vt, -abs(vn), om)
+        assert collide(body, 1.0, state, Event.IMPACT, Mode.FLIGHT, 1)[1].gain == 0.0
 
 
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
@@ -123,8 +123,8 @@ def test_a_gain_grows_with_the_square_of_the_speed(size):
     """That of Newton's law with friction, Kane's: the work of the impulses, found from the energy before and after."""
     body = body_of(mu=0.8, restitution=0.9, impact_law="newton")
     th, vt, vn, om = 1.25, 1.25 * size, -1.75 * size, 1.375 * size
-    state = interpreted(start_state)(0.0, 0.0, th, vt, vn, om)
-    after, cause = interpreted(collide)(body, 0.9, state, Event.IMPACT, Mode.FLIGHT, 1)
+    state = start_state(0.0, 0.0, th, vt, vn, om)
+    after, cause = collide(body, 0.9, state, Event.IMPACT, Mode.FLIGHT, 1)
     arm, lever = 1.0 + body.eps * math.cos(th), body.eps * math.sin(th)
 
     def energy(one):
@@ -141,18 +141,18 @@ def test_an_impact_within_contact_has_p_sigma_with_all_its_digits(sigma, speed):
     body = body_of(0.75, mu=1.0)
 
     def stiffness(th):
-        return interpreted(slip_coefficients)(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0)[1]
+        return slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0)[1]
 
     zero = brentq(stiffness, -1.2, -0.9, xtol=1e-16)
     th = next(one for one in (zero, np.nextafter(zero, -2.0), np.nextafter(zero, 0.0)) if stiffness(one) <= 0.0)
-    state = interpreted(start_state)(0.0, 0.0, sigma * th, sigma * speed, 0.0, 0.1)
+    state = start_state(0.0, 0.0, sigma * th, sigma * speed, 0.0, 0.1)
     s, c = math.sin(sigma * th), math.cos(sigma * th)
-    exact = interpreted(slip_coefficients)(body, sigma * th, 0.0, s, c, sigma, 0.0)[1] / body.kap
+    exact = slip_coefficients(body, sigma * th, 0.0, s, c, sigma, 0.0)[1] / body.kap
     assert -1e-14 < exact <= 0.0
-    after, cause = interpreted(collide)(body, 0.0, state, Event.IMPACT, Mode.SKID, 0)
-    vt, vn, spin, p_n, p_t, _, _ = interpreted(impact)(body, 0.0, s, c, state.vt, 0.0, exact)
+    after, cause = collide(body, 0.0, state, Event.IMPACT, Mode.SKID, 0)
+    vt, vn, spin, p_n, p_t, _, _ = impact(body, 0.0, s, c, state.vt, 0.0, exact)
     assert (after.vt, after.vn, after.om, cause.p_n, cause.p_t) == (vt, vn, state.om + spin, p_n, p_t)
-    assert p_n != interpreted(impact)(body, 0.0, s, c, state.vt, 0.0)[3] or exact == 0.0
+    assert p_n != impact(body, 0.0, s, c, state.vt, 0.0)[3] or exact == 0.0
 
 
 @pytest.mark.parametrize("vt", [0.5, -0.5])
@@ -160,16 +160,16 @@ def test_the_end_of_bounces_without_slip_rolls(vt):
     """However the stop along the plane throws the rim up: about the contact point the angular momentum stays."""
     body = body_of(0.75, mu=math.inf, restitution=0.5)
     th = math.copysign(1.0, vt)
-    state = interpreted(start_state)(0.0, 0.0, th, vt, -1e-3, 0.3)
+    state = start_state(0.0, 0.0, th, vt, -1e-3, 0.3)
     arm, lever = 1.0 + body.eps * math.cos(th), body.eps * math.sin(th)
 
     def momentum_and_energy(one):
         along, up = one.vt + arm * one.om, one.vn - lever * one.om
         return body.kap * one.om + arm * along - lever * up, 0.5 * (along**2 + up**2 + body.kap * one.om**2), along, up
 
-    thrown, _ = interpreted(collide)(body, 0.0, state, Event.IMPACT, Mode.FLIGHT, 1)
+    thrown, _ = collide(body, 0.0, state, Event.IMPACT, Mode.FLIGHT, 1)
     assert thrown.vn > 0.1
-    after, cause = interpreted(close_bounces)(body, state)
+    after, cause = close_bounces(body, state)
     before, now = momentum_and_energy(state), momentum_and_energy(after)
     assert (after.vt, after.vn) == (0.0, 0.0)
     assert now[0] == pytest.approx(before[0], rel=1e-14)
@@ -181,8 +181,8 @@ def test_the_end_of_bounces_without_slip_rolls(vt):
 def test_the_end_of_bounces_that_lift_hardly_at_all():
     """A throw of 0.1 is one, too."""
     body = body_of(0.75, mu=math.inf, restitution=0.5)
-    state = interpreted(start_state)(0.0, 0.0, 1.0, 1e-3, -1e-6, 0.3)
-    after, _ = interpreted(close_bounces)(body, state)
+    state = start_state(0.0, 0.0, 1.0, 1e-3, -1e-6, 0.3)
+    after, _ = close_bounces(body, state)
     assert (after.vt, after.vn) == (0.0, 0.0)
 
 
@@ -190,7 +190,7 @@ def written(function, *arguments):
     """(what a transition returns, the events that it writes, the doubt that it notes)."""
     scratch = new_scratch()
     log = new_log(np.zeros(20, EVENT), np.zeros(0, SEGMENT), scratch)
-    found = interpreted(function)(*arguments, log, scratch)
+    found = function(*arguments, log, scratch)
     return found, log.events[: scratch.written[0]], scratch.doubt.tolist()
 
 
@@ -202,7 +202,7 @@ def hoop_of(eps, kap, **plane):
 def test_slip_without_friction_that_has_ended_does_not_go_on(way):
     """The load before the centre and below it drives the rim ahead: after slip ahead rounding has the wrong sign."""
     body = hoop_of(0.5, 0.75, mu=0.0)
-    state = interpreted(start_state)(0.0, 0.0, -way * 2.0, 0.0, 0.0, 0.0)
+    state = start_state(0.0, 0.0, -way * 2.0, 0.0, 0.0, 0.0)
     ahead, back = (Mode.SKID, Mode.SPIN) if way > 0.0 else (Mode.SPIN, Mode.SKID)
     (mode, _), events, _ = written(settle, body, state, quiet(Event.START, -1, state))
     assert (mode, events["kind"].tolist()) == (ahead, [Event.START])
@@ -215,7 +215,7 @@ def test_slip_without_friction_that_has_ended_does_not_go_on(way):
 def test_with_friction_the_rule_decides_after_slip(mu):
     """Where the rim is too steep a slope for it: down it goes, from whichever side it came."""
     body = hoop_of(0.0, 1.0, mu=mu, slope=1.5)
-    state = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    state = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     for before in (Mode.SKID, Mode.SPIN):
         (mode, _), _, _ = written(settle, body, state, quiet(Event.STICK, before, state))
         assert mode == Mode.SKID
@@ -224,7 +224,7 @@ def test_with_friction_the_rule_decides_after_slip(mu):
 def test_where_the_model_has_no_answer_the_event_is_of_rolling():
     """μ = ∞ where rolling would have to pull, and free motion would enter the plane."""
     body = hoop_of(0.5, 0.01, mu=math.inf)
-    state = interpreted(start_state)(0.0, 0.0, 1.0, 0.0, 0.0, 1.6)
+    state = start_state(0.0, 0.0, 1.0, 0.0, 0.0, 1.6)
     (mode, after), events, _ = written(settle, body, state, quiet(Event.START, -1, state))
     assert (mode, after) == (UNDECIDED, state)
     assert (events["kind"].tolist(), events["after_mode"].tolist()) == ([Event.START], [Mode.ROLL])
@@ -235,7 +235,7 @@ def test_a_paradox_is_of_the_slip_before_it(sigma):
     """Also at the speed of 1 or below."""
     body = hoop_of(0.75, 0.4375, mu=1.3)
     for speed in (0.5, 1.0):
-        state = interpreted(start_state)(0.0, 0.0, -sigma * 0.7, sigma * speed, 0.0, 0.1)
+        state = start_state(0.0, 0.0, -sigma * 0.7, sigma * speed, 0.0, 0.1)
         _, events, _ = written(settle, body, state, quiet(Event.START, -1, state))
         slip = Mode.SKID if sigma > 0 else Mode.SPIN
         assert events["kind"].tolist()[:2] == [Event.START, Event.PAINLEVE_INCONSISTENT]
@@ -247,7 +247,7 @@ def singular(body, near):
     """θ where κ p_σ = 0 for slip ahead, approached with falling θ."""
 
     def stiffness(th):
-        return interpreted(slip_coefficients)(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0)[1]
+        return slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0)[1]
 
     return brentq(stiffness, *near, xtol=1e-16)
 
@@ -262,7 +262,7 @@ def test_slip_that_runs_into_p_sigma_of_zero_stops_or_turns_round(side):
     turn, rate = -1.0 / lever, arm / lever - side * 1.3
     assert side * turn > 0.0 > side * rate
     for vt, om in ((0.5, -1.0), (9.0, -0.25)):
-        state = interpreted(start_state)(0.0, 0.0, th, side * vt, 0.0, side * om)._replace(impact_t=0.5, t=3.0)
+        state = start_state(0.0, 0.0, th, side * vt, 0.0, side * om)._replace(impact_t=0.5, t=3.0)
         (jams, after_mode, after), events, _ = written(pass_singular, body, int(mode), state)
         stop, round_trip = -side * vt / rate, -2.0 * side * om / turn
         p_n = min(stop, round_trip)
@@ -287,7 +287,7 @@ def test_slip_without_speed_beside_p_sigma_of_zero_ends(side):
     th = side * singular(body, (-0.7, -0.1))
     mode = Mode.SKID if side > 0 else Mode.SPIN
     for slip in (0.0, -1e-9 * side, -1e-3 * side):
-        state = interpreted(start_state)(0.0, 0.0, th, slip, 0.0, side * -1.0)
+        state = start_state(0.0, 0.0, th, slip, 0.0, side * -1.0)
         (jams, after_mode, after), events, _ = written(pass_singular, body, int(mode), state)
         assert (jams, after.vt, after.vn, after.om) == (False, 0.0, 0.0, state.om)
         assert after_mode != mode
@@ -300,7 +300,7 @@ def test_slip_that_jams_where_the_load_is_thrown_up():
     th = singular(body, (-0.7, -0.1)) + 1e-7
     om = math.sqrt((1.0 - 1e-7) / (0.75 * math.cos(th)))
     for speed in (om, -om):
-        state = interpreted(start_state)(0.0, 0.0, th, 9.0, 0.0, speed)
+        state = start_state(0.0, 0.0, th, 9.0, 0.0, speed)
         (jams, mode, after), events, _ = written(pass_singular, body, int(Mode.SKID), state)
         if jams:
             assert (mode, events["kind"].tolist()) == (Mode.SKID, [Event.JAM])
@@ -309,7 +309,7 @@ def test_slip_that_jams_where_the_load_is_thrown_up():
         assert mode != UNDECIDED
     # elsewhere such an end of the panels is a failure
     for angle, speed in ((th, 0.5 * om), (th + 1e-4, om)):
-        state = interpreted(start_state)(0.0, 0.0, angle, 9.0, 0.0, speed)
+        state = start_state(0.0, 0.0, angle, 9.0, 0.0, speed)
         assert written(pass_singular, body, int(Mode.SKID), state)[0] == (False, UNDECIDED, state)
 
 
@@ -319,7 +319,7 @@ def test_rolling_that_has_used_up_its_friction(slip):
     body = hoop_of(0.25, 1.0, mu=0.5)
 
     def left(body, om, t=2.0):
-        state = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, om)._replace(t=t)
+        state = start_state(0.0, 0.0, 0.0, 0.0, 0.0, om)._replace(t=t)
         mode, events, doubt = written(leave_cone, body, state, slip)
         return mode, events["kind"].tolist(), events["after_mode"].tolist(), doubt == [t, t]
 

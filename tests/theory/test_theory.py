@@ -133,12 +133,12 @@ def test_far_uphill_no_hilltop_is_looked_at_one_by_one(way):
     np.testing.assert_array_equal(np.isnan(found), [False, True, True])
     # where they are few, one by one
     body, w = to_body(hoop, hh.Plane(slope=-way * 1e-3)), speed**2 / 9.81
-    place = arcs.next_of.py_func(arcs.first_hilltop.py_func(body), 0.0, way)
+    place = arcs.next_of(arcs.first_hilltop(body), 0.0, way)
     while rolling_u(body, 0.0, w, place) >= 0.0:
         place += way * TURN
     for end in (1e5, 1e9):
-        assert arcs.blocking.py_func(body, 0.0, w, way * end) == pytest.approx(place, rel=1e-12)
-    assert math.isnan(arcs.blocking.py_func(body, 0.0, w, place - way * TURN))
+        assert arcs.blocking(body, 0.0, w, way * end) == pytest.approx(place, rel=1e-12)
+    assert math.isnan(arcs.blocking(body, 0.0, w, place - way * TURN))
 
 
 def test_needed_friction_of_the_literature():
