@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import mpmath
 import numpy as np
 from mpmath import mp, mpf
 
 from elementary_kernels import BOTH, NAMES, TWO, evaluate
-from hophoop._native import compiled
+from hophoop._native import mode
 
 EXACT = {
     "sine": mp.sin, "cosine": mp.cos, "tangent": mp.tan, "arcsine": mp.asin, "arccosine": mp.acos, "arctangent": mp.atan,
@@ -21,12 +22,23 @@ EXACT = {
 BOUNDS = dict.fromkeys(NAMES, 0.5001) | {"hyperbolic_tangent": 0.51, "hyperbolic_sine": 0.53, "power": 0.51}
 
 
+@cache
+def _evaluate():
+    """`evaluate` by Numba; by Python where kernels are interpreted."""
+    if mode() == "interpreted":
+        return evaluate
+    from hophoop.kernel.jit import jitted
+
+    return jitted(evaluate)
+
+
 def values(x, y=None):
     """The values of all functions by name; `sine_and_cosine` has two rows."""
     x = np.array(x, dtype=float)
     y = np.ones_like(x) if y is None else np.array(y, dtype=float)
     out = np.empty((BOTH + 2, x.size))
-    compiled(evaluate, x, y, out)(x, y, out)
+    with np.errstate(all="ignore"):
+        _evaluate()(x, y, out)
     return dict(zip(NAMES, out, strict=False)) | {"sine_and_cosine": out[BOTH:]}
 
 

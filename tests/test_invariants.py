@@ -12,14 +12,16 @@ import pytest
 
 import hophoop as hh
 from hophoop import simulation
+from hophoop._native import forced
 from hophoop.invariants import INVARIANTS, BrokenInvariantError, check, findings
 from hophoop.symmetries import mirror_finding, mirrored, scaled, units_finding
 from hophoop.trajectory import Trajectory
 
 
 @pytest.fixture(autouse=True)
-def interpreted(monkeypatch):
-    monkeypatch.setenv("HOPHOOP_KERNELS", "interpreted")
+def _interpreted():
+    with forced("interpreted"):
+        yield
 
 
 class Changed(Trajectory):

@@ -22,6 +22,7 @@ from hypothesis import strategies as st
 import hophoop as hh
 from fuzz.checks import PATIENCE, digest, outcome, warm_up
 from fuzz.draws import EXTREME, USUAL, Seeded, scenario
+from hophoop._native import forced
 from hophoop.invariants import rounded_away
 
 TURNS = 200.0  # so short that thousands of them take half a minute
@@ -96,10 +97,15 @@ def answer(index: int) -> str:
     return digest(hh.simulate(chosen))
 
 
+@pytest.fixture
+def compiled():
+    """The last bits of a compliant motion with extreme numbers are others where its complex divisions are interpreted."""
+    with forced("compiled"):
+        yield
+
+
 @pytest.mark.compiled
-def test_eight_threads_give_the_same_bits(monkeypatch):
-    # the last bits of a compliant motion with extreme numbers are others where its complex divisions are interpreted
-    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
+def test_eight_threads_give_the_same_bits(compiled):
     indices = list(range(48))
     alone = [answer(index) for index in indices]
     with ThreadPoolExecutor(8) as pool:
@@ -108,12 +114,11 @@ def test_eight_threads_give_the_same_bits(monkeypatch):
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("method", [pytest.param("spawn", marks=pytest.mark.long), "fork"])
-def test_other_processes_give_the_same_bits(method, monkeypatch):
+def test_other_processes_give_the_same_bits(method, compiled):
     if method not in multiprocessing.get_all_start_methods():
         pytest.skip(f"this system has no {method}")
     if method == "fork" and sys.platform == "darwin":
         pytest.skip("forked processes may not use the system's libraries on macOS")
-    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
     indices = list(range(24))
     alone = [answer(index) for index in indices]
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(method)) as pool:
@@ -121,9 +126,8 @@ def test_other_processes_give_the_same_bits(method, monkeypatch):
 
 
 @pytest.fixture
-def compiled_before(monkeypatch):
+def compiled_before(compiled):
     """Compiled kernels that are loaded before the clock runs, as at night."""
-    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
     warm_up()
 
 

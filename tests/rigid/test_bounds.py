@@ -14,6 +14,7 @@ import hophoop as hh
 import hophoop.simulation
 from contact_tools import sines_of
 from hophoop import arbitration
+from hophoop._native import forced
 from hophoop.numerics import roots
 from hophoop.panels import landing
 from hophoop.panels.panel import LEVELS, RESOLVED
@@ -327,10 +328,10 @@ def test_a_panel_that_is_never_resolved_is_given_up(monkeypatch, omega):
 
 def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
     """It ends without an answer where the panels end, and not with one that is wrong."""
-    monkeypatch.setenv("HOPHOOP_KERNELS", "interpreted")
     solving(monkeypatch, lambda totals, count: totals._replace(tail=1.0) if count > 5 else totals)
     # infinite friction: no more digits are asked for
-    motion = hh.simulate(hh.Scenario(plane=hh.Plane(mu=math.inf), start=hh.Start.rolling(3.1)))
+    with forced("interpreted"):
+        motion = hh.simulate(hh.Scenario(plane=hh.Plane(mu=math.inf), start=hh.Start.rolling(3.1)))
     assert motion.status == "undetermined"
     assert 0.0 < motion.duration < 1.0
     assert is_finite(motion)

@@ -5,11 +5,13 @@ import math
 import pytest
 
 import hophoop as hh
+from hophoop._native import forced
 
 
 @pytest.fixture(autouse=True)
-def interpreted(monkeypatch):
-    monkeypatch.setenv("HOPHOOP_KERNELS", "interpreted")
+def _interpreted():
+    with forced("interpreted"):
+        yield
 
 
 @pytest.mark.parametrize("speed", [-1e-5, 1e-3, 0.3, 20.0])

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop._native import forced
 from hophoop.precise import solve
 from random_scenarios import draw_beside_a_border, scenario_of
 
@@ -284,10 +285,10 @@ def test_slip_that_begins_at_the_singular_angle_is_at_its_end():
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("index", [15449, 458239])
-def test_slip_that_begins_at_the_threshold_is_followed_to_its_end(monkeypatch, index):
+def test_slip_that_begins_at_the_threshold_is_followed_to_its_end(index):
     """Panels whose tails are rounding were foreseen to be ever narrower: half a million of them came to 10⁻¹⁴ s."""
-    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
-    motion = hh.simulate(scenario_of(draw_beside_a_border(2026, index)[1]))
+    with forced("compiled"):
+        motion = hh.simulate(scenario_of(draw_beside_a_border(2026, index)[1]))
     assert motion.status == "completed"
     assert len(motion.tables["segments"]) < 20_000
     assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
