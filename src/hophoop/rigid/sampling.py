@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from hophoop._native import compiled
 from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.roots import NOT_FOUND, first_fall
@@ -161,5 +162,5 @@ def sample(body, segments, times, left, out):
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
     """`sample` into a fresh array, for a scenario."""
     out = np.empty((times.size, len(COLUMNS)))
-    sample(to_body(scenario.hoop, scenario.plane), segments, times, left, out)
+    compiled(sample)(to_body(scenario.hoop, scenario.plane), segments, times, left, out)
     return out

@@ -150,9 +150,7 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
     if not (isinstance(turns, int | np.integer) and turns >= 1):
         raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
     cases = _cases(hoop, plane)
-    # run by Python, so that the motions go through the kernel that simulate() has compiled already
-    kernel: Any = compiled(kernels.hop_speed)
-    speeds = np.array([float(kernel.py_func(body_from(row), int(turns))) for row in cases.body])
+    speeds = np.array([float(compiled(kernels.hop_speed)(body_from(row), float(turns))) for row in cases.body])
     return cases.shaped(speeds * cases.speed)
 
 

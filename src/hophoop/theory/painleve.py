@@ -203,7 +203,7 @@ def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
     found = []
     if hoop.eccentricity > 0.0 and math.isfinite(plane.mu_kinetic):
         for high_side in (False, True):
-            border = float(kernels.border(body, plane.mu_kinetic, high_side))
+            border = float(compiled(kernels.border)(body, plane.mu_kinetic, high_side))
             if math.isnan(border):
                 continue
             for mode, angle in (("S", border), ("K", TURN - border)):
