@@ -132,3 +132,12 @@ def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path
     assert len(deaths) == 1
     maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=50, resume=True)
     assert contents(path) == contents(local)
+
+
+def test_a_worker_with_other_kernels_is_refused(tmp_path):
+    """Its results would be those of another version."""
+    from hophoop.maps.distributed import _compute
+
+    with pytest.raises(OSError, match=r"A worker on .* has kernels of other sources \([0-9a-f]{8}, here 00000000\)"):
+        _compute(str(tmp_path), 0, 32 * "0")
+    assert not list(tmp_path.iterdir())

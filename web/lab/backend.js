@@ -2,31 +2,8 @@
 
 import { unpack } from "./packing.js";
 
-/** The answer waits for code that is compiled, this once; the message says how far that is. */
-export class Compiling extends Error {}
-
-const AGAIN = 500; // milliseconds until it is asked for again
 const TRIES = 4; // of a server that says it is busy
 const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
-
-/**
- * Ask until there is an answer, and tell what it waits for.
- * @param {() => Promise<Reply>} ask
- * @param {(said: string) => void} tell
- * @param {AbortSignal} signal
- */
-export async function patiently(ask, tell, signal) {
-  for (;;) {
-    try {
-      return await ask();
-    } catch (error) {
-      if (!(error instanceof Compiling)) throw error;
-      tell(error.message);
-      await new Promise((resolve) => setTimeout(resolve, AGAIN));
-      signal.throwIfAborted();
-    }
-  }
-}
 
 export class HttpBackend {
   /** @param {URL} base */
@@ -48,7 +25,6 @@ export class HttpBackend {
       signal,
     };
     const response = await this.answered(new URL(`lab/${name}`, this.base), asked);
-    if (response.status === 202) throw new Compiling((await response.json()).detail);
     return unpack(await response.arrayBuffer());
   }
 
@@ -125,8 +101,7 @@ export class KernelBackend {
     if (!waits) return;
     clearTimeout(waits.timer);
     this.waiting.delete(message.number);
-    if (message.compiling) waits.reject(new Compiling(message.compiling));
-    else if (message.error) waits.reject(new Error(message.error));
+    if (message.error) waits.reject(new Error(message.error));
     else waits.resolve(unpack(buffers[0]));
   }
 

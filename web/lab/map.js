@@ -1,6 +1,5 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
-import { patiently } from "./backend.js";
 import { fitted, focused, h, once, say } from "./dom.js";
 import { AXES, cross, MapAxes } from "./map_axes.js";
 import { takeHands } from "./map_hands.js";
@@ -219,13 +218,7 @@ export class MotionMap {
         say(this.state, `computing ${x * y} motions …`);
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
-        const reply = await patiently(
-          () => this.backend.call("map", body, signal),
-          (said) => {
-            say(this.state, said);
-          },
-          signal,
-        );
+        const reply = await this.backend.call("map", body, signal);
         const layer = layerOf(reply);
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));

@@ -37,7 +37,7 @@ class ArticleFigure:
     draw: Callable[[Runs, Axes], Any]
     size: tuple[float, float] = WIDE
     ours: bool = False  # not in the article
-    long: bool = False  # of a motion of minutes, or in compliant contact: drawn when compiled code is there
+    long: bool = False  # of a motion of minutes, or in compliant contact: drawn last
 
 
 def drawn(figure: ArticleFigure, runs: Runs) -> Figure:

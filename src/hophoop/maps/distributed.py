@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import logging
 import multiprocessing
+import platform
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -14,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from hophoop._extras import need
+from hophoop._native.sources import stamp
 from hophoop._stopping import end_now, ignored_by_children, temporary_folder, when_stopped
 from hophoop.maps.store import compute_chunk
 
@@ -63,7 +65,7 @@ def compute_on_cluster(
         def submit() -> None:
             index = next(queue, None)
             if index is not None:
-                running.add(client.submit(compute_chunk, place, index, "serial", pure=False, retries=RETRIES))
+                running.add(client.submit(_compute, place, index, stamp(), pure=False, retries=RETRIES))
 
         try:
             for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
@@ -79,6 +81,17 @@ def compute_on_cluster(
             raise OSError(
                 f"The scheduler at {client.scheduler.address} is gone; what is done is kept, and resume goes on."
             ) from error
+
+
+def _compute(place: str, index: int, sources: str) -> int:
+    """A chunk of the map, on a worker whose kernels are those of the process that asks."""
+    own = stamp()
+    if own != sources:
+        raise OSError(
+            f"A worker on {platform.node()} has kernels of other sources ({own[:8]}, here {sources[:8]}): "
+            "install the same version of hophoop there."
+        )
+    return compute_chunk(place, index, "serial")
 
 
 def _answers(client: Any) -> bool:

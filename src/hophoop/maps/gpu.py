@@ -1,4 +1,4 @@
-"""Cells on a CUDA GPU: one thread a cell, by the kernel functions that the CPU runs, compiled again by Numba."""
+"""Cells on a CUDA GPU: one thread a cell, by the kernel functions that the CPU runs, compiled by Numba for it."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Formulas of the hoop, once each: scalars in, tuples out, compiled by Numba."""
+"""Formulas of the hoop, once each: scalars in, tuples out."""

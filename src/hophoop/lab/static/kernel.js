@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources d2c9e481383cb1c53f6747491ccba6cf */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 7b41ffd15e8ac80286b18edf29b1078f */
 var c={sources:"24e1a440eeadedd1b823ae16d46f2f8d",module:"c543c273f65d283b",derivatives:"aa377186fbb637a2",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
