@@ -1,7 +1,7 @@
 """Compute the kept scenarios in many surroundings and count the motions with other bits: `python benchmarks/bits.py`.
 
 Each surrounding is a process of its own: other BLAS kernels, a C library and a NumPy without the newer instructions,
-Numba for an older processor, interpreted kernels, WebAssembly in wasmtime and in Chromium, and the kernels' code as a
+the library for older processors, interpreted kernels, WebAssembly in wasmtime and in Chromium, and the kernels' code as a
 program for ARM64 and RISC-V under qemu. `--old` computes another checkout in the same surroundings; each is compared with
 itself as given. Missing programs (ziglang, qemu, Chromium) are named. The exit status is 1 where any motion differs.
 """
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import platform
 import subprocess
 import sys
 import tempfile
@@ -25,7 +26,8 @@ sys.path.insert(0, str(HERE / "tests"))
 
 GIVEN, OLDER = "as given", "all of these"
 OLD_GLIBC = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable"}
-OLD_NUMBA = {"NUMBA_CPU_NAME": "nehalem", "NUMBA_CPU_FEATURES": ""}
+# x86-64 of 2009, without AVX and FMA; other processors have one library
+OLD_LEVEL = {"HOPHOOP_LEVEL": "v2"} if platform.machine().lower() in ("x86_64", "amd64") else {}
 PYTHON, INTERPRETED, WASMTIME, CHROMIUM = "compiled", "interpreted", "wasmtime", "chromium"
 
 
@@ -48,9 +50,9 @@ def surroundings() -> list[Surrounding]:
         Surrounding("BLAS: Haswell", environment={**blas, "OPENBLAS_CORETYPE": "Haswell"}),
         Surrounding("BLAS: Nehalem", environment={**blas, "OPENBLAS_CORETYPE": "Nehalem"}),
         Surrounding("C library without AVX2 and FMA", environment={**OLD_GLIBC}),
-        Surrounding("Numba for Nehalem, no features", environment={**OLD_NUMBA}),
+        Surrounding("library for x86-64-v2", environment={**OLD_LEVEL}),
         Surrounding("NumPy without optional instructions", environment={**numpy_off}),
-        Surrounding(OLDER, environment={**blas, "OPENBLAS_CORETYPE": "Nehalem", **OLD_GLIBC, **OLD_NUMBA, **numpy_off}),
+        Surrounding(OLDER, environment={**blas, "OPENBLAS_CORETYPE": "Nehalem", **OLD_GLIBC, **OLD_LEVEL, **numpy_off}),
         Surrounding("interpreted", INTERPRETED, every=10),
         Surrounding("WebAssembly in wasmtime", WASMTIME),
         Surrounding("WebAssembly in Chromium", CHROMIUM),
@@ -84,7 +86,7 @@ def compute(how: str, every: int, out: Path) -> None:
     kept = bits_tools.kept_scenarios(every)
     if how in (PYTHON, INTERPRETED):
         import hophoop as hh
-        from hophoop._jit import forced
+        from hophoop._native import forced
 
         with forced(how):
             found = {each.index: bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept}
@@ -124,10 +126,10 @@ def by_module(how: str, kept: Sequence[object]) -> dict[int, object]:
         return bits_kernels.run_program(bits_kernels.program(how, Path(folder)), kept, how)
 
 
-def started(surrounding: Surrounding, source: Path, out: Path, cache: Path, every: int) -> str:
+def started(surrounding: Surrounding, source: Path, out: Path, every: int) -> str:
     """Run it, and return what is missing for it, or nothing."""
     own = with_changes(surrounding.environment)
-    own |= {"PYTHONPATH": str(source / "src"), "NUMBA_CACHE_DIR": str(cache), "HOPHOOP_KERNELS": "compiled"}
+    own |= {"PYTHONPATH": str(source / "src"), "HOPHOOP_KERNELS": "compiled"}
     command = [sys.executable, __file__, "--child", surrounding.how, str(max(every, surrounding.every)), str(out)]
     done = subprocess.run(command, env=own, capture_output=True, text=True, check=False)
     if done.returncode == 0:
@@ -192,8 +194,7 @@ def run(source: Path, chosen: Sequence[Surrounding], folder: Path, every: int) -
     for place, each in enumerate(chosen):
         begin = time.perf_counter()
         out = folder / f"{place}.npz"
-        cache = folder / ("numba-old" if "NUMBA_CPU_NAME" in each.environment else "numba")
-        missing = started(each, source, out, cache, every)
+        missing = started(each, source, out, every)
         found[each.name] = missing or difference(reference, out)
         told = found[each.name]
         said = (
@@ -226,7 +227,7 @@ def main() -> int:
     """Compute, compare, write the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--source", type=Path, default=HERE, help="checkout whose src is computed with; this one by default")
-    parser.add_argument("--old", type=Path, help="another checkout, to show beside it")
+    parser.add_argument("--old", type=Path, help="another checkout with its library, to compare with")
     parser.add_argument("--every", type=int, default=1, help="only every so many of the kept scenarios")
     parser.add_argument(
         "--only", nargs="+", default=[], metavar="WORD", help="only surroundings whose name has one of these words"

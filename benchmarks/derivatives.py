@@ -13,16 +13,17 @@ import time
 import numpy as np
 
 import hophoop as hh
-from hophoop._jit import compiled
+from hophoop._native import compiled
 from hophoop.derivatives.carrying import carry
+from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.layout import CARRIED, KEPT
 from hophoop.derivatives.parameters import directions_of
-from hophoop.derivatives.replay import replay
 from hophoop.derivatives.rows import ROWS
 from hophoop.numerics.collocation import ORDER
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
-from hophoop.simulation import NO_SCRIPT, run, start_of
+from hophoop.rigid.kernel import run
+from hophoop.simulation import NO_SCRIPT, start_of
 
 PATHS = (
     "hoop.load_fraction", "hoop.radius", "hoop.mass", "plane.gravity", "plane.slope", "plane.mu_static",
@@ -37,7 +38,7 @@ def plain(scenario):
     events, segments = np.empty(64, EVENT), np.empty(256, SEGMENT)
     end = scenario.duration / math.sqrt(scenario.hoop.radius / scenario.plane.gravity)
     arguments = (body, start, end, math.nan, 0, events, segments, scratch, NO_SCRIPT)
-    kernel = compiled(run, *arguments)
+    kernel = compiled(run)
     return lambda: kernel(*arguments)
 
 
@@ -46,11 +47,12 @@ def derived(motion, paths):
     scenario, events, segments = motion.scenario, motion.tables["events"], motion.tables["segments"]
     given, count = directions_of(scenario, paths), len(paths)
     arguments = (
-        scenario.to_body(), events, segments, given.changes, given.start.copy(), scenario.duration / motion.units.time,
+        scenario.to_body(), events, segments, given.changes, given.start.copy(),
+        scenario.duration / motion.units.time, motion.doubt, False,
         np.zeros((len(events), KEPT, count)), np.zeros((len(segments), CARRIED, count)),
         np.zeros(count, np.int64), np.full(count, -1, np.int64), new_scratch(), np.zeros((ROWS, ORDER)),
     )  # fmt: skip
-    kernel = compiled(replay, *arguments)
+    kernel = compiled(go_through)
 
     def call():
         arguments[4][:] = given.start

@@ -1,9 +1,9 @@
 """One article motion (v0 = 3.1 m/s, 2 s): hophoop beside SciPy's DOP853 with events, in one run.
 
-    python benchmarks/rigid.py [--compile]
+    python benchmarks/rigid.py
 
 Prints the median time of each, the ratio to SciPy, and the largest relative error of the event times against
-the 25-digit reference in tests/data. `--compile` also times the first run with an empty cache and with a full one.
+the 25-digit reference in tests/data. The kernel's time is that of a motion in a map. `benchmarks/start.py` times first runs.
 """
 
 from __future__ import annotations
@@ -11,11 +11,8 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
 import statistics
-import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -24,11 +21,11 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import hophoop as hh
-from hophoop._jit import compiled, jit
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.kernel import run
+from hophoop._native.entry import is_compiled
+from hophoop._native.library import BUILD
+from hophoop.maps.cells import make_cells
+from hophoop.maps.evaluate import run_cells
+from hophoop.maps.quantities import make_span
 
 SCENARIO = hh.Scenario(duration=2.0)
 REFERENCE = Path(__file__).parent.parent / "tests" / "data" / "article_v3.1_mu1.json"
@@ -151,49 +148,21 @@ def errors() -> tuple[float, float]:
     return worst(ours), worst(theirs)
 
 
-def again(number, body, start, t_end, events, segments, scratch):
-    """The motion so many times over from compiled code, as maps call it."""
-    found = 0
-    for _ in range(number):
-        found += run(body, start, t_end, math.nan, 0, events, segments, scratch, events[:0])[1]
-    return found
-
-
-def first_run(cache: str) -> float:
-    """Whole-process time of a first simulate() with this cache folder [s]."""
-    begin = time.perf_counter()
-    code = "import hophoop as hh; hh.simulate(hh.Scenario())"
-    subprocess.run(
-        [sys.executable, "-c", code],
-        env=os.environ | {"NUMBA_CACHE_DIR": cache},
-        check=True,
-        stderr=subprocess.DEVNULL,
-    )
-    return time.perf_counter() - begin
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--compile", action="store_true")
-    options = parser.parse_args()
-    second = math.sqrt(SCENARIO.hoop.radius / SCENARIO.plane.gravity)
-    body = SCENARIO.to_body()
-    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * second)
-    events, segments, scratch = np.empty(64, EVENT), np.empty(0, SEGMENT), new_scratch()
+    parser.parse_args()
+    if not is_compiled():
+        sys.exit(f"The kernels are not compiled: {BUILD}.")
+    cells, span = make_cells(SCENARIO, {}, KERNELS), make_span("duration")
 
     # In turn, so that a machine whose speed changes does not favour one of them.
     times: dict[str, list[float]] = {"scipy": [], "simulate": [], "kernel": []}
     scipy_motion()
-    motion = (body, start, 2.0 / second, events, segments, scratch)
-    # Both wait for compiled code, so that no interpreted motion is among those timed.
-    kernel = compiled(again, 1, *motion)
-    compiled(run, body, start, 2.0 / second, math.nan, 0, events, segments, scratch, events[:0])
-    hh.simulate(SCENARIO)
     for _ in range(ROUNDS):
         times["scipy"].append(median(scipy_motion, 3))
         times["simulate"].append(median(lambda: hh.simulate(SCENARIO), 50))
         begin = time.perf_counter()
-        kernel(KERNELS, *motion)
+        run_cells(cells, span, 0, "serial")
         times["kernel"].append((time.perf_counter() - begin) / KERNELS)
     reference, call, bare = (statistics.median(values) for values in times.values())
     error, scipy_error = errors()
@@ -201,10 +170,6 @@ def main() -> None:
     print(f"simulate()                 {call * 1e6:9.1f} µs  {reference / call:6.0f} ×  error {error:.1e}")
     print(f"kernel                     {bare * 1e6:9.1f} µs  {reference / bare:6.0f} ×")
     print(f"kernel, motions per second and core {1.0 / bare:9.0f}")
-    if options.compile:
-        with tempfile.TemporaryDirectory() as cache:
-            print(f"first run, compiling       {first_run(cache):9.1f} s")
-            print(f"first run, cached          {first_run(cache):9.2f} s")
 
 
 if __name__ == "__main__":

@@ -1,9 +1,10 @@
-"""From a command to its answer: what the first motion and compiling cost. `python benchmarks/start.py [--json]`.
+"""From a command to its answer in a fresh process: `python benchmarks/start.py [--json] [--all]`.
 
-Each command runs in a process of its own, with a cold cache (an empty folder) or a warm one, in turn with Python that imports
-NumPy alone; beside the time on the clock stand the seconds of processor time, since the clock also counts what else the
-machine does, and the ratio to importing NumPy. `--all` measures on a cold cache, once each, also `hophoop reproduce`, and how
-long `hophoop lab` takes until its first motion plays in a headless Chromium, and until its map is whole.
+Each command runs in a process of its own, in turn with Python that imports NumPy alone. The table has wall time, processor time
+(the clock also counts what else the machine does), and its ratio to that of importing NumPy. Within a process that has imported
+hophoop, it has the times of the first and the second motion, and of the first map of 40,000 cells. `--all` also measures
+`hophoop reproduce`, and how long `hophoop lab` takes until its first motion plays in a headless Chromium, and until its map is
+whole.
 """
 
 import argparse
@@ -19,44 +20,31 @@ import tempfile
 import time
 from urllib.request import urlopen
 
-COMPILE = """
-from hophoop._jit import dispatchers, forced, policy
-from hophoop._jit.kernels import describe
-import hophoop as hh
-from hophoop.maps import kernel
-from hophoop.rigid import sampling
-from hophoop.simulation import run
-import gc, json, time
-gc.disable()  # as in the process beside, which compiles
-kinds = {{}}
-def noting(part):
-    def call(*arguments):
-        kinds.setdefault(part, tuple(describe(value) for value in arguments))
-        return part.interpreted(*arguments)
-    part._target = call
-for part in (run, sampling.sample, kernel.evaluate_block):
-    noting(part)
-hh.simulate(hh.Scenario(duration=1.0)).at(0.5)
-hh.maps.points(None, {{"start.speed": [1.0]}})
-seconds = {{}}
-for part, kind in kinds.items():
-    began = time.process_time()
-    dispatchers.compile_for(part, kind)
-    seconds[part.__name__] = time.process_time() - began
-print(json.dumps(seconds))
-"""
 PYTHON = {
     "import numpy": "import numpy",
-    "first simulate()": "import hophoop as hh; hh.simulate(hh.Scenario(duration=2.0))",
-    "run": "import sys; sys.argv = ['hophoop', 'run', '--v0', '3.1']; from hophoop.cli import app; app()",
-    "--help": "import sys; sys.argv = ['hophoop', '--help']; from hophoop.cli import app; app()",
+    "import hophoop, simulate()": "import hophoop as hh; hh.simulate(hh.Scenario(duration=2.0))",
+    "hophoop run": "import sys; sys.argv = ['hophoop', 'run', '--v0', '3.1']; from hophoop.cli import app; app()",
+    "hophoop --help": "import sys; sys.argv = ['hophoop', '--help']; from hophoop.cli import app; app()",
 }
+WITHIN = """
+import json, time
+import numpy as np
+import hophoop as hh
+from hophoop import maps
+scenario, times = hh.Scenario(duration=2.0), [time.perf_counter()]
+for _ in range(2):
+    hh.simulate(scenario)
+    times.append(time.perf_counter())
+maps.sweep(None, {"plane.mu": np.linspace(0.01, 2.0, 200), "start.speed": np.linspace(0.01, 5.0, 200)})
+times.append(time.perf_counter())
+print(json.dumps(dict(zip(("first motion", "second motion", "first map of 40,000 cells"), np.diff(times).tolist()))))
+"""
 REPRODUCE = "import sys; sys.argv = ['hophoop', 'reproduce', '--out', {!r}]; from hophoop.cli import app; app()"
 
 
-def measured(code, folder, mode="auto"):
+def measured(code, mode="compiled"):
     """Seconds on the clock and of the processor for a fresh Python, and what it printed."""
-    environment = {**os.environ, "NUMBA_CACHE_DIR": folder, "HOPHOOP_KERNELS": mode}
+    environment = {**os.environ, "HOPHOOP_KERNELS": mode}
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     wall = time.perf_counter()
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
@@ -65,12 +53,12 @@ def measured(code, folder, mode="auto"):
     return wall, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, done.stdout
 
 
-def lab(folder):
-    """Seconds from the command to a motion that plays and to a whole map, and what the map said meanwhile."""
+def lab():
+    """Seconds from the command to a motion that plays and to a whole map."""
     from playwright.sync_api import sync_playwright
 
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))))
-    environment = {**os.environ, "NUMBA_CACHE_DIR": folder, "HOPHOOP_KERNELS": "auto"}
+    environment = {**os.environ, "HOPHOOP_KERNELS": "compiled"}
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
@@ -98,14 +86,8 @@ def lab(folder):
             page.wait_for_function("() => hophoopLab.clock.time > 0")
             result["plays_s"] = time.perf_counter() - began
             page.locator(".map-body").scroll_into_view_if_needed()
-            said = []
-            while page.evaluate("hophoopLab.map.level") != 3:
-                text = page.locator(".map-head .hint").inner_text()
-                if text and text not in said:
-                    said.append(text)
-                page.wait_for_timeout(100)
+            page.wait_for_function("() => hophoopLab.map.level === 3")
             result["whole_map_s"] = time.perf_counter() - began
-            result["said"] = [said[0], said[len(said) // 2], said[-1]]
         finally:
             server.terminate()
             server.wait(10)
@@ -120,33 +102,29 @@ def main():
     parser.add_argument("--all", action="store_true", help="also reproduce and lab, which take a minute")
     options = parser.parse_args()
     load = os.getloadavg()[0]
-    rows = {f"{name}, {state}": [] for name in PYTHON for state in ("cold", "warm")}
-    with tempfile.TemporaryDirectory() as warm:
-        compiling = json.loads(measured(COMPILE.format(), warm)[2])
-        for _ in range(options.rounds):
-            for name, code in PYTHON.items():
-                with tempfile.TemporaryDirectory() as cold:
-                    rows[f"{name}, cold"].append(measured(code, cold)[:2])
-                rows[f"{name}, warm"].append(measured(code, warm)[:2])
-        compiled = [measured(PYTHON["run"], warm, "compiled")[:2] for _ in range(options.rounds)]
-    rows["run, warm, compiled code asked for"] = compiled
-    base = statistics.median(processor for _, processor in rows["import numpy, warm"])
+    asked = {name: (code, "compiled") for name, code in PYTHON.items()}
+    asked["hophoop run, interpreted"] = PYTHON["hophoop run"], "interpreted"
+    rows, within = {name: [] for name in asked}, []
+    for _ in range(options.rounds):
+        for name, given in asked.items():
+            rows[name].append(measured(*given)[:2])
+        within.append(json.loads(measured(WITHIN)[2]))
+    base = statistics.median(processor for _, processor in rows["import numpy"])
     results = {
         name: {
             "wall_s": statistics.median(wall for wall, _ in times),
             "processor_s": statistics.median(processor for _, processor in times),
-            "beside_import_numpy": statistics.median(processor for _, processor in times) / base,
+            "ratio_to_import_numpy": statistics.median(processor for _, processor in times) / base,
         }
         for name, times in rows.items()
     }
-    results["compiling, processor"] = compiling
+    results |= {name: {"wall_ms": 1e3 * statistics.median(each[name] for each in within)} for name in within[0]}
     results["load of the machine before"] = {"average": load}
     if options.all:
-        with tempfile.TemporaryDirectory() as cold, tempfile.TemporaryDirectory() as out:
-            wall, processor, _ = measured(REPRODUCE.format(out), cold)
-            results["reproduce, cold"] = {"wall_s": wall, "processor_s": processor}
-        with tempfile.TemporaryDirectory() as cold:
-            results["lab, cold"] = lab(cold)
+        with tempfile.TemporaryDirectory() as out:
+            wall, processor, _ = measured(REPRODUCE.format(out))
+            results["hophoop reproduce"] = {"wall_s": wall, "processor_s": processor}
+        results["hophoop lab"] = lab()
     if options.json:
         print(json.dumps(results, indent=2))
         return

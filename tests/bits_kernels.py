@@ -13,9 +13,7 @@ import sys
 import tempfile
 from collections.abc import Iterable, Sequence
 from importlib.metadata import version
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -26,6 +24,7 @@ import hophoop as hh
 from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
 from hophoop.compliant.kernel import MAX_STEPS
 from hophoop.compliant.records import WIDTH
+from hophoop.kernel.build.link import optimised
 from hophoop.maps.kernel import CELL
 from hophoop.module.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.module.stamp import HERE, MODULE, sources
@@ -62,13 +61,12 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
             with tempfile.TemporaryDirectory(dir=folder) as fresh:
                 made = Path(fresh) / "code.ll"
                 script = (
-                    "import sys; from pathlib import Path; from hophoop.module import build, entries; "
+                    "import sys; from pathlib import Path; from hophoop.kernel.build.browser import module_code; "
+                    "from hophoop.module import entries; "
                     f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
-                    "Path(sys.argv[1]).write_text(build.joined(build.plain_code(chosen)), encoding='utf-8')"
+                    "Path(sys.argv[1]).write_text(module_code(chosen), encoding='utf-8')"
                 )
-                environment = {**os.environ, "NUMBA_CACHE_DIR": fresh}  # code that is compiled already is for this machine
-                environment.pop("NUMBA_DISABLE_JIT", None)
-                subprocess.run([sys.executable, "-c", script, str(made)], check=True, env=environment)
+                subprocess.run([sys.executable, "-c", script, str(made)], check=True)
                 made.replace(file)
     return file.read_text(encoding="utf-8")
 
@@ -76,21 +74,6 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
 def short_hash(*words: str) -> str:
     """A part of a file's name."""
     return hashlib.sha256(" ".join(words).encode()).hexdigest()[:16]
-
-
-def own_build() -> ModuleType:
-    """`hophoop.module.build` of this checkout, whatever version computes: benchmarks/bits.py compares older ones."""
-    file = Path(__file__).parents[1] / "src" / "hophoop" / "module" / "build.py"
-    if not file.exists():  # the tests of an installed wheel
-        from hophoop.module import build
-
-        return build
-    spec = spec_from_file_location("own_build", file)
-    assert spec is not None
-    assert spec.loader is not None
-    made = module_from_spec(spec)
-    spec.loader.exec_module(made)
-    return made
 
 
 # --- a program -------------------------------------------------------------------------------------------------------
@@ -110,7 +93,7 @@ def why_no_program(processor: str) -> str:
 def program(processor: str, folder: Path) -> Path:
     """The kernel's entries as a static program for a processor."""
     triple, target = PROCESSORS[processor]
-    machine, code = own_build().optimised(code_of(NATIVE), NATIVE, triple, features=FEATURES.get(processor, ""))
+    machine, code = optimised(code_of(NATIVE), NATIVE, triple, features=FEATURES.get(processor, ""))
     compiled, made = folder / f"{processor}.o", folder / f"kernel-{processor}"
     compiled.write_bytes(machine.emit_object(code))
     subprocess.run(

@@ -258,13 +258,12 @@ class InProcess(Calls):
             (value, as_dtype(kind.dtype)) if isinstance(kind, CPointer) else value
             for value, kind in zip(arguments, kinds, strict=True)
         ]
-        function = kernel.py_func
-        holder = sys.modules[function.__module__]
+        holder = sys.modules[kernel.__module__]
         usual = holder.carray  # type: ignore[attr-defined]
         holder.carray = self._array  # type: ignore[attr-defined]
         try:
             with np.errstate(all="ignore"):
-                function(*given)
+                kernel(*given)
         finally:
             holder.carray = usual  # type: ignore[attr-defined]
 

@@ -10,7 +10,7 @@ import pytest
 
 from bits_kernels import PROCESSORS, code_of, program, run_program, why_no_program
 from bits_tools import by_doubles, differing, kept_scenarios
-from hophoop.module import build
+from hophoop.kernel.build.link import optimised
 from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
 
 # What is left to call: Numba's runtime (nrt.c), memory, and functions whose result is exact.
@@ -88,7 +88,7 @@ def test_assembly_fuses_and_calls_nothing(table: str, target: str) -> None:
     triple, cpu, features = TARGETS[target]
     names = TABLES[table]
     text = without_what_never_runs(code_of(names, table))
-    machine, code = build.optimised(text, names, triple, cpu, features)
+    machine, code = optimised(text, names, triple, cpu, features)
     assembly = machine.emit_assembly(code)
     assert all(re.search(rf"^_?{name}:", assembly, re.MULTILINE) for name in names)
     assert len(re.findall(r"^\s+(?:vmulsd|mulsd|fmul)", assembly, re.MULTILINE)) > 1000  # it is understood

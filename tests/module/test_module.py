@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
-import sys
+from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._jit import dispatchers, kernels, plain, quicker, store
-from hophoop.module import build
+from hophoop._native import marks
+from hophoop.kernel.build import __main__ as builder
+from hophoop.kernel.build import browser, link, numba_code
 from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.module.layout import EVENT_COLUMNS, layout
-from hophoop.module.stamp import HERE, LAYOUT, MODULE, sources, stamped
+from hophoop.module.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
 from hophoop.physics.body import Status
 from hophoop.records.scratch import MOST_PANELS
 
@@ -32,24 +34,53 @@ def host() -> Host:
 
 
 def test_the_module_is_that_of_the_sources() -> None:
-    assert TOLD["sources"] == sources(), "run python -m hophoop.module.build"
+    assert TOLD["sources"] == sources(), "run python -m hophoop.kernel.build browser"
     assert {name: TOLD[name] for name in layout()} == json.loads(json.dumps(layout()))
 
 
 def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
     entries = [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]
-    files = {Path(part.py_func.__code__.co_filename) for kernel, _ in entries for part in store.reachable(kernel)}
+    found, waiting = set(), [kernel for kernel, _ in entries]
+    while waiting:
+        kernel = waiting.pop()
+        if kernel not in found:
+            found.add(kernel)
+            waiting += numba_code.called(kernel)
+    files = {Path(marks.source_of(kernel).__code__.co_filename) for kernel in found}
     assert len(files) > 50
-    compiling = {Path(module.__file__) for module in (dispatchers, kernels, plain, quicker)}
+    compiling = {Path(module.__file__) for module in (browser, link, marks, numba_code)} | {link.RUNTIME}
     assert (files | compiling) - set(stamped()) == set()
 
 
-def test_the_builder_asks_for_what_it_needs_before_it_compiles(monkeypatch, tmp_path) -> None:
-    monkeypatch.setitem(sys.modules, "ziglang", None)
-    monkeypatch.setattr(build, "module_of", lambda entries: pytest.fail("it compiles"))
-    with pytest.raises(ImportError, match=r"pip install 'hophoop\[module\]'"):
-        build.build(tmp_path)
+@pytest.mark.parametrize("missing", ["numba", "ziglang"])
+def test_the_builder_asks_for_what_it_needs_before_it_compiles(missing, monkeypatch, tmp_path, capsys) -> None:
+    def found(name: str) -> str:
+        if name == missing:
+            raise PackageNotFoundError(name)
+        return "1"
+
+    monkeypatch.setattr(builder, "version", found)
+    monkeypatch.setattr(builder, "_compile", lambda *given: pytest.fail("it compiles"))
+    assert builder.main(["browser", "--out", str(tmp_path)]) == 1
+    said = capsys.readouterr().err
+    assert said == f"Error: building needs {missing}: pip install 'hophoop[module]'. What there was before stays.\n"
     assert not list(tmp_path.iterdir())
+
+
+def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> None:
+    def compiled(group, targets, made_with, cache, scratch):
+        (tmp_path / f"{group}.wasm").write_bytes(group.encode())
+        return tmp_path
+
+    monkeypatch.setattr(builder, "_compile", compiled)
+    out = tmp_path / "out"
+    assert builder.main(["browser", "--out", str(out)]) == 0
+    told = json.loads((out / LAYOUT).read_text(encoding="utf-8"))
+    assert told["sources"] == sources()
+    assert told.keys() == TOLD.keys()
+    for file, name in ((MODULE, "module"), (DERIVATIVES, "derivatives")):
+        assert hashlib.sha256((out / file).read_bytes()).hexdigest()[:16] == told[name]
+    assert {file.name for file in out.iterdir()} == {MODULE, DERIVATIVES, LAYOUT}
 
 
 def test_it_imports_nothing(host: Host) -> None:

@@ -1,4 +1,7 @@
-"""The library of compiled kernels: whether there is one for this machine and these sources, and its functions."""
+"""The library of compiled kernels: whether there is one for this machine and these sources, and its functions.
+
+The environment variable HOPHOOP_LEVEL, such as `v2`, takes the library for older processors.
+"""
 
 from __future__ import annotations
 
@@ -52,8 +55,12 @@ class Library:
 
 
 def _levels(told: dict[str, Any]) -> list[str]:
-    """The libraries from the one that asks most of the processor to the one that asks least."""
-    return sorted(told["files"], reverse=True)
+    """The libraries from the one that asks most of the processor to the one that asks least, up to HOPHOOP_LEVEL."""
+    levels = sorted(told["files"], reverse=True)
+    most = os.environ.get("HOPHOOP_LEVEL") or levels[0]
+    if most not in levels:
+        raise ValueError(f"HOPHOOP_LEVEL = {most!r} must be one of {', '.join(reversed(levels))}.")
+    return levels[levels.index(most) :]
 
 
 @cache

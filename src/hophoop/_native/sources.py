@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from types import FunctionType
@@ -27,8 +28,13 @@ def files() -> list[Path]:
 
 def stamp() -> str:
     """Hash of these sources: equal stamps, equal sources."""
+    return stamp_of(files())
+
+
+def stamp_of(sources: Iterable[Path]) -> str:
+    """Hash of files of the package."""
     digest = hashlib.sha256()
-    for file in files():
+    for file in sources:
         digest.update(f"{file.relative_to(PACKAGE).as_posix()}\n".encode())
         digest.update(file.read_bytes().replace(b"\r\n", b"\n"))
     return digest.hexdigest()[:32]

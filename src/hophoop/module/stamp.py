@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from hophoop._native.sources import PACKAGE, ROOMS, stamp_of
+
 HERE = Path(__file__).parent
 MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
-# What decides the modules' bytes: rooms, and files of other rooms.
-ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives", "module")
+# What decides the modules' bytes, apart from the rooms of the kernels: files of other rooms, and how they are compiled.
 FILES = (
-    *(f"_jit/{name}.py" for name in ("__init__", "dispatchers", "kernels", "plain", "quicker")),  # how they are compiled
-    "kernel/build/link.py", "maps/friction_use.py", "maps/kernel.py",
+    "maps/friction_use.py", "maps/kernel.py", "_native/marks.py", "module/nrt.c",
+    "kernel/build/browser.py", "kernel/build/link.py", "kernel/build/numba_code.py",
 )  # fmt: skip
 
 
@@ -39,10 +39,9 @@ def stamped() -> list[Path]:
     files : list of Path
         Sorted.
     """
-    package = HERE.parent
-    files = {package / name for name in FILES}
-    for room in ROOMS:
-        files.update((package / room).glob("*.py"), (package / room).glob("*.c"))
+    files = {PACKAGE / name for name in FILES}
+    for room in (*ROOMS, "module"):
+        files.update((PACKAGE / room).glob("*.py"))
     return sorted(files - {Path(__file__)})
 
 
@@ -54,9 +53,4 @@ def sources() -> str:
     stamp : str
         Equal stamps, equal sources.
     """
-    digest = hashlib.sha256()
-    for file in stamped():
-        name = file.relative_to(HERE.parent).as_posix()
-        digest.update(f"{name}\n".encode())
-        digest.update(file.read_bytes().replace(b"\r\n", b"\n"))
-    return digest.hexdigest()[:32]
+    return stamp_of(stamped())

@@ -1,4 +1,4 @@
-"""`python -m hophoop.kernel.build`: the library of compiled kernels, for this machine or others.
+"""`python -m hophoop.kernel.build`: the library of compiled kernels, for this machine or others, and the browser's modules.
 
 Each group of entries is compiled by a process of its own, two at a time, and kept: what has not changed since is taken as it
 is. A library is in place when it is whole; until then the one before stays.
@@ -21,11 +21,16 @@ from pathlib import Path
 from typing import Any
 
 from hophoop._native.library import HERE, TOLD
-from hophoop._native.sources import PACKAGE, stamp
+from hophoop._native.sources import PACKAGE, files, stamp
+from hophoop.kernel.build.browser import MODULES, module_of, told_of
 from hophoop.kernel.build.link import TARGETS, linked, own_target
 from hophoop.kernel.entries import GROUPS
+from hophoop.module.stamp import HERE as MODULE_FOLDER
+from hophoop.module.stamp import LAYOUT, stamped
 
 TOOLS = ("numba", "llvmlite", "numpy", "ziglang")
+BROWSER = "browser"
+ALL = (*TARGETS, BROWSER)
 OLD = 600.0  # seconds after which a library of another build is no longer awaited
 
 
@@ -60,8 +65,12 @@ def _cache_folder() -> Path:
 
 
 def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
-    """Write the object files of a group, and what is told of it; for a process of its own."""
-    from hophoop.kernel.build.entry_code import group_code, reached
+    """Write what is made of a group, and what is told of it; for a process of its own."""
+    if group in MODULES:
+        (folder / f"{group}.wasm").write_bytes(module_of(group))
+        _tell(folder / f"{group}.json", {}, stamped())
+        return
+    from hophoop.kernel.build.entry_code import group_code
     from hophoop.kernel.build.link import object_of
 
     text, told = group_code(GROUPS[group])
@@ -69,8 +78,20 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
     for name in targets:
         for level in TARGETS[name].levels:
             (folder / f"{group}-{name}-{level}.o").write_bytes(object_of(text, names, TARGETS[name], level))
-    sources = [path.relative_to(PACKAGE).as_posix() for path in reached()]
-    (folder / f"{group}.json").write_text(json.dumps({"entries": told, "sources": sources}), encoding="utf-8")
+    imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
+    _tell(folder / f"{group}.json", told, [file for file in files() if file in imported])  # it depends on no others
+
+
+def _tell(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
+    names = [source.relative_to(PACKAGE).as_posix() for source in sources]
+    file.write_text(json.dumps({"entries": entries, "sources": names}), encoding="utf-8")
+
+
+def _made(group: str, targets: Sequence[str]) -> list[str]:
+    """The names of the files that are made of a group."""
+    if group in MODULES:
+        return [f"{group}.wasm", f"{group}.json"]
+    return [f"{group}-{name}-{level}.o" for name in targets for level in TARGETS[name].levels] + [f"{group}.json"]
 
 
 def _kept(group: str, targets: Sequence[str], made_with: str, cache: Path) -> Path | None:
@@ -80,8 +101,7 @@ def _kept(group: str, targets: Sequence[str], made_with: str, cache: Path) -> Pa
     except (OSError, ValueError):
         return None
     folder = cache / f"{group}-{_hash(known['sources'], made_with)}"
-    wanted = [folder / f"{group}-{name}-{level}.o" for name in targets for level in TARGETS[name].levels]
-    return folder if all(file.is_file() for file in (*wanted, folder / f"{group}.json")) else None
+    return folder if all((folder / name).is_file() for name in _made(group, targets)) else None
 
 
 def _compile(group: str, targets: Sequence[str], made_with: str, cache: Path, scratch: Path) -> Path:
@@ -130,15 +150,16 @@ def _remove(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
 
 
-def build(targets: Sequence[str], out: Path) -> None:
-    """Build libraries.
+def build(targets: Sequence[str], out: Path | None = None) -> None:
+    """Build libraries, and the browser's modules.
 
     Parameters
     ----------
     targets : sequence of str
-        Of `link.TARGETS`.
-    out : Path
-        Folder for the library of the only target, or for one folder each.
+        Of `ALL`.
+    out : Path, optional
+        Folder for what the only target gives, or for one folder each. By default the library and the modules come to
+        their places in the package.
 
     Raises
     ------
@@ -150,15 +171,30 @@ def build(targets: Sequence[str], out: Path) -> None:
         If the folder cannot be written to.
     """
     versions, sources = tools(), stamp()
-    out.mkdir(parents=True, exist_ok=True)
     made_with = json.dumps([versions, stamp_of_build()])
+    native = [name for name in targets if name != BROWSER]
+    places = {name: _place(name, targets, out) for name in targets}
+    for place in places.values():
+        place.mkdir(parents=True, exist_ok=True)
+    groups = (*(MODULES if BROWSER in targets else ()), *(GROUPS if native else ()))
     with tempfile.TemporaryDirectory() as scratch:
         with ThreadPoolExecutor(2) as pool:
-            jobs = {group: pool.submit(_compile, group, targets, made_with, _cache_folder(), Path(scratch)) for group in GROUPS}
+            jobs = {group: pool.submit(_compile, group, native, made_with, _cache_folder(), Path(scratch)) for group in groups}
             folders = {group: job.result() for group, job in jobs.items()}
-        for name in targets:
+        if BROWSER in targets:
+            _put_modules(folders, places[BROWSER], versions)
+        for name in native:
             about = {"machine": TARGETS[name].machine, "sources": sources, "built_with": versions}
-            _link(name, folders, out if len(targets) == 1 else out / name, about, Path(scratch))
+            _link(name, {group: folders[group] for group in GROUPS}, places[name], about, Path(scratch))
+
+
+def _place(name: str, targets: Sequence[str], out: Path | None) -> Path:
+    """The folder for what is made of a target."""
+    if out is not None:
+        return out if len(targets) == 1 else out / name
+    if name == BROWSER:
+        return MODULE_FOLDER
+    return HERE if len(set(targets) - {BROWSER}) == 1 else HERE / name
 
 
 def stamp_of_build() -> str:
@@ -170,8 +206,14 @@ def stamp_of_build() -> str:
     )
 
 
+def _put_modules(folders: dict[str, Path], out: Path, versions: dict[str, str]) -> None:
+    contents = {group: (folders[group] / f"{group}.wasm").read_bytes() for group in MODULES}
+    for group, content in contents.items():
+        _replace(out / MODULES[group].file, content)
+    _replace(out / LAYOUT, (json.dumps(told_of(contents, versions), indent=1) + "\n").encode())
+
+
 def _link(name: str, folders: dict[str, Path], out: Path, about: dict[str, Any], scratch: Path) -> None:
-    out.mkdir(parents=True, exist_ok=True)
     target = TARGETS[name]
     entries: dict[str, Any] = {}
     for group, folder in folders.items():
@@ -201,19 +243,19 @@ def _replace(place: Path, content: bytes) -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Read the command line, and build."""
     parser = argparse.ArgumentParser(prog="python -m hophoop.kernel.build", description="Build the compiled kernels.")
-    parser.add_argument("targets", nargs="*", metavar="TARGET", help=f"{', '.join(TARGETS)}; this machine by default")
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for the library")
-    parser.add_argument("--group", choices=list(GROUPS), help=argparse.SUPPRESS)
+    parser.add_argument("targets", nargs="*", metavar="TARGET", help=f"{', '.join(ALL)}; this machine by default")
+    parser.add_argument("--out", type=Path, help="folder for what is built")
+    parser.add_argument("--group", choices=[*GROUPS, *MODULES], help=argparse.SUPPRESS)
     parser.add_argument("--into", type=Path, help=argparse.SUPPRESS)
     given = parser.parse_args(arguments)
-    unknown = [name for name in given.targets if name not in TARGETS]
+    unknown = [name for name in given.targets if name not in ALL]
     if unknown:
-        parser.error(f"target = {unknown[0]!r} must be one of {', '.join(TARGETS)}")
+        parser.error(f"target = {unknown[0]!r} must be one of {', '.join(ALL)}")
     if given.group:
         compile_group(given.group, given.targets, given.into)
         return 0
     try:
-        build(given.targets or [own_target()], given.out)
+        build(list(dict.fromkeys(given.targets)) or [own_target()], given.out)
     except PackageNotFoundError as error:
         print(
             f"Error: building needs {error.name}: pip install 'hophoop[module]'. What there was before stays.", file=sys.stderr

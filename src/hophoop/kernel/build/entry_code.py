@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numba
 from numba import types
 from numba.extending import intrinsic
 
-from hophoop._native.sources import files
+from hophoop.kernel.build.link import joined
 from hophoop.kernel.build.numba_code import code_of, compiling, part_of, result_of
 from hophoop.kernel.entries import Array, fields_of, is_tuple, kernel_named
 
@@ -130,23 +128,11 @@ def takes(kind: Any) -> Any:
 
 def group_code(entries: Mapping[str, tuple[Any, ...]]) -> tuple[str, dict[str, Any]]:
     """LLVM's code of a group of entries, and what is told of each; for a process that builds something and ends."""
-    import llvmlite.binding as llvm
-
-    whole, told = None, {}
+    parts, told = [], {}
     for name, kinds in entries.items():
         symbol = "hophoop_" + name.removeprefix("hophoop.").replace(".", "_")
         with compiling():
             text, result = entry_code(name, kinds, symbol)
         told[name] = {"symbol": symbol, "takes": [takes(kind) for kind in kinds], "gives": result}
-        part = llvm.parse_assembly(text)
-        if whole is None:
-            whole = part
-        else:
-            whole.link_in(part)
-    return str(whole), told
-
-
-def reached() -> list[Path]:
-    """The kernels' sources that this process has imported: what it has compiled depends on no others."""
-    imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
-    return [file for file in files() if file in imported]
+        parts.append(text)
+    return joined(parts), told

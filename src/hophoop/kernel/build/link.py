@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 HERE = Path(__file__).parent
-SOURCES = (HERE / "level.c", HERE.parents[1] / "module" / "nrt.c")  # which processor there is; what Numba's code asks for
+LEVEL, RUNTIME = HERE / "level.c", HERE.parents[1] / "module" / "nrt.c"  # which processor there is; what Numba's code asks for
 
 
 class Target(NamedTuple):
@@ -71,6 +71,20 @@ def own_target() -> str:
     raise KeyError(f"There is no library for {' '.join(own)}.")
 
 
+def joined(parts: Iterable[str]) -> str:
+    """LLVM's code of several entries in one."""
+    import llvmlite.binding as llvm
+
+    whole = None
+    for text in parts:
+        part = llvm.parse_assembly(text)
+        if whole is None:
+            whole = part
+        else:
+            whole.link_in(part)
+    return str(whole)
+
+
 def optimised(
     text: str, names: Iterable[str], triple: str, cpu: str = "", features: str = "", reloc: str = "pic"
 ) -> tuple[Any, Any]:
@@ -124,14 +138,25 @@ def object_of(text: str, names: Iterable[str], target: Target, level: str) -> by
     return made
 
 
-def linked(objects: Iterable[Path], target: Target, file: Path) -> None:
-    """Link object files into a library."""
-    command = [sys.executable, "-m", "ziglang", "cc", "-target", target.zig, "-shared", "-O2", "-g0"]
-    command += [*map(str, SOURCES), *map(str, objects), "-o", str(file)]
-    if target.suffix != ".dylib":
-        command += ["-Wl,-s"]
-    if target.suffix == ".so":
-        command += ["-lm", "-Wl,--gc-sections", f"-Wl,-soname,{file.name}"]
+def zig(arguments: Iterable[str], file: Path) -> None:
+    """Compile and link with zig's C compiler into a file.
+
+    Raises
+    ------
+    RuntimeError
+        If zig cannot, with what it says.
+    """
+    command = [sys.executable, "-m", "ziglang", "cc", *arguments, "-o", str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise RuntimeError(f"zig could not link {file.name}: {done.stderr.strip()[-2000:]}")
+
+
+def linked(objects: Iterable[Path], target: Target, file: Path) -> None:
+    """Link object files into a library."""
+    options = ["-target", target.zig, "-shared", "-O2", "-g0", str(LEVEL), str(RUNTIME), *map(str, objects)]
+    if target.suffix != ".dylib":
+        options += ["-Wl,-s"]
+    if target.suffix == ".so":
+        options += ["-lm", "-Wl,--gc-sections", f"-Wl,-soname,{file.name}"]
+    zig(options, file)

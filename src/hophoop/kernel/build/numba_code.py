@@ -61,6 +61,8 @@ def called(kernel: Callable[..., Any]) -> list[Any]:
 
 
 def _makes_one(code: CodeType) -> bool:
+    if "carray" in code.co_names:  # Numba's function for it gives an array back
+        return True
     for one, following in pairwise(dis.get_instructions(code)):
         if one.argval == "np" and following.argval in ARRAYS:
             return True

@@ -1,0 +1,129 @@
+"""The browser's modules: the entries of `hophoop.module` as WebAssembly, linked with the C library of WASI."""
+
+from __future__ import annotations
+
+import hashlib
+import sysconfig
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from hophoop._native.sources import PACKAGE
+from hophoop.kernel.build.link import RUNTIME, joined, optimised, zig
+from hophoop.module.layout import layout
+from hophoop.module.stamp import DERIVATIVES, MODULE, sources
+
+TRIPLE = "wasm32-unknown-unknown"
+STACK = 1 << 20  # bytes
+LINKED = ("-Wl,--no-entry", "-Wl,--export-memory", "-Wl,--strip-all", "-Wl,--gc-sections", f"-Wl,-z,stack-size={STACK}")
+
+
+class Module(NamedTuple):
+    """A module: its file, its name in the layout, the name of its entries."""
+
+    file: str
+    name: str
+    entries: str
+
+
+# Each is made by a process of its own.
+MODULES = {
+    "browser-motions": Module(MODULE, "module", "ENTRIES"),
+    "browser-derivatives": Module(DERIVATIVES, "derivatives", "DERIVATIVE_ENTRIES"),
+}
+
+
+def wrapper(name: str, mangled: str, kinds: Iterable[Any]) -> str:
+    """A function with the plain name, pointers and 32-bit counts, which calls Numba's."""
+    given, made, passed = [], [], []
+    for place, kind in enumerate(kinds):
+        if str(kind) == "int64":
+            given.append(f"i32 %a{place}")
+            made.append(f"  %c{place} = zext i32 %a{place} to i64\n")
+            passed.append(f"i64 %c{place}")
+        else:
+            plain = "double" if str(kind) == "float64" else "ptr"
+            given.append(f"{plain} %a{place}")
+            passed.append(f"{plain} %a{place}")
+    return (
+        f"define i32 @{name}({', '.join(given)}) {{\n  %ret = alloca ptr\n  %exc = alloca ptr\n{''.join(made)}"
+        f"  %status = call i32 @{mangled}(ptr %ret, ptr %exc, {', '.join(passed)})\n  ret i32 %status\n}}\n"
+    )
+
+
+def _entry_code(name: str, kernel: Any, kinds: tuple[Any, ...]) -> str:
+    from hophoop.kernel.build.numba_code import code_of, part_of
+
+    names = {"kernel": part_of(kernel)}
+    arguments = ", ".join(f"a{place}" for place in range(len(kinds)))
+    exec(f"def entry({arguments}):\n    kernel({arguments})\n", names)
+    text, mangled = code_of(names["entry"], kinds)
+    return text + wrapper(name, mangled, kinds)
+
+
+def module_code(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> str:
+    """LLVM's code of a module, for a process that builds something and ends.
+
+    Parameters
+    ----------
+    entries : mapping
+        As `hophoop.module.entries.ENTRIES`.
+
+    Returns
+    -------
+    code : str
+    """
+    from hophoop.kernel.build.numba_code import compiling
+
+    with compiling():
+        return joined(_entry_code(name, *entry) for name, entry in entries.items())
+
+
+def retargeted(text: str, names: Iterable[str]) -> bytes:
+    """The object file for WebAssembly."""
+    machine, module = optimised(text, names, TRIPLE, features="+simd128", reloc="static")
+    made: bytes = machine.emit_object(module)
+    return made
+
+
+def linked(code: bytes, names: Iterable[str]) -> bytes:
+    """The object file with the C library, as a module without imports."""
+    exports = [f"-Wl,--export={name}" for name in (*names, "malloc", "free")]
+    with tempfile.TemporaryDirectory() as folder:
+        part, file = Path(folder) / "kernel.o", Path(folder) / MODULE
+        part.write_bytes(code)
+        zig(["-target", "wasm32-wasi", "-mexec-model=reactor", "-O2", str(RUNTIME), str(part), *LINKED, *exports, "-lm"], file)
+        return file.read_bytes()
+
+
+def anonymous(content: bytes) -> bytes:
+    """The module without the folder of this machine's packages, which Numba writes into places of errors.
+
+    Parameters
+    ----------
+    content : bytes
+
+    Returns
+    -------
+    content : bytes
+        Of the same length.
+    """
+    for place in {Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")} | {PACKAGE.parent}:
+        own = str(place).encode()
+        content = content.replace(own, b"-" * len(own))
+    return content
+
+
+def module_of(name: str) -> bytes:
+    """One of `MODULES`."""
+    from hophoop.module import entries
+
+    chosen = getattr(entries, MODULES[name].entries)
+    return anonymous(linked(retargeted(module_code(chosen), chosen), chosen))
+
+
+def told_of(contents: Mapping[str, bytes], versions: dict[str, str]) -> dict[str, Any]:
+    """What `layout.json` says of the modules: their sources, their hashes, how they are called."""
+    tags = {MODULES[name].name: hashlib.sha256(content).hexdigest()[:16] for name, content in contents.items()}
+    return {"sources": sources(), **tags, "built_with": versions, **layout()}
