@@ -258,7 +258,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         build(list(dict.fromkeys(given.targets)) or [own_target()], given.out)
     except PackageNotFoundError as error:
         print(
-            f"Error: building needs {error.name}: pip install 'hophoop[module]'. What there was before stays.", file=sys.stderr
+            f"Error: building needs {error.name}: pip install 'hophoop[build]'. What there was before stays.", file=sys.stderr
         )
         return 1
     except (RuntimeError, OSError, KeyError) as error:

@@ -1,0 +1,157 @@
+"""The build hook: which wheel is made for which machine, and what is packed into it."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from packaging.tags import Tag
+
+pytest.importorskip("hatchling")
+FILE = Path(__file__).parents[2] / "hatch_build.py"
+
+
+@pytest.fixture
+def module(monkeypatch: pytest.MonkeyPatch):
+    """The hook's module, on a machine with all tools and no wishes."""
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    for name in ("HOPHOOP_TARGET", "HOPHOOP_BUILD"):
+        monkeypatch.delenv(name, raising=False)
+    spec = importlib.util.spec_from_file_location("hatch_build", FILE)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    monkeypatch.setattr(module, "find_spec", lambda name: name)
+    return module
+
+
+@pytest.fixture
+def hook(module):
+    """The hook, as hatchling makes it."""
+    from hatchling.bridge.app import Application
+    from hatchling.metadata.core import ProjectMetadata
+
+    root = str(FILE.parent)
+    app = Application().get_safe_application()
+    return module.CustomBuildHook(root, {}, None, ProjectMetadata(root, None), "", "wheel", app)
+
+
+@pytest.fixture
+def built(module, monkeypatch: pytest.MonkeyPatch):
+    """Commands of a build that writes two libraries, beside one of another build."""
+    commands = []
+
+    def run(command, **options):
+        commands.append(command)
+        out = Path(command[command.index("--out") + 1])
+        for name in ("kernels-v2-new.so", "kernels-v3-new.so", "kernels-v2-old.so"):
+            (out / name).write_text(name)
+        files = {"v2": "kernels-v2-new.so", "v3": "kernels-v3-new.so"}
+        (out / "kernels.json").write_text(json.dumps({"files": files}))
+        return subprocess.CompletedProcess(command, 0)
+
+    monkeypatch.setattr(module.subprocess, "run", run)
+    return commands
+
+
+def made_by(hook, version: str = "standard") -> dict:
+    data = {"force_include": {}}
+    hook.initialize(version, data)
+    return data
+
+
+def test_every_target_has_the_tag_of_its_system(module):
+    from hophoop.kernel.build.link import TARGETS
+
+    assert set(module.PLATFORMS) == set(TARGETS)
+    systems = {"linux": "manylinux", "musllinux": "musllinux", "macos": "macosx", "windows": "win"}
+    for name, target in TARGETS.items():
+        system, _, machine = name.partition("-")
+        tag = module.PLATFORMS[name]
+        assert tag.startswith(f"{systems[system]}_")
+        assert tag.endswith(f"_{machine}")
+        if system in ("linux", "macos"):  # the oldest C library or system that zig links for
+            assert tag.removeprefix(f"{systems[system]}_").startswith(target.zig.split(".", 1)[1].replace(".", "_"))
+
+
+def test_a_wheel_for_another_machine_has_its_tag(hook, built, monkeypatch):
+    monkeypatch.setenv("HOPHOOP_TARGET", "windows-amd64")
+    data = made_by(hook)
+    assert data["tag"] == "py3-none-win_amd64"
+    assert data["pure_python"] is False
+    assert "windows-amd64" in built[0]
+
+
+def test_an_unknown_target_ends_the_build_with_a_sentence(hook, built, monkeypatch, capsys):
+    monkeypatch.setenv("HOPHOOP_TARGET", "amiga")
+    with pytest.raises(SystemExit):
+        made_by(hook)
+    assert "HOPHOOP_TARGET = 'amiga' must be one of linux-x86_64" in capsys.readouterr().err
+    assert not built
+
+
+def test_only_the_files_of_this_build_are_packed(hook, built, monkeypatch):
+    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+    data = made_by(hook)
+    names = {"kernels.json", "kernels-v2-new.so", "kernels-v3-new.so"}
+    assert set(data["force_include"].values()) == {f"hophoop/kernel/library/{name}" for name in names}
+    assert all(Path(file).is_file() for file in data["force_include"])
+    hook.finalize("standard", data, "")
+    assert not any(Path(file).exists() for file in data["force_include"])
+
+
+def test_an_editable_install_has_the_library_in_the_sources(module, built, tmp_path, monkeypatch):
+    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+    library = tmp_path / "src" / "hophoop" / "kernel" / "library"
+    library.mkdir(parents=True)
+    hook = module.CustomBuildHook(str(tmp_path), {}, None, None, "", "wheel")
+    assert made_by(hook, "editable") == {"force_include": {}}
+    assert (library / "kernels.json").is_file()
+
+
+def test_without_a_library_the_wheel_is_for_any_machine_and_says_its_cost(hook, built, monkeypatch, capsys):
+    monkeypatch.setenv("HOPHOOP_BUILD", "0")
+    assert made_by(hook) == {"force_include": {}}
+    assert not built
+    said = capsys.readouterr().err
+    assert "HOPHOOP_BUILD=0" in said
+    assert "milliseconds instead of 15 µs" in said
+    assert "python -m hophoop.kernel.build" in said
+    assert hook.dependencies() == []
+
+
+def test_a_machine_without_tools_gets_no_library(module, hook, built, monkeypatch, capsys):
+    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+    monkeypatch.setattr(module, "find_spec", lambda name: None if name == "ziglang" else name)
+    assert made_by(hook) == {"force_include": {}}
+    assert "ziglang is not installed" in capsys.readouterr().err
+    assert not built
+
+
+def test_a_python_that_would_not_take_the_wheel_gets_no_library(module, hook, built, monkeypatch, capsys):
+    """As of an older system, or of 32 bits."""
+    monkeypatch.setattr(module, "sys_tags", lambda: iter(()))
+    assert made_by(hook) == {"force_include": {}}
+    assert "milliseconds instead of 15 µs" in capsys.readouterr().err
+    assert not built
+    assert hook.dependencies() == []
+
+
+def test_the_build_asks_for_its_tools_where_numba_has_wheels(module, hook, monkeypatch):
+    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+    for platform, tools in (("manylinux_2_28_x86_64", ["numba", "numpy", "pydantic", "ziglang"]), ("musllinux_1_2_x86_64", [])):
+        monkeypatch.setattr(module, "sys_tags", lambda platform=platform: iter([Tag("py3", "none", platform)]))
+        assert sorted(re.match(r"\w+", name)[0] for name in hook.dependencies()) == tools
+
+
+def test_a_build_that_fails_ends_the_installation_and_names_the_way_round(module, hook, monkeypatch, capsys):
+    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+    monkeypatch.setattr(module.subprocess, "run", lambda command, **options: subprocess.CompletedProcess(command, 1))
+    with pytest.raises(SystemExit) as stopped:
+        made_by(hook)
+    assert stopped.value.code == 1
+    assert "HOPHOOP_BUILD=0 installs hophoop without" in capsys.readouterr().err
