@@ -193,6 +193,10 @@ motion = hh.simulate(hh.Scenario(duration=2.0))
 take(motion.at(motion.times(50)).utilization(motion.scenario.plane))
 of = ["hop.height", "at(1.0).angle", "greatest_utilization"]
 take(motion.sensitivity(of, ["plane.mu", "hoop.load_fraction"]).derivatives)
+gentle = hh.simulate(hh.Scenario(plane=hh.Plane(mu=5.0), start=hh.Start.rolling(1.0), duration=1.0))
+take(gentle.sensitivity("greatest_utilization", "plane.mu").derivatives)
+held = hh.simulate(hh.Scenario(plane=hh.Plane(mu=1.0, rolling_resistance=0.1), start=hh.Start(angle=0.01), duration=1.0))
+take(held.sensitivity("greatest_utilization", "plane.mu").derivatives)
 axes = {"start.speed": np.linspace(0.5, 6.0, 12), "plane.mu": np.linspace(0.1, 2.0, 10)}
 found = sweep(hh.Scenario(), axes, ["time", "distance"])
 take(found["time"], found["distance"])
