@@ -2,7 +2,7 @@
 
 The operators of Cosmic Ray (signs, factors, comparisons, numbers, conditions, loops) change one place of a room at a time, and
 the tests of that room run. A change that no test sees is printed, and makes the exit status 1, unless
-`mutations_explained` says why nothing can see it. Kernels are interpreted (NUMBA_DISABLE_JIT=1) where they are
+`mutations_explained` says why nothing can see it. Kernels are interpreted (HOPHOOP_KERNELS=interpreted) where they are
 changed.
 
 Cosmic Ray's own runner starts Python for every change, which takes longer here than the tests: `mutation_runs.py` forks
@@ -85,7 +85,7 @@ def paths_of(room: Room) -> list[Path]:
 
 def _prepare(room: Room) -> None:
     """Set up this process, and import what takes long to import once for all others."""
-    os.environ["NUMBA_DISABLE_JIT" if room.interpreted else "HOPHOOP_KERNELS"] = "1" if room.interpreted else "compiled"
+    os.environ["HOPHOOP_KERNELS"] = "interpreted" if room.interpreted else "compiled"
     os.environ["CI"] = "1"  # the same examples every time
     os.chdir(ROOT)
     sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tests")]

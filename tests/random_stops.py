@@ -33,7 +33,7 @@ FILMED = hh.Scenario(
 
 
 RESULTS = (  # what is said without a stop
-    "hophoop compiles", "Of the article only", "The lab is", "Found in", "The page:", "The report:",
+    "Of the article only", "The lab is", "Found in", "The page:", "The report:",
 )  # fmt: skip
 
 

@@ -145,14 +145,13 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
     script = script_of(scenario, contact)
     log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
     limits = limits_of(start, scenario.duration / units.time, math.nan, 0)
-    if len(script) > 1:
-        phase = repeat(body, script, log, scratch)
-    else:
-        phase = begin(body, start, log, scratch)
+    with np.errstate(all="ignore"):
+        phase = repeat(body, script, log, scratch) if len(script) > 1 else begin(body, start, log, scratch)
     # what more digits had to decide: its events say what happened, and the steps begin after them
     seen = int(log.written[0]) if len(script) > 1 else 0
     while phase.status == GOING and has_room(log):
-        after = step(body, phase, limits, log, scratch)
+        with np.errstate(all="ignore"):
+            after = step(body, phase, limits, log, scratch)
         count = int(log.written[0]) if has_room(log) else len(log.events)
         found = Trajectory(scenario, 0, log.events[seen:count], log.segments, hophoop.__version__).events
         yield _record(body, units, phase, after, found)

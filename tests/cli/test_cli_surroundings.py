@@ -51,7 +51,7 @@ def test_an_output_that_is_full_is_one_sentence(words):
 @linux
 @pytest.mark.parametrize("home", [None, "/nowhere"])
 def test_without_a_home(home, tmp_path):
-    done = run("run", "--quiet", HOME=home, NUMBA_CACHE_DIR=None, XDG_CACHE_HOME=None, TMPDIR=str(tmp_path))
+    done = run("run", "--quiet", HOME=home, XDG_CACHE_HOME=None, TMPDIR=str(tmp_path))
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
 
 

@@ -3,20 +3,16 @@
 import json
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 fastapi = pytest.importorskip("fastapi", reason="the extra 'lab' is not installed")
 pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
-from hophoop._jit import policy  # noqa: E402
 
 import hophoop as hh  # noqa: E402
-from hophoop import maps  # noqa: E402
 from hophoop.lab import api, app, calls, packing, worker  # noqa: E402
 from hophoop.lab.limits import USUAL  # noqa: E402
 from hophoop.lab.workers import Workers  # noqa: E402
-from hophoop.maps import evaluate  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
 
 
@@ -238,7 +234,7 @@ class Here:
     """Computes in this process."""
 
     running = True
-    compiling = False
+    beginning = False
 
     def exchange(self, job):
         return worker.outcome(job)
@@ -310,42 +306,3 @@ def test_schemathesis_finds_nothing():
 
         run()
     assert covered == {"/api/v1/simulate", "/api/v1/theory", "/api/v1/map", "/healthz"}
-
-
-MAP = {
-    "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 3},
-    "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 2},
-}
-
-
-def test_the_page_is_told_how_far_compiling_is(monkeypatch, client):
-    monkeypatch.setattr(calls, "maps_compiling", lambda: (34, 187))
-    reply = client.post("/lab/map", json=MAP)
-    assert reply.status_code == 202
-    assert reply.json() == {"detail": "compiling the kernel of maps, this once: 34 of 187 functions"}
-    assert client.post("/lab/theory", json={}).status_code == 200  # no map, nothing to wait for
-    left = [(34, 187)]
-    monkeypatch.setattr(calls, "maps_compiling", lambda: left.pop() if left else None)
-    assert client.post("/api/v1/map", json=MAP).status_code == 200  # a program waits
-    assert left == []
-    monkeypatch.setattr(calls, "maps_compiling", lambda: None)
-    assert client.post("/lab/map", json=MAP).status_code == 200
-
-
-def test_what_a_map_waits_for(monkeypatch, tmp_path):
-    """On an empty cache the kernel of maps is compiled beside; with compiled code there is nothing to wait for."""
-    assert calls.waits_for(calls.read("film", {})) == ""
-    maps.points(None, {"start.speed": np.linspace(0.1, 5.0, 65)})
-    assert evaluate.compiling() is None
-    started = []
-
-    class Started:
-        done = failed = False
-        progress = (0, 187)
-
-    monkeypatch.setattr(policy.store, "is_ready", lambda kernel, kinds: False)
-    monkeypatch.setattr(policy.beside, "start", lambda wanted: started.extend(wanted) or Started)
-    assert calls.waits_for(calls.read("map", MAP)).endswith("0 of 187 functions")
-    ((kernel, kinds),) = started
-    assert kernel is evaluate.kernel.evaluate_block
-    assert kinds in kernel._loaded  # the very kinds with which a map calls it

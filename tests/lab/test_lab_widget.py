@@ -61,15 +61,6 @@ def test_the_widget_says_what_is_wrong(widget):
     assert widget.motion is before
 
 
-def test_the_widget_says_what_a_map_waits_for(widget, monkeypatch):
-    monkeypatch.setattr("hophoop.lab.calls.maps_compiling", lambda: (3, 9))
-    axes = {"x": {"path": "start.speed", "from": 1, "to": 2}, "y": {"path": "plane.mu", "from": 0, "to": 1}}
-    widget._answer(widget, {"view": "a", "number": 5, "call": "map", "body": axes}, [])
-    content, buffers = widget.sent[0]
-    assert content["compiling"] == "compiling the kernel of maps, this once: 3 of 9 functions"
-    assert buffers is None
-
-
 def test_show_refuses_what_is_no_motion():
     with pytest.raises(InputError, match="motion = int must be a Trajectory or a Scenario"):
         hh.show(3)

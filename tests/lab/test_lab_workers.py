@@ -33,7 +33,7 @@ class Process:
     """Stands for a process: a job is a number of seconds, or an event to wait for."""
 
     made: list = []  # noqa: RUF012
-    compiling = False
+    beginning = False
 
     def __init__(self, listens=True):
         self.listens, self.running = listens, True
@@ -151,9 +151,9 @@ def test_what_takes_too_long_is_stopped(made, listens):
     assert GRACE < 0.1
 
 
-def test_time_in_which_code_is_compiled_does_not_count(made, monkeypatch):
+def test_time_in_which_a_process_begins_does_not_count(made, monkeypatch):
     monkeypatch.setattr(workers, "LOOK", 0.01)
-    monkeypatch.setattr(Process, "compiling", True)
+    monkeypatch.setattr(Process, "beginning", True)
 
     async def run():
         computing = pool(processes=1, patience=0.05, queue=0.1)

@@ -57,7 +57,7 @@ def simulated(tmp_path_factory):
     pytest.importorskip("numba.cuda")
     folder = tmp_path_factory.mktemp("gpu")
     np.save(folder / "cells.npy", chosen_cells())
-    environment = os.environ | {"NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
+    environment = os.environ | {"NUMBA_ENABLE_CUDASIM": "1"}
     subprocess.run([sys.executable, "-c", PROGRAM], cwd=folder, env=environment, check=True)
     return folder
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev
 
+from hophoop._native.marks import source_of
 from hophoop.numerics import collocation as col
 from hophoop.numerics import roots as search
 from hophoop.panels import panel
@@ -128,7 +129,7 @@ ROWS = {
 def same_bits(kernel, *arguments):
     """What the loop and the whole arrays of a kernel give: what is returned, and what is written into a row."""
     outcomes = []
-    for function in (kernel.py_func, kernel.by_arrays):
+    for function in (source_of(kernel), kernel):
         out = np.full(col.ORDER, 7.0)
         with np.errstate(all="ignore"):
             given = function(*arguments, *([out] if kernel is not col.tail else []))
@@ -148,7 +149,7 @@ def test_whole_arrays_give_the_bits_of_the_loops(row):
         assert same_bits(col.exponentials, row / 3.0)
         for scale in (1.0, 3.0):
             divided = []
-            for function in (col.divided_by_exponentials.py_func, col.divided_by_exponentials.by_arrays):
+            for function in (source_of(col.divided_by_exponentials), col.divided_by_exponentials):
                 out, other = np.empty(col.ORDER), np.linspace(-1.0, 2.0, col.ORDER)
                 with np.errstate(all="ignore"):
                     function(row / scale, out, other)

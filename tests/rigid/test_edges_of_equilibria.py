@@ -12,6 +12,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
+from hophoop._native import compiled
 from hophoop.numerics import double_angles, double_double
 from hophoop.panels.anchor import separatrix, separatrix_value, slip_hilltop
 from hophoop.physics.body import Event
@@ -30,7 +31,7 @@ ENDLESS = 1e9
 def motion_of(body, start, t_end=ENDLESS, span=math.nan):
     """(status, events) of the kernel."""
     events = np.empty(400, EVENT)
-    status, count, _ = run(body, start, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0])
+    status, count, _ = compiled(run)(body, start, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0])
     return status, events[:count]
 
 

@@ -39,16 +39,3 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page.locator(".map-body").scroll_into_view_if_needed()
     wait_for(page, "lab.map.level === 3")
     assert page.locator(".map-head .hint").inner_text() == "31104 motions, with rigid contact"
-
-
-@pytest.mark.long
-def test_a_map_waits_for_its_kernel_and_says_so(visit, monkeypatch):
-    left = [(k, 187) for k in (150, 90, 0)]
-    monkeypatch.setattr("hophoop.lab.calls.maps_compiling", lambda: left.pop() if left else None)
-    # a browser that cannot run the page's own kernel asks the server
-    page = visit(script="delete globalThis.WebAssembly")
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "document.querySelector('.map-head .hint').textContent.includes('0 of 187 functions')")
-    wait_for(page, "lab.map.level === 3")
-    assert left == []
-    assert page.locator(".map-head .hint").inner_text() == "31104 motions"
