@@ -113,7 +113,8 @@ class CustomBuildHook(BuildHookInterface):
     def build(self, target: str, out: Path) -> None:
         """Run the build in a process that finds what pip has installed for this one alone."""
         self.app.display_info(f"Compiling the kernels for {target}: half a minute to a minute.")
-        path = os.pathsep.join(place for place in sys.path if place)
+        # pip's own start-up file would take out again what this environment has from another installation of hophoop
+        path = os.pathsep.join(place for place in sys.path if place and not Path(place, "sitecustomize.py").exists())
         command = [sys.executable, "-m", "hophoop.kernel.build", target, "--out", str(out)]
         if subprocess.run(command, env=os.environ | {"PYTHONPATH": path}, check=False).returncode:
             self.app.abort(

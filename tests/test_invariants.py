@@ -6,6 +6,8 @@ import dataclasses
 import os
 import subprocess
 import sys
+import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -241,7 +243,58 @@ KNOWN = {
 }
 
 
+def kept(index, **changes):
+    """A scenario that the fuzzer has found."""
+    path = Path(__file__).parent / "data" / "once_open" / f"{index}.toml"
+    return hh.Scenario.from_dict(tomllib.loads(path.read_text(encoding="utf-8")) | changes)
+
+
+KNOWN |= {
+    "v_t is rounded where slip ends (linear)": kept(68751),
+    "v_t is rounded where slip ends (bristle)": kept(92268),
+    "short creep between two slips": kept(18857, duration=0.01),
+    "compliant slip without a step": kept(37953),
+    "forces are not resolved by a panel": kept(53696),
+    "slip of 2e-26 s before decided events": kept(38300),
+    "N beside p_σ = 0": kept(98343),
+    "slip whose sign is rounding": kept(41262),
+    "velocities that nearly cancel (balanced)": kept(60289),
+    "velocities that nearly cancel": kept(10235),
+}
+
+
 @pytest.mark.parametrize("name", KNOWN)
 def test_what_the_checker_found(name):
-    """Each broke an invariant once: a turn that changed the mode, an end in another mode, a last phase left out, a sample."""
+    """Each broke an invariant once, by a defect of the solver, or of rounding that was not allowed for."""
     assert broken(hh.simulate(KNOWN[name])) == set()
+
+
+def test_a_plane_that_pulls_beside_the_paradox():
+    """Just before it takes off p_σ is 7e-12, and N has four digits; elsewhere it has all."""
+    scenario = kept(98343, duration=5.0)
+    motion = hh.simulate(scenario)
+    takeoff = next(event.t for event in motion.events if event.kind == "takeoff")
+    force = scenario.hoop.mass * scenario.plane.gravity
+    assert motion.at(takeoff, side="left").mode == "K"
+
+    def pull(share):
+        found = findings(Changed(motion, sample=("normal_force", "K", lambda _: -share * force)))
+        return next(each for each in found if each.invariant == "normal force")
+
+    assert pull(1e-2).broken
+    assert pull(1e-9).broken
+    assert pull(1e-9).t != takeoff
+
+
+def test_friction_along_the_slip_of_a_stiff_contact():
+    """The sign of v_t is not known where a slip of 286 √(g R) ends, but where it begins."""
+    motion = hh.simulate(kept(41262))
+    assert broken(Changed(motion, sample=("friction_force", "S", lambda force: -force))) == {"sliding friction"}
+
+
+@pytest.mark.parametrize("index", [10235, 60289])
+def test_energy_that_is_lost_where_velocities_nearly_cancel(index):
+    motion = hh.simulate(kept(index))
+    for mode in set("SK") & set(motion.sequence):
+        changed = Changed(motion, sample=("kinetic", mode, lambda energy: energy + 1e-8 * motion.ledger.range))
+        assert broken(changed) == {"ledger"}

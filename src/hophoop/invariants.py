@@ -29,6 +29,7 @@ TINY = 1e-290  # numbers below it are near those that have fewer digits
 ROUNDED = 1e-12  # of the forces at work: what rounding leaves of them where they cancel
 SLIPPED = 1e-13  # of the velocities on the way: what rounding leaves of slip where it vanishes
 LEDGER = 1e-11  # of the energies at work, with rigid contact
+RESOLVED = 1e-14  # of v_t and θ̇: what the series of a panel leaves out
 LEDGER_OF_SKIM = 1e-9  # ... of a massless hoop, whose load may be taken for being at the top
 LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
 LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is a thousand times less exact
@@ -311,7 +312,7 @@ def _forces(course: _Course) -> list[Finding]:
     size = scenario.hoop.mass * (scenario.plane.gravity + scenario.hoop.radius * samples.omega**2) + np.abs(normal) + tiny
     pull = np.where(touching, np.maximum(-normal, 0.0), np.abs(normal) + np.abs(friction))
     words = "the plane pulls, or pushes what does not touch it"
-    found = [worst("normal force", words, samples.t, pull, size, ROUNDED)]
+    found = [worst("normal force", words, samples.t, pull, size, ROUNDED + _loss_of_digits(course))]
     limit = static * np.maximum(normal, 0.0) if math.isfinite(static) else math.inf
     excess = np.where(course.of("R") if rigid else touching, np.maximum(np.abs(friction) - limit, 0.0), 0.0)
     reach = size * (max(1.0, static) if math.isfinite(static) else 1.0) + np.abs(friction)
@@ -323,8 +324,61 @@ def _forces(course: _Course) -> list[Finding]:
         off = np.where(course.of("S", "K"), np.abs(friction - law), 0.0)
         size = np.abs(friction) + tiny if rigid else reach
         return [*found, worst("sliding friction", "F is not μ N against the slip", samples.t, off, size, 8.0 * EPSILON)]
-    along = np.where(touching, np.maximum(friction * np.sign(samples.slip), 0.0), 0.0)
+    # the sign of a slip velocity that may be rounding is not known
+    known = np.abs(samples.slip) > SLIPPED * _slip_of_step(course)
+    along = np.where(touching & known, np.maximum(friction * np.sign(samples.slip), 0.0), 0.0)
     return [*found, worst("sliding friction", "friction drives the slip", samples.t, along, reach, ROUNDED)]
+
+
+def _loss_of_digits(course: _Course) -> Floats:
+    """Rounding of N over the forces at work at each sample: beside p_σ = 0, N = −f_n/p_σ has the last digits of f_n."""
+    samples, body = course.samples, course.motion.scenario.to_body()
+    loss = np.zeros(samples.t.shape)
+    slips = course.of("S", "K") & (course.contact == "rigid")
+    if not (body.kap > 0.0 and math.isfinite(body.mu_k) and np.any(slips)):
+        return loss
+    sigma = -course.against_slip(samples)[slips]
+    lever = body.eps * np.sin(samples.angle[slips])
+    arm = 1.0 + body.eps * np.cos(samples.angle[slips])
+    couple = body.resist * np.sign(samples.omega[slips])
+    stiffness = 1.0 + lever * (lever + sigma * body.mu_k * arm - couple) / body.kap
+    loss[slips] = 4.0 * EPSILON / np.maximum(np.abs(stiffness), EPSILON)
+    return loss
+
+
+def _largest_in_piece(course: _Course, values: Floats) -> Floats:
+    """Of a number per segment, that of the segment which holds each sample; at a border the larger of both."""
+    motion = course.motion
+    begins = motion.tables["segments"]["t"]
+    t = motion.units.kernel_times(motion.tables["segments"], course.samples.t)
+    later = np.maximum(np.searchsorted(begins, t, side="right") - 1, 0)
+    before = np.maximum(np.searchsorted(begins, t, side="left") - 1, 0)
+    found: Floats = np.maximum(values[later], values[before])
+    return found
+
+
+def _slip_of_step(course: _Course) -> Floats:
+    """The slip velocities that each sample of a compliant motion is a sum of: the terms of its step's polynomial [m/s]."""
+    pieces = course.motion.tables["segments"]
+    names = [name for name in pieces.dtype.names or () if name.startswith("slip_")]
+    terms = np.sum([np.abs(pieces[name]) for name in names], axis=0) * course.motion.units.of("slip")
+    return _largest_in_piece(course, terms)
+
+
+def _unresolved(course: _Course) -> Floats:
+    """The energy that the last digits of v_t and θ̇ are at each sample of slip [J].
+
+    They are not added up, as in `rounded_away`, but are more: each panel is resolved to `RESOLVED`.
+    """
+    samples, pieces, hoop = course.samples, course.motion.tables["segments"], course.motion.scenario.hoop
+    energy = np.zeros(samples.t.shape)
+    slips = course.of("S", "K")
+    if course.contact == "rigid" and np.any(slips):
+        largest = _largest_in_piece(course, np.abs(pieces["slip"]) + np.abs(pieces["omega"])) * course.motion.units.of("slip")
+        arm = hoop.radius * hoop.eccentricity * np.cos(samples.angle[slips])
+        along = np.abs(samples.vx[slips] + samples.omega[slips] * arm)
+        energy[slips] = hoop.mass * along * RESOLVED * largest[slips]
+    return energy
 
 
 def _energies(course: _Course) -> list[Finding]:
@@ -338,9 +392,11 @@ def _energies(course: _Course) -> list[Finding]:
     back = np.max(np.maximum(lost[:-1] - lost[1:], 0.0), axis=1, initial=0.0)
     off = np.append(np.abs(sum(parts) - start), abs(ledger.residual))
     t = np.append(samples.t, course.motion.duration)
+    unresolved = _unresolved(course) / max(size, TINY)
+    unresolved = np.append(unresolved, unresolved[np.argmax(samples.t)])
     return [
         worst("losses", "energy that was lost comes back", course.t[1:], back, size, allowed),
-        worst("ledger", "the ledger of energy does not close", t, off, size, allowed),
+        worst("ledger", "the ledger of energy does not close", t, off, size, allowed + unresolved),
     ]
 
 

@@ -131,6 +131,11 @@ def compiled_before(compiled):
     warm_up()
 
 
+# of seed 2029
+SINCE = [
+    10235, 18857, 24344, 27754, 32718, 32777, 33093, 33627, 37953, 38300, 40938, 41262, 48219,
+    48516, 53696, 60289, 68751, 68904, 69273, 71595, 81453, 86610, 86688, 87417, 92268, 98343,
+]  # fmt: skip
 NEWER = [22919, 23243, 24580, 27694, 29701, 30166, 31349, 32610, 39492, 40367, 61257, 67403, 112714, 136452, 145977, 203221]
 
 
@@ -138,7 +143,7 @@ NEWER = [22919, 23243, 24580, 27694, 29701, 30166, 31349, 32610, 39492, 40367, 6
 @pytest.mark.random
 @pytest.mark.compiled
 @pytest.mark.parametrize(
-    "index", [557, 744, 1019, 1327, 1391, 2470, 4033, 5406, 6134, 6770, 11925, 14960, 15191, 15746, *NEWER]
+    "index", [557, 744, 1019, 1327, 1391, 2470, 4033, 5406, 6134, 6770, 11925, 14960, 15191, 15746, *NEWER, *SINCE]
 )
 def test_scenarios_of_a_night_that_once_failed(compiled_before, index):
     """Their ledger was off, their mirror image had other events, or they took from 6 to 29 s of the processor."""

@@ -101,11 +101,11 @@ def test_a_script_may_end_inside_of_a_phase(name):
         check(body, t_end, whole, motion_of(body, start, t_end, np.concatenate([whole[1][: last + 1], inside])))
 
 
-def filled(body, mode, state, until):
+def filled(body, mode, state, until, until_low=0.0):
     """The segments of one phase."""
     segments, scratch = np.zeros(50, SEGMENT), new_scratch()
     log = new_log(np.zeros(0, EVENT), segments, scratch)
-    scripts.fill_phase(body, mode, state, until, log, scratch)
+    scripts.fill_phase(body, mode, state, until, until_low, log, scratch)
     return segments[: scratch.written[1]]
 
 
@@ -130,6 +130,26 @@ def test_a_phase_of_rest_is_one_piece():
     (piece,) = filled(body, int(Mode.ROLL), start_state(0.0, 0.0, math.pi, 0.0, 0.0, 0.0), 0.75)
     expected = (0.0, 0.75, Mode.ROLL, HOLD, 0, 0.0, 0.0, 0.0)
     assert numbers_of(piece, "t", "t_end", "mode", "kind", "sigma", "way", "xi", "opening") == expected
+
+
+def test_slip_that_is_too_brief_for_a_panel_is_one_piece():
+    plane = hh.Plane(mu=0.5, rolling_resistance=0.01)
+    body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=plane).to_body()
+    state = interpreted(start_state)(0.0, 0.0, 0.5 * math.pi, 1.12e8, 0.0, -1.12e8)
+    (piece,) = filled(body, int(Mode.SKID), state, 4e-25)
+    assert numbers_of(piece, "t", "t_end", "mode", "kind", "sigma", "slip") == (0.0, 4e-25, Mode.SKID, HOLD, 1, 1.12e8)
+
+
+def test_a_phase_lasts_until_a_time_of_two_doubles():
+    """What one double rounds away is a hundredth of this slip."""
+    body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=0.5)).to_body()
+    low = 0.4 * math.ulp(1.0)
+    begin = 1.0 - 40.0 * low
+    state = interpreted(start_state)(0.0, 0.0, 1.0, 1.0, 0.0, 1e8)._replace(t=begin)
+    pieces = [filled(body, int(Mode.SKID), state, 1.0, each)[-1] for each in (-low, 0.0, low)]
+    turned = [piece["extent"] * 0.5 * (1.0 + piece["xi"]) for piece in pieces]
+    expected = [1e8 * (40.0 * low + each) for each in (-low, 0.0, low)]
+    np.testing.assert_allclose(turned, expected, rtol=1e-3)
 
 
 def test_events_at_one_time_have_no_piece_between_them():

@@ -15,7 +15,15 @@ from hophoop.compliant.tableau import STAGES
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.numerics.exponentials import power
 from hophoop.physics.body import Event, Status
-from hophoop.physics.compliant import BRISTLE, TANH, friction_force, normal_force, resisting_couple
+from hophoop.physics.compliant import (
+    BRISTLE,
+    TANH,
+    bristle_rate,
+    creep_speed,
+    friction_force,
+    normal_force,
+    resisting_couple,
+)
 from hophoop.physics.contact import delassus
 from hophoop.physics.roll import rest_curvature
 from hophoop.records.writing import has_room
@@ -30,6 +38,7 @@ ORDER_OF_ERROR = STAGES + 1
 SHORTEST = 1e-40
 # Velocities and accelerations (of order 1 in a motion) below which a stable equilibrium is called rest.
 STILL = 1e-11
+ROUNDED = 1e-13  # of the slip velocities of a step: what rounding leaves of v_t where it nearly vanishes
 
 
 def first_step(body, comp, regime, u, rtol):
@@ -114,6 +123,25 @@ def accept(phase, after, behind, length, log, rows, work):
     return Phase(after, turns, behind, phase.mode, phase.regime, False, phase.h, length, way, phase.status), rows
 
 
+def meet_threshold(comp, regime, work):
+    """Put v_t where slip ends, if it is elsewhere by rounding.
+
+    v_t may have come from 10¹² slip speeds. What its last digits are would be friction beyond the cone.
+    """
+    u = work.state
+    value, floor = guard(comp, regime, FRICTION_CHANGE, u[Y], u[VT], u[VN], u[Z])
+    if comp.friction == TANH or abs(value) <= floor:
+        return
+    threshold = regime * creep_speed(comp)
+    if comp.friction == BRISTLE:
+        threshold = bristle_rate(comp, regime, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
+    size = 0.0
+    for j in range(STAGES + 1):
+        size += abs(work.poly[VT, j])
+    if abs(u[VT] - threshold) <= ROUNDED * size:
+        u[VT] = threshold
+
+
 def change(comp, phase, which, armed, log, work):
     """The phase after a guard has fallen: another regime of the friction, or flight."""
     u = work.state
@@ -124,6 +152,7 @@ def change(comp, phase, which, armed, log, work):
         return begun(phase, phase.t, FLIGHT, phase.regime)
     if phase.regime != 0:
         regime = np.int64(0)
+        meet_threshold(comp, phase.regime, work)
     elif comp.friction == BRISTLE:
         regime = AHEAD if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -AHEAD
     else:

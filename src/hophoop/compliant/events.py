@@ -10,6 +10,9 @@ RELEASE, OPENING, FRICTION_CHANGE = 0, 1, 2
 GUARDS = 3
 NONE = -1
 SAMPLES = 12  # places in a step at which every guard is looked at
+NEXT = 1e-4  # of a step: how far from its ends a guard is compared, to see whether it falls there
+NARROWINGS = 40  # of the search for a guard's extremum between them
+GOLDEN = 0.3819660112501051  # (3 − √5)/2
 
 
 def guard(comp, regime, which, y, vt, vn, z):
@@ -52,14 +55,26 @@ def first_exit(comp, regime, poly, armed):
     which = NONE
     for index in range(GUARDS):
         low = 0.0
+        last = guard_at(comp, regime, index, poly, 0.0)[0]
+        following = guard_at(comp, regime, index, poly, NEXT)[0]
+        falls = following < last
+        leaves = following > last
         for i in range(1, SAMPLES + 1):
             high = i / SAMPLES
             if low >= best:
                 break
             value, floor = guard_at(comp, regime, index, poly, high)
             if armed[index]:
-                if value < 0.0:
-                    s = _fall(comp, regime, index, poly, low, high)
+                s = high
+                if value >= 0.0 and falls:
+                    rises = value >= last
+                    if i == SAMPLES and not rises:
+                        rises = guard_at(comp, regime, index, poly, 1.0 - NEXT)[0] < value
+                    if rises:  # it has a minimum between the samples, which may be negative
+                        low = max(low - 1.0 / SAMPLES, 0.0)
+                        s = _between(comp, regime, index, poly, 1.0, 0.0, low, high)
+                if value < 0.0 or s < high:
+                    s = _fall(comp, regime, index, poly, low, s)
                     if which == NONE or s < best:
                         best = s
                         which = index
@@ -67,12 +82,42 @@ def first_exit(comp, regime, poly, armed):
             elif value > floor:
                 armed[index] = True
             elif value < -floor:
-                if which == NONE or low < best:
-                    best = low
+                s = low
+                if i == 1 and leaves:  # it may have risen from its surface in between
+                    peak = _between(comp, regime, index, poly, -1.0, -floor, low, high)
+                    if peak < high:
+                        s = _fall(comp, regime, index, poly, peak, high)
+                if which == NONE or s < best:
+                    best = s
                     which = index
                 break
             low = high
+            falls = value < last
+            last = value
     return which, best
+
+
+def _between(comp, regime, which, poly, sign, least, low, high):
+    """A place where sign × guard, which has a minimum between `low` and `high`, is below `least`; `high` if it is nowhere."""
+    end = high
+    left = low + GOLDEN * (high - low)
+    right = high - GOLDEN * (high - low)
+    f_left = sign * guard_at(comp, regime, which, poly, left)[0]
+    f_right = sign * guard_at(comp, regime, which, poly, right)[0]
+    for _ in range(NARROWINGS):
+        if f_left < least:
+            return left
+        if f_right < least:
+            return right
+        if f_left < f_right:
+            high, right, f_right = right, left, f_left
+            left = low + GOLDEN * (high - low)
+            f_left = sign * guard_at(comp, regime, which, poly, left)[0]
+        else:
+            low, left, f_left = left, right, f_right
+            right = high - GOLDEN * (high - low)
+            f_right = sign * guard_at(comp, regime, which, poly, right)[0]
+    return end
 
 
 def _fall(comp, regime, which, poly, low, high):

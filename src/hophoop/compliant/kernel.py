@@ -20,6 +20,7 @@ from hophoop.compliant.records import (
     KIND,
     MODE,
     OM,
+    REGIME,
     SEGMENT,
     SIZE,
     TH,
@@ -32,7 +33,7 @@ from hophoop.compliant.records import (
     new_work,
 )
 from hophoop.compliant.tableau import STAGES
-from hophoop.physics.body import Event, Status
+from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.compliant import BRISTLE, first_regime, normal_force
 from hophoop.records.layout import EVENT
 from hophoop.records.layout import SEGMENT as RIGID_SEGMENT
@@ -173,6 +174,8 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
         rows[0] = 0.0
         rows[0, KIND] = HOLD if touching else FLY
         rows[0, MODE] = events[count - 1]["after_mode"]
+        mode = events[count - 1]["after_mode"]
+        rows[0, REGIME] = float(mode == Mode.SKID) - float(mode == Mode.SPIN)
         rows[0, TURNS] = events[count - 1]["turns"]
         rows[0, FIRST :: STAGES + 1] = start
         rows[0, FIRST + TH * (STAGES + 1)] = events[count - 1]["theta"]

@@ -8,19 +8,24 @@ from hophoop._native import apart, inline
 from hophoop.numerics.collocation import ORDER, PARTS, antiderivative, coefficients, extremes, left_value
 from hophoop.numerics.constants import NODES
 from hophoop.numerics.roots import NOT_FOUND, first_fall
+from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
     ARRIVE,
     COSINE,
     RATE,
+    RESOLVED,
     SLIP,
     TIME,
     A,
     B,
     U,
+    angle_at,
+    chord,
     place_of,
 )
 from hophoop.panels.resisted import resisted_margins
-from hophoop.panels.roll import roll_margins
+from hophoop.panels.roll import roll_margins, u_on_panel
+from hophoop.physics.contact import cone_weights, rolling_forces
 from hophoop.records.state import time_left
 from hophoop.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
 from hophoop.rigid.limits import angle_left
@@ -29,6 +34,8 @@ from hophoop.rigid.limits import angle_left
 ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
 SMALLEST_SQUARE = 1e-290  # a smaller square of a speed is on the way to underflow
 MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
+MISPLACED = RESOLVED  # of the forces: a margin to the friction cone that is not zero where that of its series is
+NEXT = 1e-6  # of ξ: how far from there its slope is taken
 # A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
 # function that the panel resolves goes beyond their range by less than a tenth of it.
 FAR_FROM_ZERO = 0.25
@@ -67,6 +74,35 @@ def fall_of(row, state_is_fresh, floor, scratch):
     return first_fall(scratch.series, floor, scratch.stack), near
 
 
+@apart
+def cone_margin(body, panel, side, xi):
+    """(margin to a side of the friction cone, forces that it is a difference of) at ξ of rolling without rolling resistance."""
+    offset = angle_at(panel, xi)
+    sine, versine = chord(panel, xi)
+    u = u_on_panel(body, panel, sine, versine, offset)
+    ds, dc = rotated(panel.sine, panel.cosine, sine, versine)
+    friction, normal = rolling_forces(body, panel.sine + ds, panel.cosine + dc, u)
+    a, b = cone_weights(body.mu_s)
+    return a * normal - side * b * friction, body.gn + abs(body.gt) + u
+
+
+@apart
+def on_cone(body, panel, side, xi):
+    """ξ where a margin is zero, from a zero of its series: of a light hoop it may be off by more than rounding.
+
+    A panel is resolved in time, not in its forces.
+    """
+    margin, size = cone_margin(body, panel, side, xi)
+    if not abs(margin) > MISPLACED * size:
+        return xi
+    further = xi - NEXT if xi > 0.0 else xi + NEXT
+    slope = (cone_margin(body, panel, side, further)[0] - margin) / (further - xi)
+    if not abs(margin) < NEXT * abs(slope):
+        return xi
+    better = min(max(xi - margin / slope, -1.0), 1.0)
+    return better if abs(cone_margin(body, panel, side, better)[0]) < abs(margin) else xi
+
+
 @inline
 def end_of_rolling(body, panel, fresh, scratch):
     """(ξ, what, whether it may depend on rounding) where rolling needs all friction; NOT_FOUND where it does not."""
@@ -80,9 +116,13 @@ def end_of_rolling(body, panel, fresh, scratch):
     back, near_back = fall_of(work[B], fresh, rounding, scratch)
     doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
     # both at once where N comes to zero without F: the mirrored motion must then come to the mirrored edge
+    side = 1.0  # of F
     if back < ahead or (back == ahead and panel.way < 0.0):
-        return back, CONE_BACK, doubtful
-    return ahead, CONE_AHEAD, doubtful  # F > 0
+        side = -1.0
+    xi = back if side < 0.0 else ahead
+    if -1.0 < xi < 1.0 and body.resist == 0.0:
+        xi = on_cone(body, panel, side, xi)
+    return xi, CONE_BACK if side < 0.0 else CONE_AHEAD, doubtful
 
 
 @apart

@@ -9,26 +9,33 @@ from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, no_panel
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.modes import slip_direction
+from hophoop.records.state import moved
 from hophoop.records.writing import copy_event, has_room, new_log, state_of, write_segment
 from hophoop.rigid.contact_phase import advance_contact, frozen_end
 from hophoop.rigid.limits import limits_of
 from hophoop.rigid.panel_choice import anchored
-from hophoop.rigid.panel_events import ON, STILL, STUCK
+from hophoop.rigid.panel_events import LIMIT, ON, STILL, STUCK
 from hophoop.rigid.phase import Phase, entered, gone_on, opening_of, slipping
 
 FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
 
 
 @apart
-def fill_phase(body, mode, state, until, log, scratch):
-    """Write the segments of a phase that is known to last until a time."""
+def fill_phase(body, mode, state, until, until_low, log, scratch):
+    """Write the segments of a phase that is known to last until a time of two doubles."""
     if mode == FLIGHT:
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)
         return
+    # The end of time is one double, whose rounding is much of a slip that lasts as long: the state's time is shifted by it.
+    state = moved(state, state.t, state.t_low - until_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
     limits = limits_of(state, until, math.nan, 0)
     phase = entered(body, mode, state, 0.0, ON, scratch)
     while phase.state.t < until and has_room(log):
+        written = log.written[1]
         what, state, level = advance_contact(body, phase, True, limits, log, scratch)
+        if what == LIMIT and log.written[1] == written:  # too brief for a panel: it counts as one that holds
+            state = phase.state
+            what = STILL
         if what in (STILL, STUCK):
             sigma = slip_direction(mode)
             rate = frozen_end(body, sigma, state.vt)[0] if sigma != 0 else 0.0
@@ -45,8 +52,9 @@ def fill_script(body, script, segments, scratch):
     """
     log = new_log(script, segments, scratch)
     for row in range(script.shape[0] - 1):
-        if script[row]["t"] < script[row + 1]["t"]:
-            fill_phase(body, script[row]["after_mode"], state_of(script[row]), script[row + 1]["t"], log, scratch)
+        end = script[row + 1]["t"], script[row + 1]["t_low"]
+        if script[row]["t"] < end[0]:
+            fill_phase(body, script[row]["after_mode"], state_of(script[row]), *end, log, scratch)
     return log.written[1]
 
 
