@@ -84,7 +84,7 @@ def why_no_program(processor: str) -> str:
     try:
         import ziglang  # noqa: F401
     except ImportError:
-        return "ziglang is not installed (the extra `module`)"
+        return "ziglang is not installed (the extra `build`)"
     if shutil.which(f"qemu-{processor}") is None:
         return f"qemu-{processor} is not installed (Debian: apt-get install qemu-user)"
     return ""

@@ -108,7 +108,7 @@ def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
     )
     done = python(code)
     assert done.returncode == 1
-    assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[module]'. What there was before stays.\n"
+    assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[build]'. What there was before stays.\n"
     assert (tmp_path / native.TOLD).read_text() == "before"
 
 
@@ -230,3 +230,14 @@ def test_it_is_built_for_another_kind_of_processor(library, cache, tmp_path):
     head = (tmp_path / name).read_bytes()[:20]
     assert head[:4] == b"\x7fELF"
     assert int.from_bytes(head[18:20], "little") == 183  # AArch64
+
+
+def test_it_names_no_folder_of_the_machine_that_built_it():
+    """Numba writes the places of its own sources into errors."""
+    found = native.library()
+    assert found is not None
+    numba = pytest.importorskip("numba")
+    for file in found.told["files"].values():
+        content = (native.HERE / file).read_bytes()
+        for place in (Path(numba.__file__).parents[1], sources.PACKAGE.parent):
+            assert str(place).encode() not in content

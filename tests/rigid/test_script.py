@@ -135,7 +135,7 @@ def test_a_phase_of_rest_is_one_piece():
 def test_slip_that_is_too_brief_for_a_panel_is_one_piece():
     plane = hh.Plane(mu=0.5, rolling_resistance=0.01)
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=plane).to_body()
-    state = interpreted(start_state)(0.0, 0.0, 0.5 * math.pi, 1.12e8, 0.0, -1.12e8)
+    state = start_state(0.0, 0.0, 0.5 * math.pi, 1.12e8, 0.0, -1.12e8)
     (piece,) = filled(body, int(Mode.SKID), state, 4e-25)
     assert numbers_of(piece, "t", "t_end", "mode", "kind", "sigma", "slip") == (0.0, 4e-25, Mode.SKID, HOLD, 1, 1.12e8)
 
@@ -145,7 +145,7 @@ def test_a_phase_lasts_until_a_time_of_two_doubles():
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=0.5)).to_body()
     low = 0.4 * math.ulp(1.0)
     begin = 1.0 - 40.0 * low
-    state = interpreted(start_state)(0.0, 0.0, 1.0, 1.0, 0.0, 1e8)._replace(t=begin)
+    state = start_state(0.0, 0.0, 1.0, 1.0, 0.0, 1e8)._replace(t=begin)
     pieces = [filled(body, int(Mode.SKID), state, 1.0, each)[-1] for each in (-low, 0.0, low)]
     turned = [piece["extent"] * 0.5 * (1.0 + piece["xi"]) for piece in pieces]
     expected = [1e8 * (40.0 * low + each) for each in (-low, 0.0, low)]

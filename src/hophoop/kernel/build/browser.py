@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import hashlib
-import sysconfig
 import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hophoop._native.sources import PACKAGE
-from hophoop.kernel.build.link import RUNTIME, joined, optimised, zig
+from hophoop.kernel.build.link import RUNTIME, anonymous, joined, optimised, zig
 from hophoop.module.layout import layout
 from hophoop.module.stamp import DERIVATIVES, MODULE, sources
 
@@ -95,24 +93,6 @@ def linked(code: bytes, names: Iterable[str]) -> bytes:
         part.write_bytes(code)
         zig(["-target", "wasm32-wasi", "-mexec-model=reactor", "-O2", str(RUNTIME), str(part), *LINKED, *exports, "-lm"], file)
         return file.read_bytes()
-
-
-def anonymous(content: bytes) -> bytes:
-    """The module without the folder of this machine's packages, which Numba writes into places of errors.
-
-    Parameters
-    ----------
-    content : bytes
-
-    Returns
-    -------
-    content : bytes
-        Of the same length.
-    """
-    for place in {Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")} | {PACKAGE.parent}:
-        own = str(place).encode()
-        content = content.replace(own, b"-" * len(own))
-    return content
 
 
 def module_of(name: str) -> bytes:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+import sysconfig
 from collections.abc import Iterable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -131,11 +133,32 @@ def optimised(
     return machine, module
 
 
+def anonymous(content: bytes) -> bytes:
+    """Code without the folders of this machine's packages, which Numba writes into places of errors.
+
+    Parameters
+    ----------
+    content : bytes
+
+    Returns
+    -------
+    content : bytes
+        Of the same length.
+    """
+    found = find_spec("numba")
+    places = {Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")} | {HERE.parents[2]}
+    if found is not None and found.origin is not None:  # pip builds with packages that lie elsewhere
+        places.add(Path(found.origin).parents[1])
+    for place in places:
+        own = str(place).encode()
+        content = content.replace(own, b"-" * len(own))
+    return content
+
+
 def object_of(text: str, names: Iterable[str], target: Target, level: str) -> bytes:
     """The object file of a group of entries for a kind of processor."""
     machine, module = optimised(text, names, target.triple, target.levels[level])
-    made: bytes = machine.emit_object(module)
-    return made
+    return anonymous(machine.emit_object(module))
 
 
 def zig(arguments: Iterable[str], file: Path) -> None:
