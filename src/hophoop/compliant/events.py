@@ -56,9 +56,8 @@ def first_exit(comp, regime, poly, armed):
     for index in range(GUARDS):
         low = 0.0
         last = guard_at(comp, regime, index, poly, 0.0)[0]
-        following = guard_at(comp, regime, index, poly, NEXT)[0]
-        falls = following < last
-        leaves = following > last
+        slope = (guard_at(comp, regime, index, poly, NEXT)[0] - last) / NEXT
+        before = last - slope / SAMPLES  # as if it had come straight
         for i in range(1, SAMPLES + 1):
             high = i / SAMPLES
             if low >= best:
@@ -66,13 +65,9 @@ def first_exit(comp, regime, poly, armed):
             value, floor = guard_at(comp, regime, index, poly, high)
             if armed[index]:
                 s = high
-                if value >= 0.0 and falls:
-                    rises = value >= last
-                    if i == SAMPLES and not rises:
-                        rises = guard_at(comp, regime, index, poly, 1.0 - NEXT)[0] < value
-                    if rises:  # it has a minimum between the samples, which may be negative
-                        low = max(low - 1.0 / SAMPLES, 0.0)
-                        s = _between(comp, regime, index, poly, 1.0, 0.0, low, high)
+                if value >= 0.0 and before > last and _may_fall(comp, regime, index, poly, i, before, last, value):
+                    low = max(low - 1.0 / SAMPLES, 0.0)
+                    s = _between(comp, regime, index, poly, 1.0, 0.0, low, high)
                 if value < 0.0 or s < high:
                     s = _fall(comp, regime, index, poly, low, s)
                     if which == NONE or s < best:
@@ -83,7 +78,7 @@ def first_exit(comp, regime, poly, armed):
                 armed[index] = True
             elif value < -floor:
                 s = low
-                if i == 1 and leaves:  # it may have risen from its surface in between
+                if i == 1 and slope > 0.0:  # it may have risen from its surface in between
                     peak = _between(comp, regime, index, poly, -1.0, -floor, low, high)
                     if peak < high:
                         s = _fall(comp, regime, index, poly, peak, high)
@@ -92,9 +87,17 @@ def first_exit(comp, regime, poly, armed):
                     which = index
                 break
             low = high
-            falls = value < last
-            last = value
+            before, last = last, value
     return which, best
+
+
+def _may_fall(comp, regime, which, poly, i, before, last, value):
+    """Whether a guard of these values at three samples may be negative between them: it is above its tangents."""
+    if value >= last:
+        return 2.0 * last < max(before, value)
+    if i < SAMPLES:
+        return False
+    return value - (value - guard_at(comp, regime, which, poly, 1.0 - NEXT)[0]) / (NEXT * SAMPLES) < 0.0
 
 
 def _between(comp, regime, which, poly, sign, least, low, high):

@@ -13,7 +13,6 @@ from hophoop.panels.panel import (
     ARRIVE,
     COSINE,
     RATE,
-    RESOLVED,
     SLIP,
     TIME,
     A,
@@ -34,7 +33,7 @@ from hophoop.rigid.limits import angle_left
 ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
 SMALLEST_SQUARE = 1e-290  # a smaller square of a speed is on the way to underflow
 MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
-MISPLACED = RESOLVED  # of the forces: a margin to the friction cone that is not zero where that of its series is
+MISPLACED = 5e-13  # of the forces: a margin to the friction cone that is not zero where that of its series is
 NEXT = 1e-6  # of ξ: how far from there its slope is taken
 # A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
 # function that the panel resolves goes beyond their range by less than a tenth of it.

@@ -26,8 +26,20 @@ def fill_phase(body, mode, state, until, until_low, log, scratch):
     if mode == FLIGHT:
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)
         return
-    # The end of time is one double, whose rounding is much of a slip that lasts as long: the state's time is shifted by it.
-    state = moved(state, state.t, state.t_low - until_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
+    # The end of time is one double, whose rounding may be much of a slip: meanwhile all times are shifted by it.
+    first = log.written[1]
+    early = state.t_low - until_low
+    shifted = moved(state, state.t, early, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
+    fill_contact(body, mode, shifted, until, log, scratch)
+    for index in range(first, log.written[1]):
+        log.segments[index]["t_low"] += until_low
+    if log.written[1] > first:
+        log.segments[first]["t_low"] = state.t_low
+
+
+@apart
+def fill_contact(body, mode, state, until, log, scratch):
+    """Write the segments of rolling or slip that is known to last until a time of one double."""
     limits = limits_of(state, until, math.nan, 0)
     phase = entered(body, mode, state, 0.0, ON, scratch)
     while phase.state.t < until and has_room(log):
