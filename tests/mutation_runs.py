@@ -256,8 +256,9 @@ def places(path: Path) -> dict[int, str]:
 
 
 def _functions(files: set[str]) -> dict[tuple[str, str], list[FunctionType]]:
-    """Functions of some files that are in memory; decorators may have made several of one."""
+    """Functions of some files that are in memory; there may be several of one."""
     found = defaultdict(list)
+    gc.unfreeze()  # what was imported as tests were collected (conftest.py) is not listed otherwise
     for thing in gc.get_objects():
         if isinstance(thing, FunctionType) and thing.__code__.co_filename in files:
             found[thing.__code__.co_filename, thing.__code__.co_qualname].append(thing)

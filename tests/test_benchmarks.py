@@ -5,6 +5,7 @@ import importlib.util
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import hophoop as hh
@@ -26,7 +27,7 @@ def stress():
 
 def test_random_motions_keep_the_laws_and_are_those_of_simulate(stress):
     numbers = range(4, 10)  # the last one is beside a border
-    with forced("interpreted"):
+    with forced("interpreted"), np.errstate(all="ignore"):
         result = stress.work((2026, numbers.start, numbers.stop))
         ended = [hh.simulate(scenario_of(stress.drawn_at(2026, index)[1])).status for index in numbers]
     total = stress.together([result])

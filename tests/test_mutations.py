@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import subprocess
@@ -12,6 +13,7 @@ import pytest
 from scipy.stats import binomtest
 
 import mutations
+from hophoop.physics import slip
 
 READS = "import os; from mutation_reach import silence\nwith silence(): os._exit(len(os.read(0, 1)))"
 
@@ -22,6 +24,16 @@ def test_a_change_that_reads_from_the_terminal_does_not_wait_for_it():
     words = [sys.executable, "-c", READS]
     with subprocess.Popen(words, stdin=subprocess.PIPE, cwd=Path(__file__).parent) as process:
         assert process.wait(timeout=20.0) == 0  # nothing is written to it, nor is it closed
+
+
+@pytest.mark.skipif(os.name != "posix", reason="forks")
+def test_a_kernel_that_was_imported_as_tests_were_collected_is_found():
+    from mutation_runs import _functions
+
+    gc.freeze()
+    found = _functions({slip.__file__})
+    gc.freeze()  # as it was
+    assert found[slip.__file__, "slip_displacement"] == [slip.slip_displacement]
 
 
 @pytest.mark.parametrize(("seen", "tried"), [(0, 10), (7, 10), (380, 400), (400, 400)])
