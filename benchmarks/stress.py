@@ -26,6 +26,7 @@ from typing import Any
 import numpy as np
 
 import hophoop as hh
+from hophoop._native import compiled
 from hophoop.arbitration import LATEST
 from hophoop.maps.kernel import CELL, DURATION, body_of, second_of, start_of
 from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
@@ -112,7 +113,7 @@ def measure(body, events, count, segments, pieces, out, times, worst):
     end = segments[pieces - 1]["t_end"]
     for k in range(times.shape[0]):
         times[k] = end * k / (times.shape[0] - 1)
-    sample(body, segments[:pieces], times, False, out)
+    compiled(sample)(body, segments[:pieces], times, False, out)
     kinetic, potential = energies(
         body,
         first["height"],
@@ -162,7 +163,7 @@ def one_motion(cell, events, segments, scratch):
     second = second_of(cell, 0)
     body = body_of(cell, 0)
     start = start_of(cell, 0, second)
-    return run(body, start, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch, events[:0])
+    return compiled(run)(body, start, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch, events[:0])
 
 
 def evaluate(cells, mirrors, kinds, worst, doubts):
