@@ -241,3 +241,29 @@ def test_it_names_no_folder_of_the_machine_that_built_it():
         content = (native.HERE / file).read_bytes()
         for place in (Path(numba.__file__).parents[1], sources.PACKAGE.parent):
             assert str(place).encode() not in content
+
+
+def test_a_library_that_is_cut_short_is_not_loaded(tmp_path):
+    """The system may load half a file, and end the process where it reads the other half."""
+    found = native.library()
+    assert found is not None
+    shutil.copytree(native.HERE, tmp_path / "library")
+    for name in found.told["files"].values():
+        file = tmp_path / "library" / name
+        file.write_bytes(file.read_bytes()[:-100])
+    code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
+    done = python(code, HOPHOOP_LIBRARY=str(tmp_path / "library"), HOPHOOP_KERNELS="auto")
+    assert (done.returncode, done.stdout) == (0, "R\n")
+    assert "is damaged" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_numba_that_is_too_old_is_refused_and_a_new_one_is_told_of(capsys):
+    from hophoop.kernel.build.__main__ import refuse_older
+
+    with pytest.raises(RuntimeError, match=r"^Building needs Numba 0\.62 or newer; 0\.60\.0 is installed\.$"):
+        refuse_older("0.60.0")
+    refuse_older("0.62.1")
+    assert capsys.readouterr().err == ""
+    refuse_older("1.0.0rc1")
+    assert capsys.readouterr().err == "Numba 1.0.0rc1 has not been tried: 0.62 to 0.68 have built the kernels.\n"

@@ -87,11 +87,6 @@ def compiled(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return found
 
 
-def is_compiled() -> bool:
-    """Whether `compiled` calls the library."""
-    return mode() != "interpreted" and library() is not None
-
-
 @contextlib.contextmanager
 def forced(wanted: str) -> Iterator[None]:
     """Run all kernels as HOPHOOP_KERNELS says within; for tests and measurements."""

@@ -6,6 +6,7 @@ The environment variable HOPHOOP_LEVEL, such as `v2`, takes the library for olde
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import json
 import os
 import platform
@@ -69,7 +70,7 @@ def library(quiet: bool = False) -> Library | None:
     found = _found()
     if isinstance(found, str):
         if not quiet and sys.stderr is not None and parent_process() is None:
-            print(f"{found} Until then a motion takes some milliseconds, a hundred times as long.", file=sys.stderr)
+            print(f"{found} Without them a motion takes some milliseconds, a hundred times as long.", file=sys.stderr)
         return None
     return found
 
@@ -78,6 +79,20 @@ def why_none() -> str:
     """Why there is no library; empty where there is one."""
     found = _found()
     return found if isinstance(found, str) else ""
+
+
+def _loaded(name: str) -> ctypes.CDLL:
+    """A file of the library, if it has the bytes that its name tells: one that is cut short may end the process.
+
+    Raises
+    ------
+    OSError
+        If it has not, or cannot be loaded.
+    """
+    file = HERE / name
+    if hashlib.sha256(file.read_bytes()).hexdigest()[:12] not in name:
+        raise OSError(f"{name} is damaged")
+    return ctypes.CDLL(str(file))
 
 
 @cache
@@ -94,13 +109,13 @@ def _found() -> Library | str:
         return f"The compiled kernels are older than their sources. To build them anew: {BUILD}."
     levels = _levels(told)
     try:
-        loaded = ctypes.CDLL(str(HERE / told["files"][levels[-1]]))
+        loaded = _loaded(told["files"][levels[-1]])
         able = loaded.hophoop_level()
         if able < int(levels[-1][1:]):
             return "The compiled kernels ask more than this processor has."
         best = next(level for level in levels if int(level[1:]) <= able)
         if best != levels[-1]:
-            loaded = ctypes.CDLL(str(HERE / told["files"][best]))
+            loaded = _loaded(told["files"][best])
     except OSError as error:
         return f"The compiled kernels cannot be loaded ({error}). To build them anew: {BUILD}."
     return Library(told, best, loaded)

@@ -33,7 +33,7 @@ def jitted(kernel: Callable[..., Any]) -> Any:
     Returns
     -------
     dispatcher : numba dispatcher
-        Compiled where it is first called, at the cost of some seconds to a minute.
+        Compiled where it is first called, which takes from some seconds to minutes.
 
     Examples
     --------

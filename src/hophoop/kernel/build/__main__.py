@@ -31,6 +31,7 @@ from hophoop.module.stamp import LAYOUT, stamped
 TOOLS = ("numba", "llvmlite", "numpy", "ziglang")
 BROWSER = "browser"
 ALL = (*TARGETS, BROWSER)
+TRIED = ((0, 62), (0, 68))  # versions of Numba that have built the library, from the first that can
 OLD = 600.0  # seconds after which a library of another build is no longer awaited
 
 
@@ -43,6 +44,22 @@ def tools() -> dict[str, str]:
         If one is not installed.
     """
     return {name: version(name) for name in TOOLS}
+
+
+def refuse_older(numba: str) -> None:
+    """Refuse a Numba that cannot build the library, and say of one that is newer than those tried that it is.
+
+    Raises
+    ------
+    RuntimeError
+        If it is older than `TRIED`.
+    """
+    first, last = (".".join(map(str, each)) for each in TRIED)
+    own = tuple(int(part) for part in numba.split(".")[:2])
+    if own < TRIED[0]:
+        raise RuntimeError(f"Building needs Numba {first} or newer; {numba} is installed.")
+    if own > TRIED[1]:
+        print(f"Numba {numba} has not been tried: {first} to {last} have built the kernels.", file=sys.stderr)
 
 
 def _hash(files: Sequence[str], more: str) -> str:
@@ -166,11 +183,12 @@ def build(targets: Sequence[str], out: Path | None = None) -> None:
     PackageNotFoundError
         If Numba or ziglang is not installed.
     RuntimeError
-        If compiling or linking fails; what there was before stays.
+        If Numba is too old, or compiling or linking fails; what there was before stays.
     OSError
         If the folder cannot be written to.
     """
     versions, sources = tools(), stamp()
+    refuse_older(versions["numba"])
     made_with = json.dumps([versions, stamp_of_build()])
     native = [name for name in targets if name != BROWSER]
     places = {name: _place(name, targets, out) for name in targets}

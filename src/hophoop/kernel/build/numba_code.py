@@ -11,7 +11,6 @@ import gc
 import threading
 from collections.abc import Callable, Iterator
 from functools import cache
-from importlib.metadata import version
 from itertools import pairwise
 from types import CellType, CodeType, FunctionType
 from typing import Any
@@ -29,17 +28,7 @@ from numba.core.untyped_passes import InlineClosureLikes
 from hophoop._native.marks import mark_of, source_of
 from hophoop._native.sources import is_kernel
 
-TRIED = ((0, 60), (0, 68))  # the versions of Numba that have built the library, from and to
 ARRAYS = {"empty", "zeros", "ones", "full", "array", "arange", "empty_like", "zeros_like"}  # what of NumPy makes an array
-
-
-def untried() -> str:
-    """What to say of a version of Numba that has not built the library before; empty for one that has."""
-    own = tuple(int(part) for part in version("numba").split(".")[:2])
-    if TRIED[0] <= own <= TRIED[1]:
-        return ""
-    first, last = (".".join(map(str, each)) for each in TRIED)
-    return f"Numba {version('numba')} has not been tried: {first} to {last} have."
 
 
 # --- the names that a kernel calls -----------------------------------------------------------------------------------
