@@ -30,7 +30,7 @@ PLATFORMS = {
     "windows-amd64": "win_amd64",
 }
 TOOLS = ("numba", "ziglang", "numpy", "pydantic")
-COST = "hophoop is installed without compiled kernels, and a motion takes some milliseconds instead of 15 µs"
+COST = "hophoop is installed without compiled kernels, and a motion takes some milliseconds instead of 20 µs"
 LATER = "`pip install 'hophoop[build]'` and `python -m hophoop.kernel.build` build them"
 
 
