@@ -21,8 +21,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import hophoop as hh
-from hophoop._native.entry import is_compiled
-from hophoop._native.library import BUILD
+from hophoop._native.library import why_none
 from hophoop.maps.cells import make_cells
 from hophoop.maps.evaluate import run_cells
 from hophoop.maps.quantities import make_span
@@ -151,8 +150,8 @@ def errors() -> tuple[float, float]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.parse_args()
-    if not is_compiled():
-        sys.exit(f"The kernels are not compiled: {BUILD}.")
+    if why_none():
+        sys.exit(why_none())
     cells, span = make_cells(SCENARIO, {}, KERNELS), make_span("duration")
 
     # In turn, so that a machine whose speed changes does not favour one of them.
