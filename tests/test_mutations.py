@@ -33,7 +33,7 @@ def test_a_kernel_that_was_imported_as_tests_were_collected_is_found():
     gc.freeze()
     found = _functions({slip.__file__})
     gc.freeze()  # as it was
-    assert found[slip.__file__, "slip_displacement"] == [slip.slip_displacement]
+    assert slip.slip_displacement in found[slip.__file__, "slip_displacement"]  # Numba may have copies
 
 
 @pytest.mark.parametrize(("seen", "tried"), [(0, 10), (7, 10), (380, 400), (400, 400)])
