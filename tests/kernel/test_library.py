@@ -14,6 +14,10 @@ import pytest
 import hophoop as hh
 from hophoop._native import library as native
 from hophoop._native import sources
+from hophoop.kernel.build.link import own_target
+
+OTHER = "linux-aarch64" if own_target() != "linux-aarch64" else "linux-x86_64"
+MACHINES = {"linux-aarch64": 183, "linux-x86_64": 62}  # as ELF numbers them
 
 
 def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -37,13 +41,13 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def library(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A library of these sources."""
+def built(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Libraries of these sources, in a folder each: for this machine and for another kind of processor."""
     pytest.importorskip("ziglang")
     filelock = pytest.importorskip("filelock")
-    folder = tmp_path_factory.mktemp("library")
+    folder = tmp_path_factory.mktemp("libraries")
     with filelock.FileLock(f"{cache}.lock"):
-        done = build(folder, HOPHOOP_BUILD_CACHE=str(cache))
+        done = build(folder, own_target(), OTHER, HOPHOOP_BUILD_CACHE=str(cache))
     assert done.returncode == 0, done.stderr
     return folder
 
@@ -119,15 +123,15 @@ def test_an_unknown_target_is_refused(tmp_path):
 
 
 @pytest.mark.long
-def test_kept_motions_have_their_bits(library):
+def test_kept_motions_have_their_bits(tmp_path):
     """Events, samples and ledgers, by the code for each kind of processor that this machine can run; Numba is not imported."""
     import bits_tools
 
     kept = bits_tools.kept_hashes()
-    about = told(library)
+    about = told(native.HERE)
     for level in about["files"]:
-        folder = library.parent / f"only-{level}"
-        shutil.copytree(library, folder, dirs_exist_ok=True)
+        folder = tmp_path / level
+        shutil.copytree(native.HERE, folder)
         (folder / native.TOLD).write_text(json.dumps(about | {"files": {level: about["files"][level]}}))
         code = f"""
 import sys
@@ -149,15 +153,15 @@ assert "numba" not in sys.modules
 
 
 @pytest.mark.long
-def test_what_has_not_changed_is_not_compiled_again(library, cache, tmp_path):
-    done = build(tmp_path, HOPHOOP_BUILD_CACHE=str(cache))
+def test_what_has_not_changed_is_not_compiled_again(built, cache, tmp_path):
+    done = build(tmp_path, own_target(), HOPHOOP_BUILD_CACHE=str(cache))
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
-    assert told(tmp_path) == told(library)
+    assert told(tmp_path) == told(built / own_target())
 
 
 @pytest.mark.long
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_cannot_be_written_to(library, cache, tmp_path):
+def test_a_folder_that_cannot_be_written_to(built, cache, tmp_path):
     tmp_path.chmod(0o500)
     done = build(tmp_path / "there", HOPHOOP_BUILD_CACHE=str(cache))
     assert done.returncode == 1
@@ -222,14 +226,12 @@ def test_all_that_python_calls_has_the_bits_of_the_interpreter():
 
 
 @pytest.mark.long
-def test_it_is_built_for_another_kind_of_processor(library, cache, tmp_path):
+def test_it_is_built_for_another_kind_of_processor(built):
     """Numba's own code for counts of references had been made for this one."""
-    done = build(tmp_path, "linux-aarch64", HOPHOOP_BUILD_CACHE=f"{cache}-other")
-    assert done.returncode == 0, done.stderr
-    (name,) = told(tmp_path)["files"].values()
-    head = (tmp_path / name).read_bytes()[:20]
-    assert head[:4] == b"\x7fELF"
-    assert int.from_bytes(head[18:20], "little") == 183  # AArch64
+    for file in told(built / OTHER)["files"].values():
+        head = (built / OTHER / file).read_bytes()[:20]
+        assert head[:4] == b"\x7fELF"
+        assert int.from_bytes(head[18:20], "little") == MACHINES[OTHER]
 
 
 def test_it_names_no_folder_of_the_machine_that_built_it():
