@@ -34,8 +34,8 @@ import hophoop as hh
 from hophoop.maps import kernel
 from hophoop.maps.cells import make_cells
 from hophoop.maps.evaluate import Results, run_cells
-from hophoop.maps.kernel import CELL
 from hophoop.maps.quantities import make_span
+from hophoop.records.cells import CELL
 from hophoop.records.layout import EVENT, SEGMENT
 
 ARCHITECTURE = (8, 0)

@@ -28,8 +28,8 @@ import numpy as np
 import hophoop as hh
 from hophoop._native import compiled
 from hophoop.arbitration import LATEST
-from hophoop.maps.kernel import CELL, DURATION, body_of, second_of, start_of
 from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
+from hophoop.records.cells import CELL, DURATION, body_of, second_of, start_of
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.rigid.kernel import run

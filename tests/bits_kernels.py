@@ -25,11 +25,11 @@ from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
 from hophoop.compliant.kernel import MAX_STEPS
 from hophoop.compliant.records import WIDTH
 from hophoop.kernel.build.link import optimised
-from hophoop.maps.kernel import CELL
 from hophoop.module.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.module.stamp import HERE, MODULE, sources
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.records.cells import CELL
 from hophoop.records.layout import EVENT, SEGMENT
 from module.host import Host
 from module.module_tools import cell_of, given_of

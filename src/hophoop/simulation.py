@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import struct
 import threading
 from collections.abc import Sequence
 from importlib import import_module
@@ -15,13 +16,14 @@ import hophoop
 from hophoop._native import compiled
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Body, Status
+from hophoop.records.cells import CELL, Tables
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
 from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
-from hophoop.rigid import kernel
+from hophoop.rigid.kernel import run_cell
 from hophoop.rigid.script import fill_script
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
-from hophoop.scenario.scenario import time_unit, to_body
+from hophoop.scenario.scenario import cell_of, time_unit
 from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
     from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
-_run = compiled(kernel.run)
+BUFFER = int(Status.BUFFER)
 # Read once: a look at the environment takes a tenth of a motion.
 CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
@@ -214,56 +216,55 @@ def script_of(scenario: Scenario, contact: Rigid) -> np.ndarray:
     return _simulate_rigid(scenario, contact)[3]
 
 
-class _Tables(threading.local):
-    """The first tables that a motion of this thread is written into, and copied from."""
+class _Own(threading.local):
+    """What the motions of this thread are written into first, and copied from."""
 
     def __init__(self) -> None:
-        self.events, self.segments = np.empty(FIRST_EVENTS, EVENT), np.empty(FIRST_SEGMENTS, SEGMENT)
+        self.tables = Tables(np.empty((len(CELL), 1)), np.empty(FIRST_EVENTS, EVENT), np.empty(FIRST_SEGMENTS, SEGMENT))
 
 
-_tables = _Tables()
+_own = _Own()
+_run = compiled(run_cell)
+_fill = struct.Struct(f"{len(CELL)}d").pack_into  # a fifth of the time of an assignment
 
 
 def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray, np.ndarray, float]:
     """Status, events, segments, the script of what was decided in more digits, and when doubles first were in doubt."""
-    start = start_of(scenario)
-    t_end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
-    body = to_body(scenario.hoop, scenario.plane)
-    scratch = thread_scratch()
-    events_size = min(FIRST_EVENTS, contact.max_events)
-    segments_size = FIRST_SEGMENTS
+    tables, scratch = _own.tables, thread_scratch()
+    _fill(tables.cell, 0, *cell_of(scenario))
+    most_events = contact.max_events
     script = NO_SCRIPT
     decisions = 0
     budget: Budget | None = None
     doubt = math.inf
     while True:
-        events = _tables.events if events_size == len(_tables.events) else np.empty(events_size, EVENT)
-        segments = _tables.segments if segments_size == len(_tables.segments) else np.empty(segments_size, SEGMENT)
-        status, count, pieces = _run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
-        if not script.size and not math.isnan(scratch.doubt[0]):
-            doubt = float(scratch.doubt[0])
-        if status == Status.BUFFER:
-            segments_size = min(16 * segments_size, MOST_PANELS)
-        elif scratch.written[0] < 0 and events_size < contact.max_events:  # not where the panels are used up
-            events_size = min(4 * events_size, contact.max_events)
-        elif scratch.written[2] >= scratch.written[3]:
+        status, count, pieces, doubted, doubt_until, events_full, panels_used = _run(tables, scratch, script)
+        if not script.size and not math.isnan(doubted):
+            doubt = doubted
+        if status == BUFFER:
+            length = min(16 * len(tables.segments), MOST_PANELS)
+            tables = Tables(tables.cell, tables.events, np.empty(length, SEGMENT))
+        elif events_full and len(tables.events) < most_events:  # not where the panels are used up
+            length = min(4 * len(tables.events), most_events)
+            tables = Tables(tables.cell, np.empty(length, EVENT), tables.segments)
+        elif panels_used:
             if not script.size:
                 break
             script, decisions = NO_SCRIPT, MOST  # the last of its events may lie beyond what the panels reach
-        elif decisions < MOST and not math.isnan(scratch.doubt[1]) and scratch.doubt[1] <= latest(scenario):
+        elif decisions < MOST and not math.isnan(doubt_until) and doubt_until <= latest(scenario):
             # later doubts are decided together, so that each is not solved for from the start anew
             decisions += 1
             budget = Budget(steps_allowed(scenario)) if budget is None else budget
-            until = min(scratch.doubt[1] * (1.0 if decisions == 1 else 1.5), latest(scenario))
+            until = min(doubt_until * (1.0 if decisions == 1 else 1.5), latest(scenario))
             found = script_until(scenario, until, budget)
-            if not found.size or len(found) > contact.max_events:
+            if not found.size or len(found) > most_events:
                 break
             script = found
         else:
             break
-    events, segments = first_rows(events, count), first_rows(segments, pieces)
+    events, segments = first_rows(tables.events, count), first_rows(tables.segments, pieces)
     if len(script) > 1:
-        segments = np.concatenate((segments_of_script(body, script), segments))
+        segments = np.concatenate((segments_of_script(scenario.to_body(), script), segments))
         pieces = len(segments)
     if pieces == 0:  # the motion ends at its start: a piece of no length holds its state
         segments = np.empty(1, SEGMENT)

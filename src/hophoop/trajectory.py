@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
@@ -165,16 +164,20 @@ class Trajectory:
         if bad.any():
             raise ValueError(f"t = {times[bad].flat[0]!r} must be from 0 to the motion's end at {end!r} s.")
         raw = self._sample(self.units.kernel_times(self._segments, times.ravel()), side == "left")
-        columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
-        unit = self.units
-        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in _INTERNAL}
-        values["mode"] = _LETTERS[columns["mode"].astype(int)]
-        values["t"] = times
-        for name in ("spring", "damping"):
-            values.setdefault(name, np.zeros(times.shape))
+        names, factors = self._sampled
+        values: dict[str, Any]
         if times.ndim == 0:
-            values = {name: value.item() for name, value in values.items()}
-        return Sample(**{field.name: values[field.name] for field in fields(Sample)})
+            values = dict(zip(names, (raw[0] * factors).tolist(), strict=True))
+            values["mode"], values["t"] = MODE_LETTERS[int(raw[0, 0])], float(times)
+        else:
+            table = np.ascontiguousarray((raw * factors).T)
+            values = {name: column.reshape(times.shape) for name, column in zip(names, table, strict=True)}
+            values["mode"], values["t"] = _LETTERS[raw[:, 0].astype(int)].reshape(times.shape), times
+        for name in _INTERNAL:
+            values.pop(name, None)
+        if "spring" not in values:
+            values["spring"], values["damping"] = (0.0 if times.ndim == 0 else np.zeros(times.shape) for _ in range(2))
+        return Sample(**values)
 
     def times(self, n: int = 1000) -> Floats:
         """Equally spaced times over the motion, both ends included.
@@ -409,6 +412,12 @@ class Trajectory:
 
         return compliant
 
+    @cached_property
+    def _sampled(self) -> tuple[tuple[str, ...], Floats]:
+        """Names of what a sample has of its model, and their units [SI]; the modes come first."""
+        names = self._model.COLUMNS
+        return names, np.array([1.0 if name in ("mode", *_INTERNAL) else self.units.of(name) for name in names])
+
     def _sample(self, times: Floats, left: bool) -> Floats:
         result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
         return result
@@ -476,7 +485,7 @@ def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) 
 
 
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
-_INTERNAL = {"mode", "theta", "theta_low"}  # columns that a sample does not have as they are
+_INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
 _PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))
 _EVENT_NUMBERS = (

@@ -103,9 +103,9 @@ def called(monkeypatch):
 @pytest.mark.compiled
 def test_a_motion_and_its_samples_are_few_calls(called):
     motion = hh.simulate(hh.Scenario(duration=2.0))
-    assert called == ["rigid.kernel.run"]
+    assert called == ["rigid.kernel.run_cell"]
     motion.at(1.0)
-    assert called == ["rigid.kernel.run", "records.times.kernel_times", "rigid.sampling.sample"]
+    assert called == ["rigid.kernel.run_cell", "records.times.kernel_times", "rigid.sampling.sample"]
 
 
 # The same bits

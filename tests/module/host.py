@@ -15,10 +15,11 @@ from numba.np.numpy_support import as_dtype
 
 from hophoop.compliant.kernel import MAX_STEPS
 from hophoop.compliant.records import WIDTH
-from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS
+from hophoop.maps.kernel import KEYS, NUMBERS, WORDS
 from hophoop.module.entries import Entries
 from hophoop.module.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.physics.body import Status
+from hophoop.records.cells import CELL
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.rigid.margins import MARGINS
 

@@ -53,7 +53,8 @@ class Memory(threading.local):
             found: tuple[int, ...] = ()
             for array, kind in zip(arrays, kinds, strict=True):
                 found += self.numbers_of(array, *kind)
-            self._remember(arrays, found)
+            if sum(array.nbytes for array in arrays) <= MOST_BYTES:
+                self._remember(arrays, found)
             return found
         return known[1]
 

@@ -27,8 +27,8 @@ from hophoop.lab.presets import presets
 from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
-from hophoop.maps.kernel import CELL
 from hophoop.physics.body import MODE_LETTERS, ImpactLaw
+from hophoop.records.cells import CELL
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.parts import TOUCH

@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.maps.axes import ordered, scenario_at
-from hophoop.maps.kernel import (
+from hophoop.physics.body import ImpactLaw
+from hophoop.physics.mass import ideal_inertia
+from hophoop.physics.resistance import most_resistance
+from hophoop.records.cells import (
     ALLOWED,
     ANGLE,
-    CELL,
     DURATION,
     ECCENTRICITY,
     GRAVITY,
@@ -34,11 +36,7 @@ from hophoop.maps.kernel import (
     VY,
     X,
 )
-from hophoop.physics.body import ImpactLaw
-from hophoop.physics.mass import ideal_inertia
-from hophoop.physics.resistance import most_resistance
-from hophoop.scenario import Scenario
-from hophoop.scenario.models import Rigid
+from hophoop.scenario import Scenario, cell_of
 
 Array = NDArray[Any]
 
@@ -76,10 +74,9 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
     Returns
     -------
     cells : ndarray, shape (len(CELL), count)
-        Rows as `kernel.CELL` names them [SI]; those whose values do not go together are marked.
+        Rows as `records.cells.CELL` names them [SI]; those whose values do not go together are marked.
     """
-    cells = np.zeros((len(CELL), count))
-    _put_base(cells, base)
+    cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))
     hoop = [path for path in paths if path.startswith("hoop.")]
     if hoop and _is_made_of_parts(base, hoop):
@@ -125,32 +122,6 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         cells[SLIP] = free["vx"] - cells[RADIUS] * cells[OMEGA]
     _mark(cells)
     return cells
-
-
-def _put_base(cells: Array, base: Scenario) -> None:
-    hoop, plane, start = base.hoop, base.plane, base.start
-    assert isinstance(base.contact, Rigid)
-    cells[RADIUS] = hoop.radius
-    cells[MASS] = hoop.mass
-    cells[ECCENTRICITY] = hoop.eccentricity
-    cells[INERTIA_RATIO] = hoop.inertia_ratio
-    cells[IDEAL] = hoop.load_fraction is not None
-    cells[GRAVITY] = plane.gravity
-    cells[SLOPE] = plane.slope
-    cells[MU_STATIC] = plane.mu_static
-    cells[MU_KINETIC] = plane.mu_kinetic
-    cells[RESTITUTION] = plane.restitution
-    cells[ROLLING_RESISTANCE] = plane.rolling_resistance
-    cells[LAW] = int(ImpactLaw[plane.impact_law.upper()])
-    cells[STRIKE] = plane.painleve == "impact"
-    cells[X] = start.x
-    cells[HEIGHT] = start.height
-    cells[ANGLE] = start.angle
-    cells[VY] = start.vy
-    cells[OMEGA] = start.state(hoop).omega
-    cells[DURATION] = base.duration
-    cells[MAX_EVENTS] = base.contact.max_events
-    cells[ALLOWED] = 1.0
 
 
 def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.maps.kernel import FIRST_EVENTS, MAX_EVENTS, MORE_EVENTS
+from hophoop.maps.kernel import FIRST_EVENTS, MORE_EVENTS
+from hophoop.records.cells import MAX_EVENTS
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.scenario import InputError
 

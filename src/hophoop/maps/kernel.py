@@ -8,12 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hophoop.maps.friction_use import greatest_utilization
-from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, Event, Mode, Status
+from hophoop.records.cells import ALLOWED, DURATION, MAX_EVENTS, body_of, scales_of, start_of
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state, whole_angle
-from hophoop.records.units import scales_from
+from hophoop.records.state import whole_angle
 from hophoop.records.writing import new_log, state_of
 from hophoop.rigid.flight_phase import fly
 from hophoop.rigid.kernel import run
@@ -21,18 +20,6 @@ from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, limits_of
 from hophoop.rigid.panel_events import STOP
 from hophoop.rigid.phase import opening_of
 from hophoop.rigid.transitions import collide
-
-# Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
-CELL = (
-    "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
-    "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
-    "ideal", "rolling_resistance", "allowed",
-)  # fmt: skip
-(
-    RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
-    RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
-    IDEAL, ROLLING_RESISTANCE, ALLOWED,
-) = range(len(CELL))  # fmt: skip
 
 # Columns of the results, in SI units.
 NUMBERS = (
@@ -108,51 +95,6 @@ class Rows(NamedTuple):
     numbers: Any
     words: Any
     keys: Any
-
-
-def scales_of(cells, k):
-    """Units of a cell."""
-    return scales_from(cells[RADIUS, k], second_of(cells, k), cells[MASS, k])
-
-
-def body_of(cells, k):
-    """Body of a cell, as `scenario.to_body` makes it."""
-    weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
-    s, c = sine_and_cosine(cells[SLOPE, k])
-    return Body(
-        cells[ECCENTRICITY, k],
-        cells[INERTIA_RATIO, k],
-        cells[MU_STATIC, k],
-        cells[MU_KINETIC, k],
-        weight * c,
-        weight * s,
-        cells[RESTITUTION, k],
-        int(cells[LAW, k]),
-        cells[STRIKE, k] != 0.0,
-        weight * cells[SLOPE, k],
-        cells[IDEAL, k] != 0.0,
-        cells[ROLLING_RESISTANCE, k],
-    )
-
-
-def second_of(cells, k):
-    """Unit of time of a cell, as `scenario.time_unit` gives it."""
-    gravity = cells[GRAVITY, k]
-    return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
-
-
-def start_of(cells, k, second):
-    """Start of a cell in kernel units."""
-    radius = cells[RADIUS, k]
-    speed = radius / second
-    return start_state(
-        cells[X, k] / radius,
-        cells[HEIGHT, k] / radius,
-        cells[ANGLE, k],
-        cells[SLIP, k] / speed,
-        cells[VY, k] / speed,
-        cells[OMEGA, k] * second,
-    )
 
 
 def is_passing(kind):

@@ -12,8 +12,6 @@ from hophoop.compliant.kernel import run
 from hophoop.compliant.parameters import RTOL, chosen_in_si, compliance_of, load_contact
 from hophoop.compliant.records import OM, SIZE, TH, VN, VT, WIDTH, X, Y
 from hophoop.compliant.sampling import sample
-from hophoop.maps.kernel import ANGLE, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SLIP, VY, body_of, scales_of
-from hophoop.maps.kernel import X as PLACE
 from hophoop.module.layout import CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS
 from hophoop.module.motions import (
     FIELDS,
@@ -25,6 +23,8 @@ from hophoop.module.motions import (
 )
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import sinking
+from hophoop.records.cells import ANGLE, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SLIP, VY, body_of, scales_of
+from hophoop.records.cells import X as PLACE
 from hophoop.records.layout import SEGMENT
 from hophoop.records.times import kernel_times
 

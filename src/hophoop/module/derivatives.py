@@ -12,10 +12,10 @@ from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
 from hophoop.derivatives.rows import ROWS
-from hophoop.maps.kernel import CELL, DURATION, body_of, scales_of
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.motions import FIELDS
 from hophoop.numerics.collocation import ORDER
+from hophoop.records.cells import CELL, DURATION, body_of, scales_of
 from hophoop.records.scratch import new_scratch
 from hophoop.records.times import kernel_times
 

@@ -7,10 +7,11 @@ from typing import Any
 
 from hophoop.compliant.records import WIDTH
 from hophoop.derivatives.layout import Reason
-from hophoop.maps.kernel import CELL, ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
+from hophoop.maps.kernel import ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
 from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.records.cells import CELL
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.rigid.margins import MARGINS
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import threading
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -53,40 +51,3 @@ def thread_scratch() -> Scratch:
         _own.scratch = new_scratch()
     scratch: Scratch = _own.scratch
     return scratch
-
-
-class Stop:
-    """A flag in memory that ends the motions which a thread computes: set by another thread, seen at the next panel."""
-
-    def __init__(self) -> None:
-        self._scratches: list[Scratch] = []
-        self._stopped = False
-
-    @property
-    def stopped(self) -> bool:
-        """Whether it has been set."""
-        return self._stopped
-
-    def stop(self) -> None:
-        """End what is computed under it; such a motion has the status `event_limit`, with the run so far."""
-        self._stopped = True
-        for scratch in self._scratches:
-            scratch.written[3] = 0
-
-    @contextlib.contextmanager
-    def guards(self) -> Iterator[None]:
-        """Let it end what this thread computes inside."""
-        before = getattr(_own, "scratch", None)
-        own: Scratch = new_scratch()
-        self._scratches.append(own)
-        if self._stopped:
-            own.written[3] = 0
-        _own.scratch = own
-        try:
-            yield
-        finally:
-            self._scratches.remove(own)
-            if before is None:
-                del _own.scratch
-            else:
-                _own.scratch = before

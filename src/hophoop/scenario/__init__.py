@@ -5,7 +5,7 @@ from hophoop.scenario.describing import describe
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start, StartState
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
 from hophoop.scenario.paths import ParameterInfo, parameter, paths
-from hophoop.scenario.scenario import Scenario, time_unit, to_body
+from hophoop.scenario.scenario import Scenario, cell_of, time_unit, to_body
 from hophoop.scenario.sentences import sentence
 
 __all__ = [
@@ -26,6 +26,7 @@ __all__ = [
     "paths",
     "describe",
     "sentence",
+    "cell_of",
     "time_unit",
     "to_body",
 ]

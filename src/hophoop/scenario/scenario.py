@@ -22,6 +22,8 @@ from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
 from hophoop.scenario.texts import say
 
+LAWS = {law.name.lower(): int(law) for law in ImpactLaw}  # as the kernels know them
+
 
 class Scenario(Frozen):
     """Everything that a motion needs, validated, frozen and written to files and links.
@@ -346,12 +348,36 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         gn=weight * c,
         gt=weight * s,
         rest=plane.restitution,
-        law=int(ImpactLaw[plane.impact_law.upper()]),
+        law=LAWS[plane.impact_law],
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
         ideal=hoop.load_fraction is not None,
         resist=plane.rolling_resistance,
     )
+
+
+def cell_of(scenario: Scenario) -> tuple[float, ...]:
+    """A scenario as a cell of the kernels.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    cell : tuple of float, length len(CELL)
+        As `records.cells.CELL` names them [SI].
+    """
+    hoop, plane = scenario.hoop, scenario.plane
+    start = scenario.start.state(hoop)
+    return (
+        hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio,
+        plane.gravity, plane.slope, plane.mu_static, plane.mu_kinetic, plane.restitution,
+        LAWS[plane.impact_law], plane.painleve == "impact",
+        start.x, start.height, start.angle, start.vy, start.omega, start.slip,
+        scenario.duration, scenario.contact.max_events,
+        hoop.load_fraction is not None, plane.rolling_resistance, True,
+    )  # fmt: skip
 
 
 def time_unit(hoop: Hoop, plane: Plane) -> float:

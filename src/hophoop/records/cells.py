@@ -1,0 +1,76 @@
+"""A motion as the kernels are asked for it: a column of numbers, and what they make of it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from hophoop.numerics.circular import sine_and_cosine
+from hophoop.physics.body import Body
+from hophoop.records.state import start_state
+from hophoop.records.units import scales_from
+
+# Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
+CELL = (
+    "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
+    "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
+    "ideal", "rolling_resistance", "allowed",
+)  # fmt: skip
+(
+    RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
+    RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
+    IDEAL, ROLLING_RESISTANCE, ALLOWED,
+) = range(len(CELL))  # fmt: skip
+
+
+class Tables(NamedTuple):
+    """One motion: its cell, and what it is written into."""
+
+    cell: Any  # of shape (len(CELL), 1)
+    events: Any
+    segments: Any
+
+
+def scales_of(cells, k):
+    """Units of a cell."""
+    return scales_from(cells[RADIUS, k], second_of(cells, k), cells[MASS, k])
+
+
+def body_of(cells, k):
+    """Hoop and plane of a cell, as `scenario.to_body` makes them."""
+    weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
+    s, c = sine_and_cosine(cells[SLOPE, k])
+    return Body(
+        cells[ECCENTRICITY, k],
+        cells[INERTIA_RATIO, k],
+        cells[MU_STATIC, k],
+        cells[MU_KINETIC, k],
+        weight * c,
+        weight * s,
+        cells[RESTITUTION, k],
+        int(cells[LAW, k]),
+        cells[STRIKE, k] != 0.0,
+        weight * cells[SLOPE, k],
+        cells[IDEAL, k] != 0.0,
+        cells[ROLLING_RESISTANCE, k],
+    )
+
+
+def second_of(cells, k):
+    """Unit of time of a cell, as `scenario.time_unit` gives it."""
+    gravity = cells[GRAVITY, k]
+    return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
+
+
+def start_of(cells, k, second):
+    """Start of a cell in kernel units."""
+    radius = cells[RADIUS, k]
+    speed = radius / second
+    return start_state(
+        cells[X, k] / radius,
+        cells[HEIGHT, k] / radius,
+        cells[ANGLE, k],
+        cells[SLIP, k] / speed,
+        cells[VY, k] / speed,
+        cells[OMEGA, k] * second,
+    )
