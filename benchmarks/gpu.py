@@ -35,8 +35,7 @@ from hophoop.maps import kernel
 from hophoop.maps.cells import make_cells
 from hophoop.maps.evaluate import Results, run_cells
 from hophoop.maps.quantities import make_span
-from hophoop.records.cells import CELL
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.layout import CELL, EVENT, SEGMENT
 
 ARCHITECTURE = (8, 0)
 ROOM = 3000  # events of one motion

@@ -29,8 +29,8 @@ import hophoop as hh
 from hophoop._native import compiled
 from hophoop.arbitration import LATEST
 from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
-from hophoop.records.cells import CELL, DURATION, body_of, second_of, start_of
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.cells import body_of, second_of, start_of
+from hophoop.records.layout import CELL, DURATION, EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.rigid.kernel import run
 from hophoop.rigid.sampling import COLUMNS, find_segment, sample

@@ -29,8 +29,7 @@ from hophoop.module.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMN
 from hophoop.module.stamp import HERE, MODULE, sources
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.records.cells import CELL
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.layout import CELL, EVENT, SEGMENT
 from module.host import Host
 from module.module_tools import cell_of, given_of
 

@@ -10,6 +10,7 @@ import numpy as np
 
 import hophoop
 from hophoop.physics.body import MODE_LETTERS, Body, Mode, Status
+from hophoop.records.cells import start_of
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import State, whole_angle
@@ -22,8 +23,8 @@ from hophoop.rigid.panel_events import CONE_AHEAD, CONE_BACK, FULL_ANGLE, LIFT, 
 from hophoop.rigid.phase import GOING, Phase
 from hophoop.rigid.script import repeat
 from hophoop.scenario import InputError, Rigid, Scenario
-from hophoop.scenario.scenario import to_body
-from hophoop.simulation import script_of, start_of
+from hophoop.scenario.scenario import cell_of, to_body
+from hophoop.simulation import script_of
 from hophoop.trajectory import Trajectory
 from hophoop.units import Units
 from hophoop.vocabulary.words import VERBS, mode_word
@@ -141,7 +142,7 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
     body = to_body(scenario.hoop, scenario.plane)
     units = Units.of_scenario(scenario)
     scratch = new_scratch()
-    start = start_of(scenario)
+    start = start_of(np.array([cell_of(scenario)], dtype=object).T, 0, units.time)  # of floats, not NumPy's
     script = script_of(scenario, contact)
     log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
     limits = limits_of(start, scenario.duration / units.time, math.nan, 0)

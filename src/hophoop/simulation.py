@@ -16,14 +16,9 @@ import hophoop
 from hophoop._native import compiled
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Body, Status
-from hophoop.records.cells import CELL, Tables
-from hophoop.records.layout import EVENT, SEGMENT, first_rows
-from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
-from hophoop.records.state import State, start_state
-from hophoop.rigid.kernel import run_cell
-from hophoop.rigid.script import fill_script
+from hophoop.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Tables, first_rows
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
-from hophoop.scenario.scenario import cell_of, time_unit
+from hophoop.scenario.scenario import cell_of
 from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -173,32 +168,6 @@ def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence
     return simulate(scenario).sensitivity(of, wrt)
 
 
-def start_of(scenario: Scenario) -> State:
-    """The start of a motion in the kernel's units.
-
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    start : State
-    """
-    hoop = scenario.hoop
-    second = time_unit(hoop, scenario.plane)
-    given = scenario.start.state(hoop)
-    speed = hoop.radius / second
-    start: State = start_state(
-        given.x / hoop.radius,
-        given.height / hoop.radius,
-        given.angle,
-        given.slip / speed,
-        given.vy / speed,
-        given.omega * second,
-    )
-    return start
-
-
 def script_of(scenario: Scenario, contact: Rigid) -> np.ndarray:
     """The first events of a motion that more digits have to decide.
 
@@ -224,13 +193,13 @@ class _Own(threading.local):
 
 
 _own = _Own()
-_run = compiled(run_cell)
+_run = compiled("hophoop.rigid.kernel.run_cell")
 _fill = struct.Struct(f"{len(CELL)}d").pack_into  # a fifth of the time of an assignment
 
 
 def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray, np.ndarray, float]:
     """Status, events, segments, the script of what was decided in more digits, and when doubles first were in doubt."""
-    tables, scratch = _own.tables, thread_scratch()
+    tables = _own.tables
     _fill(tables.cell, 0, *cell_of(scenario))
     most_events = contact.max_events
     script = NO_SCRIPT
@@ -238,7 +207,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     budget: Budget | None = None
     doubt = math.inf
     while True:
-        status, count, pieces, doubted, doubt_until, events_full, panels_used = _run(tables, scratch, script)
+        status, count, pieces, doubted, doubt_until, events_full, panels_used = _run(tables, script)
         if not script.size and not math.isnan(doubted):
             doubt = doubted
         if status == BUFFER:
@@ -286,6 +255,9 @@ def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:
     segments : ndarray of records.SEGMENT, shape (k,)
         In kernel units [1]; `run` does not write them when it repeats the script.
     """
+    from hophoop.records.scratch import new_scratch
+    from hophoop.rigid.script import fill_script
+
     length = FIRST_SEGMENTS
     while True:
         segments = np.empty(length, SEGMENT)

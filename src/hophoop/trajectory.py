@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop import export, portrait
 from hophoop._fingerprint import STATE, fingerprint
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
 from hophoop.physics.energy import energies_after
@@ -375,6 +374,8 @@ class Trajectory:
         ImportError
             If xarray is missing.
         """
+        from hophoop import export
+
         return export.to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
 
     def save(self, path: str | Path) -> None:
@@ -392,9 +393,13 @@ class Trajectory:
         ImportError
             If the library that writes it is missing.
         """
+        from hophoop import export
+
         export.save(self, path)
 
     def _repr_html_(self) -> str:
+        from hophoop import portrait
+
         return portrait.html(self)
 
     def __repr__(self) -> str:

@@ -14,6 +14,7 @@ from hophoop.numerics import circular, collocation
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
 from hophoop.rigid import kernel
 
 pytest.importorskip("numba")
@@ -139,7 +140,7 @@ def test_a_dispatcher_of_motions_has_their_bits():
     scenario = hh.Scenario(duration=2.0)
     motion = hh.simulate(scenario)
     events, segments = np.zeros(64, EVENT), np.zeros(256, SEGMENT)
-    start = hh.simulation.start_of(scenario)
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * motion.units.time)
     end = scenario.duration / motion.units.time
     status, count, pieces = jitted(kernel.run)(
         scenario.to_body(), start, end, math.nan, 0, events, segments, new_scratch(), events[:0]

@@ -19,8 +19,7 @@ from hophoop.maps.kernel import KEYS, NUMBERS, WORDS
 from hophoop.module.entries import Entries
 from hophoop.module.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.physics.body import Status
-from hophoop.records.cells import CELL
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.layout import CELL, EVENT, SEGMENT
 from hophoop.rigid.margins import MARGINS
 
 

@@ -18,7 +18,7 @@ from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.module.layout import EVENT_COLUMNS, layout
 from hophoop.module.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
 from hophoop.physics.body import Status
-from hophoop.records.scratch import MOST_PANELS
+from hophoop.records.layout import MOST_PANELS
 
 pytest.importorskip("wasmtime")
 

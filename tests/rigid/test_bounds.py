@@ -22,7 +22,8 @@ from hophoop.precise import contact
 from hophoop.precise.motion import Run
 from hophoop.precise.problem import Problem
 from hophoop.precise.series import Work, work_of_step
-from hophoop.records.scratch import MOST_PANELS, new_scratch
+from hophoop.records.layout import MOST_PANELS
+from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid import panel_choice
 

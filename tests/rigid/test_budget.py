@@ -2,23 +2,31 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
+
 import hophoop as hh
-from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
-
-
-def test_the_budget_stands_in_memory() -> None:
-    assert new_scratch().written[3] == MOST_PANELS
+from hophoop._native import compiled
+from hophoop.physics.body import Status
+from hophoop.records.layout import EVENT, MOST_PANELS, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid.kernel import run
 
 
 def test_a_budget_of_few_panels_gives_the_run_so_far() -> None:
-    whole = hh.simulate(hh.Scenario())
-    thread_scratch().written[3] = 20
-    try:
-        part = hh.simulate(hh.Scenario())
-    finally:
-        thread_scratch().written[3] = MOST_PANELS
-    assert part.status == "event_limit"
-    assert 0.0 < part.duration < whole.duration
-    count = len(part.events) - 1  # the last one is the end of what is computed
-    assert [event.t for event in part.events[:count]] == [event.t for event in whole.events[:count]]
-    assert hh.simulate(hh.Scenario()).events == whole.events
+    scenario, scratch = hh.Scenario(), new_scratch()
+    assert scratch.written[3] == MOST_PANELS
+    scratch.written[3] = 20
+    whole = hh.simulate(scenario)
+    unit = whole.units.time
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * unit)
+    events, segments = np.empty(64, EVENT), np.empty(256, SEGMENT)
+    status, count, _ = compiled(run)(
+        scenario.to_body(), start, scenario.duration / unit, math.nan, 0, events, segments, scratch, events[:0]
+    )
+    assert status == Status.EVENT_LIMIT
+    found = events[: count - 1]  # the last one is the end of what is computed
+    assert 3 < len(found) < len(whole.events) - 1
+    assert found.tobytes() == whole.tables["events"][: count - 1].tobytes()

@@ -9,6 +9,8 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Callable, Iterator
+from functools import cached_property
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -35,9 +37,8 @@ def mode() -> str:
 class Entry:
     """A kernel as Python calls it."""
 
-    def __init__(self, kernel: Callable[..., Any]) -> None:
-        self.kernel = kernel
-        self.name = f"{kernel.__module__}.{kernel.__qualname__}"
+    def __init__(self, name: str) -> None:
+        self.name = name
         self._call: Callable[..., Any] = self._choose
 
     def __call__(self, *arguments: Any) -> Any:
@@ -65,16 +66,24 @@ class Entry:
         with np.errstate(all="ignore"):
             return self.kernel(*arguments)
 
+    @cached_property
+    def kernel(self) -> Callable[..., Any]:
+        """Its source, imported where it is interpreted."""
+        module, _, function = self.name.rpartition(".")
+        found: Callable[..., Any] = getattr(import_module(module), function)
+        return found
 
-_entries: dict[Callable[..., Any], Entry] = {}
+
+_entries: dict[Callable[..., Any] | str, Entry] = {}
 
 
-def compiled(kernel: Callable[..., Any]) -> Callable[..., Any]:
+def compiled(kernel: Callable[..., Any] | str) -> Callable[..., Any]:
     """A kernel of `kernel.entries` as compiled code; interpreted where there is none.
 
     Parameters
     ----------
-    kernel : function
+    kernel : function or str
+        Or its name with that of its module, which then is not imported where there is a library.
 
     Returns
     -------
@@ -83,7 +92,8 @@ def compiled(kernel: Callable[..., Any]) -> Callable[..., Any]:
     """
     found = _entries.get(kernel)
     if found is None:
-        found = _entries.setdefault(kernel, Entry(kernel))
+        name = kernel if isinstance(kernel, str) else f"{kernel.__module__}.{kernel.__qualname__}"
+        found = _entries[kernel] = _entries.setdefault(name, Entry(name))
     return found
 
 

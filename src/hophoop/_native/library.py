@@ -13,7 +13,6 @@ import platform
 import sys
 from collections.abc import Callable
 from functools import cache
-from multiprocessing import parent_process
 from pathlib import Path
 from typing import Any
 
@@ -69,6 +68,8 @@ def library(quiet: bool = False) -> Library | None:
     """The library of this machine, loaded; None where there is none, which is told of once, with what that costs."""
     found = _found()
     if isinstance(found, str):
+        from multiprocessing import parent_process
+
         if not quiet and sys.stderr is not None and parent_process() is None:
             print(f"{found} Without them a motion takes some milliseconds, a hundred times as long.", file=sys.stderr)
         return None

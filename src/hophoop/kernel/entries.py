@@ -13,8 +13,7 @@ import numpy as np
 
 from hophoop.physics.body import Body
 from hophoop.physics.compliant import Compliance
-from hophoop.records.cells import Tables
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.layout import EVENT, SEGMENT, Tables
 from hophoop.records.scratch import Scratch
 from hophoop.records.state import State
 
@@ -48,7 +47,7 @@ _THEORY = "hophoop.theory.kernels."
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "motions": {
         "hophoop.rigid.kernel.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
-        "hophoop.rigid.kernel.run_cell": (Tables, Scratch, EVENTS),
+        "hophoop.rigid.kernel.run_cell": (Tables, EVENTS),
         "hophoop.maps.kernel.evaluate_block": (
             TABLE, int, int, float, int, bool, int, EVENTS, TABLE, Array(np.dtype(np.int32), 2), Array(np.dtype(np.uint64), 2),
         ),

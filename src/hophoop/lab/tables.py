@@ -28,7 +28,7 @@ from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.physics.body import MODE_LETTERS, ImpactLaw
-from hophoop.records.cells import CELL
+from hophoop.records.layout import CELL
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.parts import TOUCH

@@ -12,7 +12,7 @@ from hophoop.maps.axes import ordered, scenario_at
 from hophoop.physics.body import ImpactLaw
 from hophoop.physics.mass import ideal_inertia
 from hophoop.physics.resistance import most_resistance
-from hophoop.records.cells import (
+from hophoop.records.layout import (
     ALLOWED,
     ANGLE,
     DURATION,
@@ -74,7 +74,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
     Returns
     -------
     cells : ndarray, shape (len(CELL), count)
-        Rows as `records.cells.CELL` names them [SI]; those whose values do not go together are marked.
+        Rows as `records.layout.CELL` names them [SI]; those whose values do not go together are marked.
     """
     cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))

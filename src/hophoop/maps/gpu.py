@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.maps.kernel import FIRST_EVENTS, MORE_EVENTS
-from hophoop.records.cells import MAX_EVENTS
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.layout import EVENT, MAX_EVENTS, SEGMENT
 from hophoop.scenario import InputError
 
 THREADS_A_BLOCK = 64

@@ -11,7 +11,8 @@ from hophoop.kernel.jit import jitted
 from hophoop.maps import kernel as cells_kernel
 from hophoop.numerics.collocation import ORDER
 from hophoop.panels.panel import ROWS
-from hophoop.records.scratch import MOST_PANELS, STACK_COLUMNS, STACK_ROWS, Scratch
+from hophoop.records.layout import MOST_PANELS
+from hophoop.records.scratch import STACK_COLUMNS, STACK_ROWS, Scratch
 
 # What CUDA's simulator runs is Python.
 evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else jitted(cells_kernel.evaluate_cell)

@@ -9,8 +9,8 @@ import numpy as np
 
 from hophoop.maps.friction_use import greatest_utilization
 from hophoop.physics.body import Body, Event, Mode, Status
-from hophoop.records.cells import ALLOWED, DURATION, MAX_EVENTS, body_of, scales_of, start_of
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.cells import body_of, scales_of, start_of
+from hophoop.records.layout import ALLOWED, DURATION, EVENT, MAX_EVENTS, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import whole_angle
 from hophoop.records.writing import new_log, state_of

@@ -13,8 +13,8 @@ from hophoop.module.motions import FIELDS
 from hophoop.physics.body import Mode
 from hophoop.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
 from hophoop.physics.resistance import most_resistance
-from hophoop.records.cells import CELL, body_of, scales_of
-from hophoop.records.layout import EVENT
+from hophoop.records.cells import body_of, scales_of
+from hophoop.records.layout import CELL, EVENT
 from hophoop.rigid.contact_phase import equilibrium_is_stable
 from hophoop.theory.kernels.arcs import TURN, first_valley
 from hophoop.theory.kernels.critical import hop_speed, slip_speeds
@@ -117,7 +117,7 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
 
 
 def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
-    """Reduced quantities of n motions, each a column of `records.cells.CELL`; `span` is in rad, nan for none."""
+    """Reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
     columns = carray(cells, (ROWS, n))
     evaluate_block(
         columns, 0, n, span, stop, timed != 0, wanted, np.empty(0, EVENT),

@@ -23,9 +23,9 @@ from hophoop.module.motions import (
 )
 from hophoop.physics.body import Status
 from hophoop.physics.compliant import sinking
-from hophoop.records.cells import ANGLE, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SLIP, VY, body_of, scales_of
-from hophoop.records.cells import X as PLACE
-from hophoop.records.layout import SEGMENT
+from hophoop.records.cells import body_of, scales_of
+from hophoop.records.layout import ANGLE, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SEGMENT, SLIP, VY
+from hophoop.records.layout import X as PLACE
 from hophoop.records.times import kernel_times
 
 CONTACT, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(COMPLIANT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)

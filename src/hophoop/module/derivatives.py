@@ -15,7 +15,8 @@ from hophoop.derivatives.rows import ROWS
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.motions import FIELDS
 from hophoop.numerics.collocation import ORDER
-from hophoop.records.cells import CELL, DURATION, body_of, scales_of
+from hophoop.records.cells import body_of, scales_of
+from hophoop.records.layout import CELL, DURATION
 from hophoop.records.scratch import new_scratch
 from hophoop.records.times import kernel_times
 

@@ -11,8 +11,7 @@ from hophoop.maps.kernel import ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WOR
 from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.records.cells import CELL
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.layout import CELL, EVENT, SEGMENT
 from hophoop.rigid.margins import MARGINS
 
 # What a motion is told with, besides its events: SI units, and counts.

@@ -11,8 +11,8 @@ from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.physics.body import Mode
 from hophoop.physics.energy import energies_after
 from hophoop.physics.friction import utilization
-from hophoop.records.cells import CELL, DURATION, MAX_EVENTS, body_of, scales_of, start_of
-from hophoop.records.layout import EVENT
+from hophoop.records.cells import body_of, scales_of, start_of
+from hophoop.records.layout import CELL, DURATION, EVENT, MAX_EVENTS
 from hophoop.records.scratch import new_scratch
 from hophoop.records.times import kernel_times
 from hophoop.rigid import sampling
@@ -84,7 +84,7 @@ def write_energies(body, scales, first, last, energies, first_spring, head):
 def motion(given, events, most_events, segments, most_segments, table, heads):
     """Compute a motion.
 
-    `given` holds a scenario's numbers in the order of `records.cells.CELL`; `table` takes the events and `heads` what
+    `given` holds a scenario's numbers in the order of `records.layout.CELL`; `table` takes the events and `heads` what
     `layout.HEADS` names. Segments are for `samples`. Where there is too little room for them the status is `buffer`;
     where there is for the events it is `event_limit`, with fewer events than the scenario allows.
     """

@@ -15,7 +15,7 @@ from hophoop.maps import Border, words_of
 from hophoop.maps.axes import ordered
 from hophoop.maps.cells import make_cells
 from hophoop.plots.style import ON_COLOR, SMALL, new_axes
-from hophoop.records.cells import CELL
+from hophoop.records.layout import CELL
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.classes import class_color

@@ -1,34 +1,34 @@
-"""A motion as the kernels are asked for it: a column of numbers, and what they make of it."""
+"""What the kernels make of a cell: units, body and start."""
 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
 
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body
+from hophoop.records.layout import (
+    ANGLE,
+    ECCENTRICITY,
+    GRAVITY,
+    HEIGHT,
+    IDEAL,
+    INERTIA_RATIO,
+    LAW,
+    MASS,
+    MU_KINETIC,
+    MU_STATIC,
+    OMEGA,
+    RADIUS,
+    RESTITUTION,
+    ROLLING_RESISTANCE,
+    SLIP,
+    SLOPE,
+    STRIKE,
+    VY,
+    X,
+)  # fmt: skip
 from hophoop.records.state import start_state
 from hophoop.records.units import scales_from
-
-# Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
-CELL = (
-    "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
-    "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
-    "ideal", "rolling_resistance", "allowed",
-)  # fmt: skip
-(
-    RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
-    RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
-    IDEAL, ROLLING_RESISTANCE, ALLOWED,
-) = range(len(CELL))  # fmt: skip
-
-
-class Tables(NamedTuple):
-    """One motion: its cell, and what it is written into."""
-
-    cell: Any  # of shape (len(CELL), 1)
-    events: Any
-    segments: Any
 
 
 def scales_of(cells, k):

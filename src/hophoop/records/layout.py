@@ -1,8 +1,22 @@
-"""What the kernels write: one record an event, one a segment."""
+"""What the kernels are given, a column of numbers a motion, and what they write: one record an event, one a segment."""
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
 import numpy as np
+
+# Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
+CELL = (
+    "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
+    "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
+    "ideal", "rolling_resistance", "allowed",
+)  # fmt: skip
+(
+    RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
+    RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
+    IDEAL, ROLLING_RESISTANCE, ALLOWED,
+) = range(len(CELL))  # fmt: skip
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
 # What rounding keeps from time and place, and the angle as whole turns and θ within the turn.
@@ -31,6 +45,30 @@ SEGMENT = np.dtype(
     + [(name, "f8") for name in _PLACE]
     + [("rolling_resistance", "f8")]
 )
+
+
+# Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
+MOST_PANELS = 500_000
+
+
+class Tables(NamedTuple):
+    """One motion: its cell, and what it is written into."""
+
+    cell: Any  # of shape (len(CELL), 1)
+    events: Any
+    segments: Any
+
+
+class Outcome(NamedTuple):
+    """What a motion told beside its tables."""
+
+    status: int
+    events: int  # that were written, and so on
+    segments: int
+    doubt: float  # the first time at which doubles did not suffice, nan where they did
+    doubt_until: float
+    events_full: bool
+    panels_used: bool  # as many as a motion may have
 
 
 def first_rows(table: np.ndarray, count: int) -> np.ndarray:

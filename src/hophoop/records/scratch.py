@@ -10,9 +10,7 @@ import numpy as np
 from hophoop.numerics.collocation import ORDER
 from hophoop.numerics.roots import DEPTH
 from hophoop.panels.panel import ROWS
-
-# Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
-MOST_PANELS = 500_000
+from hophoop.records.layout import MOST_PANELS
 
 STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # what `first_fall` needs
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from hophoop._native import apart, inline
 from hophoop.numerics.circular import cosine
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import can_roll, slip_mode
-from hophoop.records.cells import DURATION, MAX_EVENTS, body_of, second_of, start_of
+from hophoop.records.cells import body_of, second_of, start_of
+from hophoop.records.layout import DURATION, MAX_EVENTS, Outcome
+from hophoop.records.scratch import new_scratch
 from hophoop.records.state import moved
 from hophoop.records.writing import count_panel, has_room, new_log, note, quiet
 from hophoop.rigid.contact_phase import contact_step
@@ -27,18 +28,6 @@ UNDETERMINED, EVENT_LIMIT, BUFFER = (int(end) for end in (Status.UNDETERMINED, S
 
 LARGEST = 1e150  # of all numbers of a motion in its own units: the squares of larger ones overflow
 LOWEST_START = 1e-250  # a rim this high touches: the time to fall would underflow
-
-
-class Outcome(NamedTuple):
-    """What `run_cell` tells beside the tables."""
-
-    status: int
-    events: int  # that were written, and so on
-    segments: int
-    doubt: float  # the first time at which doubles did not suffice, nan where they did
-    doubt_until: float
-    events_full: bool
-    panels_used: bool  # as many as a motion may have
 
 
 @apart
@@ -150,8 +139,9 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
     return phase.status if phase.status != GOING else EVENT_LIMIT, count, log.written[1]
 
 
-def run_cell(tables, scratch, script):
+def run_cell(tables, script):
     """`run` to the end of time, for a cell."""
+    scratch = new_scratch()
     cell = tables.cell
     second = second_of(cell, 0)
     events = tables.events

@@ -10,7 +10,6 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, model_validator
 
-from hophoop._files import replacing
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.physics.compliant import STIFFNESS, sinking
@@ -172,6 +171,8 @@ class Scenario(Frozen):
             text = json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
         else:
             raise InputError(f"{file} must end in .toml or .json.")
+        from hophoop._files import replacing
+
         with replacing(file) as fresh:
             fresh.write_text(text, encoding="utf-8")
 

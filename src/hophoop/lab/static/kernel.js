@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 27af543d0b817894fce2d5a4472820fe */
-var c={sources:"054ee15c40495d7f049c6a1188e6eedc",module:"aebb1752195ea5b7",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 3d8f54789455323c64f3b9b3b50c9b8d */
+var c={sources:"e63cbca669b12aaa940a78de160c0ad2",module:"aebb1752195ea5b7",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
