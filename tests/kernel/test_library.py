@@ -194,6 +194,7 @@ take(theory.painleve_threshold(angles, hoop), *theory.painleve_minimum(hoop))
 digest.update(theory.painleve_region([5.9, 1.0], [2.0, 9.0], hoop).tobytes())
 take(*((state.angle, state.omega) for state in theory.jam_states(hoop)))
 motion = hh.simulate(hh.Scenario(duration=2.0))
+take(*(getattr(motion.errors, name) for name in ("t", "angle")))
 take(motion.at(motion.times(50)).utilization(motion.scenario.plane))
 of = ["hop.height", "at(1.0).angle", "greatest_utilization"]
 take(motion.sensitivity(of, ["plane.mu", "hoop.load_fraction"]).derivatives)
