@@ -29,8 +29,6 @@ from hophoop.trajectory import Trajectory
 from hophoop.units import Units
 from hophoop.vocabulary.words import VERBS, mode_word
 
-_FEW_SEGMENTS = 256
-
 
 @dataclass(frozen=True)
 class Margins:

@@ -9,7 +9,6 @@ from hophoop.animate.canvas import Canvas, Rectangle
 from hophoop.vocabulary.words import PARTICIPLES
 
 MARGIN, GAP = 22.0, 26.0  # at the sides, and between words and keys [units]
-LABEL_LINE, STATE_LINE = 30.0, 30.0  # heights of a line [units]
 BAR = (270.0, 54.0)  # of the key to colours [units]
 FORCES = (236.0, 54.0)  # of the key to arrows [units]
 FOOT = 30.0  # of a line at the bottom [units]

@@ -150,7 +150,6 @@ def animate(
             raise typer.Exit(NO_ANSWER)
 
 
-# What the functions of films call their arguments, and the options that give them.
 def _varied(scenario: Any, vary: str | None) -> list[Any]:
     from hophoop.cli._options import value_of
     from hophoop.scenario import InputError

@@ -148,7 +148,6 @@ def _numbers(option: str, text: str | None, count: int) -> Any:
     return values
 
 
-# What the functions of tracking call their arguments, and the options that give them.
 def _bar(words: str, quiet: bool) -> Any:
     from contextlib import nullcontext
 

@@ -13,7 +13,6 @@ from hophoop.engines.task import States
 from hophoop.scenario import InputError
 
 HEADER = ("t", "x", "y", "theta", "vx", "vy", "omega")
-NOTES = ("scenario", "engine", "version", "settings", "steps", "wall_seconds")
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import dataclass
 from typing import Any
@@ -169,21 +168,3 @@ def _steps(scenario: Scenario, contact: Compliant) -> float:
     if contact.stiffness is not None:
         rate += math.sqrt(contact.stiffness / mass)
     return 10.0 * scenario.duration * rate + 40.0 * float(turns_of(scenario))
-
-
-def whole_number(value: Any, name: str, least: int, most: int, but_not: int | None = None) -> int:
-    """A whole number from `least` on; more than `most` is too much.
-
-    Raises
-    ------
-    ValueError
-        If it is not a whole number in the range.
-    TooMuch
-        If it is larger.
-    """
-    if isinstance(value, bool) or not isinstance(value, int) or value < least or value == but_not:
-        other = f" and not {but_not}" if but_not is not None else ""
-        raise InputError(f"{name} = {json.dumps(value)[:60]} must be a whole number from {least}{other}.")
-    if value > most:
-        raise TooMuch(f"{name} = {value} must be at most {most} in the lab.")
-    return value

@@ -9,7 +9,7 @@ from numba import from_dtype, types
 from hophoop.module import answers, compliant, derivatives, motions
 from hophoop.records.layout import EVENT, SEGMENT
 
-FLOATS, WORDS, KEYS, LARGE = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64, types.int64))
+FLOATS, WORDS, KEYS = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64))
 BYTES, SIGNS = types.CPointer(types.uint8), types.CPointer(types.int8)
 EVENTS, SEGMENTS = types.CPointer(from_dtype(EVENT)), types.CPointer(from_dtype(SEGMENT))
 COUNT, NUMBER = types.int64, types.float64

@@ -120,11 +120,6 @@ def slope_at(series: Series, s: int, bits: int) -> int:
     return total
 
 
-def coefficient_of_product(a: Sequence[int], b: Sequence[int]) -> int:
-    """Last coefficient of the product of two series of the same length, times 2^bits."""
-    return sum(map(mul, a, reversed(b)))
-
-
 def product(a: Series, b: Series, bits: int) -> list[int]:
     """Product of two series, cut at the shorter one."""
     return [sum(map(mul, a[: k + 1], b[k::-1])) >> bits for k in range(min(len(a), len(b)))]

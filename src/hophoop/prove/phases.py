@@ -28,7 +28,7 @@ from hophoop.prove.search import Root, exact, first_root
 from hophoop.prove.varied import located, ranges
 from hophoop.prove.witness import Trail, Unrecorded, bracket
 
-LIMIT, SPAN, REST, SLIDE = "limit", "span", "rest", "slide"
+LIMIT, SPAN, REST = "limit", "span", "rest"
 MOST_PIECES = 20_000
 
 
