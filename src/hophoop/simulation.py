@@ -8,7 +8,7 @@ import struct
 import threading
 from collections.abc import Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from hophoop._native import compiled
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Body, Status
 from hophoop.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Tables, first_rows
-from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
+from hophoop.scenario import Compliant, Hoop, InputError, Plane, Rigid, Scenario, Start
 from hophoop.scenario.scenario import cell_of
 from hophoop.trajectory import Trajectory
 
@@ -53,7 +53,7 @@ def simulate(
     hoop: Hoop | Scenario,
     plane: Plane | None = None,
     start: Start | None = None,
-    duration: float = 6.0,
+    duration: float | None = None,
     contact: Rigid | Compliant | None = None,
     *,
     digits: int | None = None,
@@ -63,14 +63,16 @@ def simulate(
     Parameters
     ----------
     hoop : Hoop or Scenario
-        A whole scenario, or the hoop with the arguments that follow.
+        The hoop, with the four arguments that follow; or a whole scenario, without them. To change a part of a scenario, call
+        `Scenario.replace` or `Scenario.with_values` first.
     plane : Plane, optional
         The reference plane by default.
     start : Start, optional
         At rest with the load at the top by default.
-    duration : float, default 6
-        Above 0 [s].
-    contact : Rigid or Compliant, default Rigid()
+    duration : float, optional
+        Above 0; 6 s by default [s].
+    contact : Rigid or Compliant, optional
+        Rigid() by default.
     digits : int, optional
         Solve in so many digits, 15 to 1000, by another method than the kernel's; the given doubles are taken as exact
         numbers. Takes some tenths of a second [1].
@@ -83,8 +85,8 @@ def simulate(
     Raises
     ------
     ValueError
-        If the duration is not positive, the parts do not go together, or digits is out of range or asked for with a
-        compliant contact.
+        If the duration is not positive, the parts do not go together, a scenario is given with another part, or digits is out
+        of range or asked for with a compliant contact.
 
     Examples
     --------
@@ -100,18 +102,31 @@ def simulate(
     """
     if isinstance(hoop, Scenario):
         scenario = hoop
+        if plane is not None or start is not None or duration is not None or contact is not None:
+            _refuse_parts(plane=plane, start=start, duration=duration, contact=contact)
     else:
         scenario = Scenario(
             hoop=hoop,
             plane=Plane() if plane is None else plane,
             start=Start() if start is None else start,
-            duration=duration,
+            duration=6.0 if duration is None else duration,
             contact=Rigid() if contact is None else contact,
         )
     if digits is not None:
         motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, hophoop.__version__)
         return motion
     return simulate_watched(scenario)
+
+
+def _refuse_parts(**parts: Any) -> None:
+    given = [name for name, part in parts.items() if part is not None]
+    what = f"{given[0]} is" if len(given) == 1 else f"{', '.join(given[:-1])} and {given[-1]} are"
+    how = (
+        f'scenario.replace("{given[0]}", …)'
+        if len(given) == 1
+        else "scenario.with_values({" + ", ".join(f'"{name}": …' for name in given) + "})"
+    )
+    raise InputError(f"{what} part of the scenario and cannot be given as well: simulate {how} instead.")
 
 
 def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> Trajectory:
