@@ -10,64 +10,33 @@ from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
 
-if TYPE_CHECKING:
-    import hophoop.animate as animate
-    import hophoop.article as article
-    import hophoop.claims as claims
-    import hophoop.engines as engines
-    import hophoop.jax as jax
-    import hophoop.maps as maps
-    import hophoop.plots as plots
-    import hophoop.precise as precise
-    import hophoop.prove as prove
-    import hophoop.theory as theory
-    from hophoop.designing import design
-    from hophoop.explanation import phases
-    from hophoop.fitting import Fit, fit, load_fit, plan
-    from hophoop.io import load
-    from hophoop.lab.widget import show
-    from hophoop.scenario import (
-        Compliant,
-        Disk,
-        Hoop,
-        Plane,
-        PointMass,
-        Rigid,
-        Ring,
-        Rod,
-        Scenario,
-        Start,
-    )
-    from hophoop.simulation import sensitivity, simulate
-    from hophoop.tracking import Track, read_track, track
-    from hophoop.trajectory import Trajectory
-
-# Where each public name lives; None is a module of its own.
+# Where each public name is defined, in a reader's order; None is a module.
 _HOMES: dict[str, str | None] = {
-    "Hoop": "hophoop.scenario",
-    "Plane": "hophoop.scenario",
-    "Start": "hophoop.scenario",
-    "Ring": "hophoop.scenario",
-    "Disk": "hophoop.scenario",
-    "PointMass": "hophoop.scenario",
-    "Rod": "hophoop.scenario",
-    "Rigid": "hophoop.scenario",
-    "Compliant": "hophoop.scenario",
-    "Scenario": "hophoop.scenario",
-    "simulate": "hophoop.simulation",
-    "sensitivity": "hophoop.simulation",
-    "Trajectory": "hophoop.trajectory",
-    "design": "hophoop.designing",
-    "load": "hophoop.io",
-    "phases": "hophoop.explanation",
-    "show": "hophoop.lab.widget",
-    "track": "hophoop.tracking",
-    "read_track": "hophoop.tracking",
-    "Track": "hophoop.tracking",
-    "fit": "hophoop.fitting",
-    "Fit": "hophoop.fitting",
-    "load_fit": "hophoop.fitting",
-    "plan": "hophoop.fitting",
+    "Hoop": "scenario",
+    "Plane": "scenario",
+    "Start": "scenario",
+    "Ring": "scenario",
+    "Disk": "scenario",
+    "PointMass": "scenario",
+    "Rod": "scenario",
+    "Rigid": "scenario",
+    "Compliant": "scenario",
+    "Scenario": "scenario",
+    "simulate": "simulation",
+    "sensitivity": "simulation",
+    "Trajectory": "trajectory",
+    "design": "designing",
+    "phases": "explanation",
+    "load": "io",
+    "track": "tracking",
+    "read_track": "tracking",
+    "Track": "tracking",
+    "fit": "fitting",
+    "Fit": "fitting",
+    "load_fit": "fitting",
+    "plan": "fitting",
+    "io": None,
+    "cite": None,
     "theory": None,
     "article": None,
     "claims": None,
@@ -76,57 +45,62 @@ _HOMES: dict[str, str | None] = {
     "precise": None,
     "prove": None,
     "engines": None,
-    "jax": None,
     "animate": None,
+    "jax": None,
+    "show": "lab.widget",
 }
 
-__all__ = [
-    "Hoop",
-    "Plane",
-    "Start",
-    "Ring",
-    "Disk",
-    "PointMass",
-    "Rod",
-    "Rigid",
-    "Compliant",
-    "Scenario",
-    "simulate",
-    "sensitivity",
-    "Trajectory",
-    "design",
-    "phases",
-    "load",
-    "track",
-    "read_track",
-    "Track",
-    "fit",
-    "Fit",
-    "load_fit",
-    "plan",
-    "theory",
-    "article",
-    "claims",
-    "maps",
-    "plots",
-    "precise",
-    "prove",
-    "engines",
-    "animate",
-    "jax",
-    "show",
-    "__version__",
-]
+__all__ = [*_HOMES, "__version__"]  # pyright: ignore[reportUnsupportedDunderAll]
 
+# For type checkers, which do not run this file; a test compares the names with the table.
+if TYPE_CHECKING:
+    from hophoop import animate as animate
+    from hophoop import article as article
+    from hophoop import cite as cite
+    from hophoop import claims as claims
+    from hophoop import engines as engines
+    from hophoop import io as io
+    from hophoop import jax as jax
+    from hophoop import maps as maps
+    from hophoop import plots as plots
+    from hophoop import precise as precise
+    from hophoop import prove as prove
+    from hophoop import theory as theory
+    from hophoop.designing import design as design
+    from hophoop.explanation import phases as phases
+    from hophoop.fitting import Fit as Fit
+    from hophoop.fitting import fit as fit
+    from hophoop.fitting import load_fit as load_fit
+    from hophoop.fitting import plan as plan
+    from hophoop.io import load as load
+    from hophoop.lab.widget import show as show
+    from hophoop.scenario import Compliant as Compliant
+    from hophoop.scenario import Disk as Disk
+    from hophoop.scenario import Hoop as Hoop
+    from hophoop.scenario import Plane as Plane
+    from hophoop.scenario import PointMass as PointMass
+    from hophoop.scenario import Rigid as Rigid
+    from hophoop.scenario import Ring as Ring
+    from hophoop.scenario import Rod as Rod
+    from hophoop.scenario import Scenario as Scenario
+    from hophoop.scenario import Start as Start
+    from hophoop.simulation import sensitivity as sensitivity
+    from hophoop.simulation import simulate as simulate
+    from hophoop.tracking import Track as Track
+    from hophoop.tracking import read_track as read_track
+    from hophoop.tracking import track as track
+    from hophoop.trajectory import Trajectory as Trajectory
+else:
 
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'hophoop' has no attribute {name!r}")
-    home = _HOMES[name]
-    value = import_module(f"hophoop.{name}") if home is None else getattr(import_module(home), name)
-    globals()[name] = value
-    return value
+    def __getattr__(name: str) -> Any:
+        if name not in _HOMES:
+            raise AttributeError(f"module 'hophoop' has no attribute {name!r}")
+        home = _HOMES[name]
+        module = import_module(f"hophoop.{home or name}")
+        value = module if home is None else getattr(module, name)
+        globals()[name] = value
+        return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted(__all__)

@@ -13,6 +13,8 @@ import hophoop
 from hophoop.scenario import Compliant
 from hophoop.trajectory import Trajectory
 
+__all__ = ["cite", "bibtex", "references", "Reference"]
+
 _ACCENTS = {"'": "\u0301", "`": "\u0300", '"': "\u0308", "^": "\u0302", "~": "\u0303"}
 
 

@@ -40,12 +40,24 @@ def simulate(scenario: Scenario, /, *, digits: int) -> PreciseMotion: ...
 
 
 @overload
-def simulate(hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ...) -> Trajectory: ...
+def simulate(
+    hoop: Hoop,
+    plane: Plane | None = ...,
+    start: Start | None = ...,
+    duration: float | None = ...,
+    contact: Rigid | Compliant | None = ...,
+) -> Trajectory: ...
 
 
 @overload
 def simulate(
-    hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ..., *, digits: int
+    hoop: Hoop,
+    plane: Plane | None = ...,
+    start: Start | None = ...,
+    duration: float | None = ...,
+    contact: Rigid | Compliant | None = ...,
+    *,
+    digits: int,
 ) -> PreciseMotion: ...
 
 
