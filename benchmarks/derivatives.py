@@ -48,7 +48,7 @@ def derived(motion, paths):
     given, count = directions_of(scenario, paths), len(paths)
     arguments = (
         scenario.to_body(), events, segments, given.changes, given.start.copy(),
-        scenario.duration / motion.units.time, motion.doubt, False,
+        scenario.duration / motion.units.time, motion.kernel_doubt, False,
         np.zeros((len(events), KEPT, count)), np.zeros((len(segments), CARRIED, count)),
         np.zeros(count, np.int64), np.full(count, -1, np.int64), new_scratch(), np.zeros((ROWS, ORDER)),
     )  # fmt: skip

@@ -328,8 +328,8 @@ class Motion(Protocol):
         """Those units."""
 
     @property
-    def doubt(self) -> float:
-        """From which time on doubles cannot tell what follows, in those units; inf where everything is certain."""
+    def kernel_doubt(self) -> float:
+        """Time from which on doubles cannot decide what follows, in those units; inf where everything is certain."""
 
     def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
         """The motion at any time."""

@@ -247,11 +247,16 @@ class Trajectory:
 
     @property
     def doubt(self) -> float:
-        """From which time on double precision cannot tell what follows; inf where everything is certain [`units`].
+        """Time from which on double precision cannot decide what follows; inf where everything is certain [s].
 
-        There a quantity only touches what would set off an event, or the motion is at the border of two classes. With
-        rigid contact.
+        There a quantity only touches the value that would cause an event, or the motion is on the boundary of two classes.
+        With rigid contact.
         """
+        return self._seconds(self.kernel_doubt)
+
+    @property
+    def kernel_doubt(self) -> float:
+        """`doubt` in the kernels' unit of time, to compare with `tables` [`units`]."""
         if self._doubt is None:  # of a motion that was loaded
             from hophoop.derivatives.carrying import doubtful_from
 

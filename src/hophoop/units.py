@@ -79,17 +79,33 @@ class Units:
         -------
         unit : float
             How much of the SI unit [1] a kernel unit is.
+
+        Raises
+        ------
+        ValueError
+            If there is no such quantity.
         """
-        if name in ("x", "height"):
-            return self.length
-        if name in ("vx", "vy", "slip"):
-            return self.scales.speed
-        if name == "omega":
-            return self.scales.rate
-        if name in ("friction_force", "normal_force"):
-            return self.scales.force
-        if name in ("impulse_normal", "impulse_tangential"):
-            return self.scales.impulse
-        if name == "angle":
-            return 1.0
-        return self.energy
+        found: float | None = self._sizes.get(name)
+        if found is None:
+            raise ValueError(f"{name!r} has no unit: the quantities are {', '.join(self._sizes)}.")
+        return found
+
+    @cached_property
+    def _sizes(self) -> dict[str, float]:
+        units = self.scales._asdict() | {"angle": 1.0}
+        return {name: units[unit] for unit, names in _QUANTITIES.items() for name in names}
+
+
+# Columns and numbers of events by the unit in which kernels have them.
+_QUANTITIES = {
+    "length": ("x", "height"),
+    "speed": ("vx", "vy", "slip"),
+    "rate": ("omega",),
+    "angle": ("angle",),
+    "force": ("friction_force", "normal_force"),
+    "impulse": ("impulse_normal", "impulse_tangential"),
+    "energy": (
+        "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping",
+        "gain",
+    ),
+}  # fmt: skip

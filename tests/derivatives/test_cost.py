@@ -4,6 +4,7 @@ import math
 import statistics
 import time
 
+import numpy as np
 import pytest
 
 import hophoop as hh
@@ -54,7 +55,17 @@ def test_a_motion_keeps_from_when_on_it_is_in_doubt(tmp_path):
     """As a second run of the kernel finds it, which a loaded motion needs."""
     with forced("interpreted"):
         certain, doubtful = hh.simulate(hh.Scenario(duration=2.0)), hh.simulate(graze())
-        assert certain.doubt == doubtful_from(certain) == math.inf
-        assert 0.0 < doubtful.doubt == doubtful_from(doubtful) < doubtful.duration / doubtful.units.time
+        assert certain.doubt == certain.kernel_doubt == doubtful_from(certain) == math.inf
+        assert doubtful.kernel_doubt == doubtful_from(doubtful)
+        assert 0.0 < doubtful.doubt == doubtful.kernel_doubt * doubtful.units.time < doubtful.duration
         doubtful.save(tmp_path / "graze.nc")
-        assert hh.load(tmp_path / "graze.nc").doubt == doubtful.doubt
+        again = hh.load(tmp_path / "graze.nc")
+        assert (again.doubt, again.kernel_doubt) == (doubtful.doubt, doubtful.kernel_doubt)
+
+
+def test_a_doubt_is_in_seconds():
+    """It begins with the panel in which rolling needs all the friction that there is."""
+    motion = hh.simulate(graze())
+    times = motion.times(2001)
+    tangency = times[np.argmax(motion.at(times).utilization(motion.scenario.plane))]
+    assert tangency - 0.2 < motion.doubt <= tangency < motion.kernel_doubt

@@ -358,7 +358,7 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
     reasons, failed = np.zeros(count, np.int64), np.full(count, -1, np.int64)
     duration = scenario.duration / motion.units.time
     compiled(go_through)(
-        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration, motion.doubt, edges,
+        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration, motion.kernel_doubt, edges,
         at_events, at_segments, reasons, failed, thread_scratch(), _local(),
     )  # fmt: skip
     return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)
