@@ -1,10 +1,21 @@
 """What a motion is read as: units, words, samples and the table of events."""
 
+import copy
+import csv
+import json
+import pickle
+import re
+import typing
+
+import numpy as np
 import pytest
 
 import hophoop as hh
+from cli_tools import run
+from hophoop import event_table
 from hophoop.export import EVENT_UNITS
-from hophoop.results import Ledger
+from hophoop.physics import body
+from hophoop.results import EventKind, Ledger, ModeLetter, MotionStatus, Sample
 from hophoop.units import Units
 
 
@@ -27,3 +38,138 @@ def test_all_numbers_of_events_and_ledgers_have_one():
     names = {name.removeprefix("before_") for name in EVENT_UNITS} - {"t"}
     names |= set(Ledger.__dataclass_fields__) - {"residual", "range"}
     assert {name: units.of(name) for name in names} == dict.fromkeys(names, 1.0)
+
+
+# Kinds, letters and statuses
+
+
+def test_words_are_those_of_the_kernels():
+    """In their order: the kernels' numbers are places in it."""
+    assert tuple(EventKind) == body.EVENT_NAMES
+    assert "".join(ModeLetter) == body.MODE_LETTERS
+    assert tuple(MotionStatus) == tuple(status.name.lower() for status in body.Status if status is not body.Status.BUFFER)
+
+
+@pytest.fixture(scope="module", params=[None, 20], ids=["doubles", "digits"])
+def motion(request):
+    scenario = hh.Scenario(duration=2.0)
+    return hh.simulate(scenario) if request.param is None else hh.simulate(scenario, digits=request.param)
+
+
+def words_of(motion):
+    """(word, its class, the plain string) of all words of a motion."""
+    yield motion.status, MotionStatus, "completed"
+    for event in motion.find("takeoff"):
+        yield event.kind, EventKind, "takeoff"
+        yield event.from_mode, ModeLetter, "S"
+        yield event.to_mode, ModeLetter, "H"
+
+
+def test_words_are_known_and_plain_strings_still(motion):
+    for word, kind, plain in words_of(motion):
+        assert type(word) is kind
+        assert word == plain
+        assert {plain: 1}[word] == 1
+        assert repr(word) == repr(plain)
+        assert f"{word} {word!s} {word:>9}" == f"{plain} {plain} {plain:>9}"
+        assert json.dumps([word]) == json.dumps([plain])
+        assert pickle.loads(pickle.dumps(word)) is copy.deepcopy(word) is word
+        assert np.array([word]).dtype == np.array([plain]).dtype
+    assert f"kind={'takeoff'!r}, from_mode='S', to_mode='H'" in repr(motion.find("takeoff")[0])
+    assert motion.events[0].from_mode is None
+
+
+def test_files_have_plain_words(tmp_path):
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    hh.io.write_events_csv(motion, tmp_path / "events.csv")
+    with (tmp_path / "events.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["kind"] for row in rows] == [event.kind.value for event in motion.events]
+    assert json.loads(json.dumps(motion.to_dict()))["status"] == "completed"
+
+
+# Samples
+
+
+def test_the_types_of_a_sample_are_those_of_its_fields():
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    notes = typing.get_type_hints(Sample)
+    one, many = motion.at(1.0), motion.at(motion.times(5))
+    assert set(notes) == set(vars(one))
+    for name, note in notes.items():
+        number, array = note.__constraints__
+        assert type(getattr(one, name)) is number
+        assert isinstance(getattr(many, name), typing.get_origin(array))
+        assert getattr(many, name).dtype.type is typing.get_args(array)[1].__args__[0]
+    assert type(one.total) is type(one.friction_loss) is type(one.normal_loss) is float
+    assert type(one.utilization(motion.scenario.plane)) is float
+
+
+# The table of events
+
+
+def words_in(line):
+    """What a line has between gaps of two spaces and more."""
+    return re.split(r"\s{2,}", line.strip())
+
+
+def test_events_are_printed_as_the_command_line_does():
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    head, _, *rows = repr(motion.events).splitlines()
+    told = run("run", "--duration", "2").stdout.splitlines()
+    first = next(number for number, line in enumerate(told) if "t (s)" in line)
+    assert words_in(head) == words_in(told[first])
+    assert [words_in(row) for row in rows] == [words_in(line) for line in told[first + 2 : first + 2 + len(motion.events)]]
+    assert str(motion.events) == repr(motion.events)
+    assert str(motion).startswith(repr(motion.events))
+    assert str(motion).endswith("\n\nphases RKRSHR, completed after 2 s")
+    assert repr(motion).count("\n") == 0
+
+
+def test_events_are_a_tuple_still():
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    events = motion.events
+    assert isinstance(events, tuple)
+    assert events == tuple(events)
+    assert hash(events) == hash(tuple(events))
+    assert pickle.loads(pickle.dumps(events)) == events
+    found = motion.find("takeoff")
+    assert isinstance(found, tuple)
+    assert "315.6372" in repr(found)
+    assert repr(motion.find("jam")) == "()"
+
+
+def test_columns_are_straight():
+    """θ̇ is two characters and takes one place."""
+    head, rule, *rows = event_table.text_table(hh.simulate(hh.Scenario(duration=2.0)).events).splitlines()
+    assert head.replace("\u0307", "").index("θ (rad/s)") + len("θ (rad/s)") == rule.rindex("  ")
+    ends = [match.end() for match in re.finditer("─+", rule)]
+    for row in rows:
+        assert all(row[end : end + 2].strip() == "" for end in ends)
+        assert row[ends[-2] - 1].isdigit()
+
+
+def test_a_wide_table_leaves_columns_out():
+    """The numbers of a hoop of 1000 km are long."""
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.75, radius=1e6), start=hh.Start.rolling(3100.0), duration=6000.0)
+    motion = hh.simulate(scenario)
+    lines = repr(motion.events).splitlines()
+    assert max(map(event_table._length, lines)) <= 100
+    assert "slip (m/s)" not in lines[0]
+    assert lines[-1] == "Not shown for want of width: slip (m/s)."
+    every = event_table.text_table(motion.events, width=1000)
+    assert "slip (m/s)" in every
+    assert "Not shown" not in every
+    narrow = event_table.text_table(motion.events, width=40)
+    assert words_in(narrow.splitlines()[0])[:2] == ["t (s)", "event"]
+
+
+def test_a_long_table_has_its_first_and_last_rows():
+    motion = hh.simulate(hh.Scenario(start=hh.Start.rolling(2.8), duration=60.0))
+    count = len(motion.events)
+    _, _, *rows, last = repr(motion.events).splitlines()
+    assert last == f"… {count - 80} events are left out where the dots are."
+    assert set(rows[60].split()) == {"…"}
+    times = [float(row.split()[0]) for row in rows if "…" not in row]
+    kept = [*motion.events[:60], *motion.events[-20:]]
+    assert times == [float(f"{event.t:.6f}") for event in kept]

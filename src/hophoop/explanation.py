@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import hophoop
-from hophoop.physics.body import MODE_LETTERS, Body, Mode, Status
+from hophoop.physics.body import Body, Mode, Status
 from hophoop.records.cells import start_of
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -27,7 +27,7 @@ from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation import script_of
 from hophoop.trajectory import Trajectory
 from hophoop.units import Units
-from hophoop.vocabulary.words import VERBS, mode_word
+from hophoop.vocabulary.words import MODE_LETTERS, VERBS, ModeLetter, mode_word
 
 
 @dataclass(frozen=True)
@@ -66,8 +66,8 @@ class PhaseRecord:
 
     Attributes
     ----------
-    mode : str
-        Letter: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
+    mode : ModeLetter
+        R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
     word : str
         The mode in a word, which follows the rotation: roll, spin, skid, flight or skim.
     t_begin, t_end : float
@@ -84,7 +84,7 @@ class PhaseRecord:
         What is written at its end, and inside it at an apex.
     """
 
-    mode: str
+    mode: ModeLetter
     word: str
     t_begin: float
     t_end: float

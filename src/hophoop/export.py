@@ -24,7 +24,7 @@ from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop._native.sources import stamp
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
-from hophoop.results import Motion, Sample
+from hophoop.results import ArraySample, Motion
 from hophoop.scenario import InputError
 from hophoop.vocabulary.labels import VARIABLES
 
@@ -260,7 +260,7 @@ def format_of(path: Path) -> str:
     raise InputError(f"{path} {_ENDINGS}.")
 
 
-def _column(sample: Sample, name: str) -> np.ndarray:
+def _column(sample: ArraySample, name: str) -> np.ndarray:
     values = np.asarray(getattr(sample, name))
     if name == "mode":
         return np.array([MODE_LETTERS.index(letter) for letter in values], dtype=np.int8)

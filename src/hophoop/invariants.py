@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.results import Ledger, Sample
+from hophoop.results import ArraySample, Ledger, Sample
 from hophoop.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
@@ -122,8 +122,8 @@ class _Course:
     ends: Floats  # of the intervals between events
     letters: list[str]  # of the intervals
     begins: list[bool]  # whether an event at the start of the interval begins a phase
-    middles: Sample  # of the intervals
-    samples: Sample  # all
+    middles: ArraySample  # of the intervals
+    samples: ArraySample  # all
     ledger: Ledger
     contact: str  # rigid, or the friction of a compliant contact
 
@@ -131,7 +131,7 @@ class _Course:
         """Which samples have one of these modes."""
         return np.isin(self.samples.mode, modes)
 
-    def against_slip(self, sample: Sample) -> Floats:
+    def against_slip(self, sample: ArraySample) -> Floats:
         """Sign of the friction that the letters of the modes give."""
         return np.select([np.equal(sample.mode, "S"), np.equal(sample.mode, "K")], [1.0, -1.0], 0.0)
 

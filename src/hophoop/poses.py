@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.numerics.elementwise import hypotenuse, sine_and_cosine
-from hophoop.results import Motion, Sample
+from hophoop.results import ArraySample, Motion
 from hophoop.scenario import Hoop, PointMass, Ring
 from hophoop.scenario.scenario import time_unit
 from hophoop.vocabulary.words import coming_rotation, mode_words
@@ -53,7 +53,7 @@ class Poses:
     velocity: Floats
     normal_force: Floats
     friction_force: Floats
-    sample: Sample
+    sample: ArraySample
 
 
 def to_world(along: ArrayLike, above: ArrayLike, slope: float) -> Floats:

@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._native import compiled
+from hophoop.event_table import text_table
 from hophoop.physics.friction import utilizations
 from hophoop.scenario import Plane, Scenario
 from hophoop.units import Units
+from hophoop.vocabulary.words import EventKind, ModeLetter, MotionStatus
+
+Side = Literal["left", "right"]
+Numbers = TypeVar("Numbers", float, NDArray[np.float64])
+Letters = TypeVar("Letters", ModeLetter, NDArray[np.str_])
 
 
 @dataclass(frozen=True)
@@ -45,11 +52,11 @@ class EventRecord:
     ----------
     t : float
         Time [s].
-    kind : str
+    kind : EventKind
         What happened, such as 'slip_start'.
-    from_mode : str or None
+    from_mode : ModeLetter or None
         Letter of the mode before; None at the start.
-    to_mode : str
+    to_mode : ModeLetter
         Letter of the mode after.
     x : float
         Place of the centre along the plane [m].
@@ -88,9 +95,9 @@ class EventRecord:
     """
 
     t: float
-    kind: str
-    from_mode: str | None
-    to_mode: str
+    kind: EventKind
+    from_mode: ModeLetter | None
+    to_mode: ModeLetter
     x: float
     height: float
     angle: float
@@ -148,13 +155,22 @@ class EventRecord:
 _STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
+class Events(tuple[EventRecord, ...]):
+    """Events of a motion in order, a tuple; printed as a table."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return text_table(self) if self else "()"
+
+
 def _finite(value: float) -> float | None:
     # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
     return value if math.isfinite(value) else None
 
 
 @dataclass(frozen=True)
-class Sample:
+class Sample(Generic[Numbers, Letters]):
     """The motion at one time or many; every field is a scalar or an array of the shape of t.
 
     Attributes
@@ -199,42 +215,42 @@ class Sample:
         Energy lost so far in the damper of a compliant contact; 0 in rigid contact [J].
     """
 
-    t: Any
-    mode: Any
-    x: Any
-    height: Any
-    angle: Any
-    vx: Any
-    vy: Any
-    omega: Any
-    slip: Any
-    friction_force: Any
-    normal_force: Any
-    kinetic: Any
-    potential: Any
-    friction: Any
-    impact_normal: Any
-    impact_tangential: Any
-    rolling_resistance: Any
-    spring: Any
-    damping: Any
+    t: Numbers
+    mode: Letters
+    x: Numbers
+    height: Numbers
+    angle: Numbers
+    vx: Numbers
+    vy: Numbers
+    omega: Numbers
+    slip: Numbers
+    friction_force: Numbers
+    normal_force: Numbers
+    kinetic: Numbers
+    potential: Numbers
+    friction: Numbers
+    impact_normal: Numbers
+    impact_tangential: Numbers
+    rolling_resistance: Numbers
+    spring: Numbers
+    damping: Numbers
 
     @property
-    def total(self) -> Any:
+    def total(self) -> Numbers:
         """Kinetic and potential energy [J]."""
         return self.kinetic + self.potential
 
     @property
-    def friction_loss(self) -> Any:
+    def friction_loss(self) -> Numbers:
         """Energy lost to friction so far, in slip and along the plane in impacts [J]."""
         return self.friction + self.impact_tangential
 
     @property
-    def normal_loss(self) -> Any:
+    def normal_loss(self) -> Numbers:
         """Energy lost normal to the plane so far, in impacts or in a compliant contact's damper [J]."""
         return self.impact_normal + self.damping
 
-    def utilization(self, plane: Plane, signed: bool = False) -> Any:
+    def utilization(self, plane: Plane, signed: bool = False) -> Numbers:
         """Share of the friction that is possible, abs(F)/(μ N) with μk in slip and μs else.
 
         Parameters
@@ -256,7 +272,11 @@ class Sample:
             # in slip the letter is the sign, also where F vanishes with N
             sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
             share = share * sign
-        return share if share.ndim else float(share)
+        return cast("Numbers", share if share.ndim else float(share))
+
+
+ScalarSample: TypeAlias = Sample[float, ModeLetter]
+ArraySample: TypeAlias = Sample[NDArray[np.float64], NDArray[np.str_]]
 
 
 @dataclass(frozen=True)
@@ -300,7 +320,7 @@ class Motion(Protocol):
     version: str
 
     @property
-    def status(self) -> str:
+    def status(self) -> MotionStatus:
         """How it ended."""
 
     @property
@@ -331,7 +351,16 @@ class Motion(Protocol):
     def kernel_doubt(self) -> float:
         """Time from which on doubles cannot decide what follows, in those units; inf where everything is certain."""
 
-    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
+    @overload
+    def at(self, t: float, side: Side = ...) -> ScalarSample: ...
+
+    @overload
+    def at(self, t: NDArray[np.float64] | Sequence[float], side: Side = ...) -> ArraySample: ...
+
+    @overload
+    def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
+
+    def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
         """The motion at any time."""
 
     def times(self, n: int = 1000) -> NDArray[np.float64]:

@@ -6,17 +6,18 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._fingerprint import STATE, fingerprint
-from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
+from hophoop.physics.body import EVENT_NAMES, Event, Status
 from hophoop.physics.energy import energies_after
-from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
+from hophoop.results import ArraySample, EventErrors, EventRecord, Events, Ledger, Sample, ScalarSample, Side, Velocity
 from hophoop.scenario import InputError, Scenario
 from hophoop.units import Units
+from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
 
 if TYPE_CHECKING:
     import xarray
@@ -53,9 +54,9 @@ class Trajectory:
     # --- what happened -------------------------------------------------------------------------
 
     @property
-    def status(self) -> str:
+    def status(self) -> MotionStatus:
         """How the motion ended: completed, at_rest, jammed, undetermined or event_limit."""
-        return Status(self._status).name.lower()
+        return MOTION_STATUSES[self._status]
 
     @property
     def ok(self) -> bool:
@@ -75,11 +76,11 @@ class Trajectory:
         return "".join(letters)
 
     @cached_property
-    def events(self) -> tuple[EventRecord, ...]:
-        """All events in order."""
-        return tuple(self._event_record(row) for row in self._events)
+    def events(self) -> Events:
+        """All events in order: a tuple of `EventRecord`, printed as a table."""
+        return Events(self._event_record(row) for row in self._events)
 
-    def find(self, kind: str) -> tuple[EventRecord, ...]:
+    def find(self, kind: str) -> Events:
         """The events of one kind.
 
         Parameters
@@ -90,6 +91,7 @@ class Trajectory:
         Returns
         -------
         events : tuple of EventRecord
+            Printed as a table.
 
         Raises
         ------
@@ -98,7 +100,7 @@ class Trajectory:
         """
         if kind not in EVENT_NAMES:
             raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_NAMES)}.")
-        return tuple(event for event in self.events if event.kind == kind)
+        return Events(event for event in self.events if event.kind == kind)
 
     @property
     def duration(self) -> float:
@@ -129,7 +131,16 @@ class Trajectory:
 
     # --- the motion ----------------------------------------------------------------------------
 
-    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
+    @overload
+    def at(self, t: float, side: Side = ...) -> ScalarSample: ...
+
+    @overload
+    def at(self, t: Floats | Sequence[float], side: Side = ...) -> ArraySample: ...
+
+    @overload
+    def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
+
+    def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
         """The motion at any time.
 
         Parameters
@@ -407,6 +418,12 @@ class Trajectory:
 
         return portrait.html(self)
 
+    def __str__(self) -> str:
+        from hophoop import portrait
+
+        ending = f"{plain(self.status)} after {self.duration:.6g} s"
+        return f"{self.events!r}\n\nphases {portrait.shortened(self.sequence, 60)}, {ending}"
+
     def __repr__(self) -> str:
         return f"<Trajectory {self.sequence} {self.status}: {len(self._events)} events in {self.duration:.6g} s>"
 
@@ -455,7 +472,7 @@ class Trajectory:
         before_mode = int(row["before_mode"])
         return EventRecord(
             t=self._seconds(float(row["t"])),
-            kind=EVENT_NAMES[row["kind"]],
+            kind=EVENT_KINDS[row["kind"]],
             from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
             to_mode=MODE_LETTERS[row["after_mode"]],
             before=before,

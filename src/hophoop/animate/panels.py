@@ -12,7 +12,7 @@ from hophoop.animate.canvas import Bytes, Canvas, Rectangle
 from hophoop.animate.themes import Theme
 from hophoop.plots.curves import curve
 from hophoop.poses import Floats, Poses
-from hophoop.results import Sample
+from hophoop.results import ArraySample
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
@@ -181,7 +181,7 @@ def _legend(axes: Any) -> int:
     return math.ceil(len(names) / columns)
 
 
-def _velocity(axes: Any, motion: Trajectory, sample: Sample) -> None:
+def _velocity(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     axes.plot(sample.t, sample.vx, color=colors.CENTER_SPEED, linewidth=1.8, label="v")
     axes.plot(
         sample.t,
@@ -194,7 +194,7 @@ def _velocity(axes: Any, motion: Trajectory, sample: Sample) -> None:
     _over_time(axes, sample.t)
 
 
-def _energy(axes: Any, motion: Trajectory, sample: Sample) -> None:
+def _energy(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     for values, color, label in (
         (sample.kinetic, colors.KINETIC, "kinetic"),
         (sample.potential, colors.POTENTIAL, "potential"),
@@ -207,14 +207,14 @@ def _energy(axes: Any, motion: Trajectory, sample: Sample) -> None:
     _over_time(axes, sample.t)
 
 
-def _forces(axes: Any, motion: Trajectory, sample: Sample) -> None:
+def _forces(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     axes.plot(sample.t, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
     axes.plot(sample.t, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
     axes.set_ylabel(labels.FORCE)
     _over_time(axes, sample.t)
 
 
-def _utilization(axes: Any, motion: Trajectory, sample: Sample) -> None:
+def _utilization(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     share = sample.utilization(motion.scenario.plane)
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
     axes.set_ylabel(labels.UTILIZATION)
@@ -222,7 +222,7 @@ def _utilization(axes: Any, motion: Trajectory, sample: Sample) -> None:
     axes.set_ylim(0.0, 1.35)  # the key above what 1 means
 
 
-def _phase(axes: Any, motion: Trajectory, sample: Sample) -> None:
+def _phase(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     (line,) = axes.plot(np.degrees(sample.angle), sample.omega, color=colors.BLACK, linewidth=1.6)
     line.hophoop_times = sample.t
     axes.set_xlabel(labels.ANGLE)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from hophoop.article.scenarios import scenarios
 from hophoop.plots.curves import curve
-from hophoop.results import Sample
+from hophoop.results import ArraySample
 from hophoop.scenario import Hoop, Plane, Start
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
@@ -26,7 +26,7 @@ class Runs:
 
     def __init__(self) -> None:
         self._motions: dict[str, Trajectory] = {}
-        self._samples: dict[str, Sample] = {}
+        self._samples: dict[str, ArraySample] = {}
 
     def motion(self, name: str) -> Trajectory:
         """A motion by its name."""
@@ -34,7 +34,7 @@ class Runs:
             self._motions[name] = simulate(scenarios()[name])
         return self._motions[name]
 
-    def sample(self, name: str) -> Sample:
+    def sample(self, name: str) -> ArraySample:
         """A motion sampled densely, with both sides of each event."""
         if name not in self._samples:
             self._samples[name] = curve(self.motion(name))
@@ -89,7 +89,7 @@ def crossings(motion: Trajectory, values: Any, times: Any, measure: Any) -> list
     return found
 
 
-def largest(motion: Trajectory, times: NDArray[np.float64], measure: Callable[[Sample], NDArray[np.float64]]) -> float:
+def largest(motion: Trajectory, times: NDArray[np.float64], measure: Callable[[ArraySample], NDArray[np.float64]]) -> float:
     """Largest value of a measure between the first and the last of many times, refined about the largest one sampled."""
     found = -math.inf
     for _ in range(9):  # the spacing falls to a tenth, the error to a hundredth of it or to a tenth at an event

@@ -8,21 +8,18 @@ from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from hophoop.cli._output import console_of, fitted
+from hophoop.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
     from hophoop.explanation import Margins, PhaseRecord
-    from hophoop.precise import PreciseEvent
-    from hophoop.results import EventErrors, EventRecord
+    from hophoop.results import EventErrors
     from hophoop.trajectory import Trajectory
 
 Row = TypeVar("Row")
 
-FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
-WORDS = ("event", "mode")  # columns of words, not of numbers
-SPARE_COLUMNS = ("slip (m/s)", "x (m)", "height (m)", "θ̇ (rad/s)", "v (m/s)", "mode", "θ (°)")  # where a terminal is narrow
 SPARE_ERRORS = ("± v (m/s)", "± x (m)", "± θ̇ (rad/s)", "± θ (rad)")
 
 
@@ -72,8 +69,7 @@ def _print_table(table: Table, spare: Sequence[str], count: int, everything: boo
 def print_motion(motion: Trajectory, everything: bool) -> None:
     """Events, and what the motion comes to."""
     events = motion.events
-    titles = ("t (s)", "event", "mode", "θ (°)", "x (m)", "height (m)", "v (m/s)", "θ̇ (rad/s)", "slip (m/s)")
-    _print_table(table_of(titles, events, _event, everything), SPARE_COLUMNS, len(events), everything)
+    _print_table(table_of(TITLES, events, cells, everything), SPARE, len(events), everything)
     console_of(120).print(_summary(motion))
 
 
@@ -121,22 +117,6 @@ def _margins(found: Margins) -> str:
 
 def _rounded(number: float) -> str:
     return f"{0.0 if abs(number) < 1e-12 else number:.6g}"
-
-
-def _event(event: EventRecord) -> list[str]:
-    from hophoop.vocabulary.words import plain
-
-    numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
-    return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
-
-
-def change_of(event: EventRecord | PreciseEvent) -> str:
-    """The mode before and after an event, in letters."""
-    return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-
-
-def _clean(number: float) -> float:
-    return 0.0 if abs(number) < 5e-5 else number
 
 
 def _summary(motion: Trajectory) -> Table:

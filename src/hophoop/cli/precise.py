@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import typer
 
 from hophoop.cli._output import console_of
-from hophoop.cli._tables import change_of, say_left_out, table_of, unanswered
+from hophoop.cli._tables import say_left_out, table_of, unanswered
+from hophoop.event_table import change_of
 from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import typer
 from typer.core import TyperCommand
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._tables import FIRST_ROWS, LAST_ROWS
+from hophoop.event_table import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
     from hophoop.explanation import PhaseRecord

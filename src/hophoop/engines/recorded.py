@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from hophoop.engines.phases import WINDOW, normal_force, phases, slip_velocity, thinned
 from hophoop.engines.task import States, Task
-from hophoop.results import Sample
+from hophoop.results import ArraySample, Sample
 from hophoop.scenario import Scenario
 
 
@@ -40,7 +40,7 @@ class Recorded:
         """No events of any kind."""
         return ()
 
-    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
+    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> ArraySample:
         """The record between its states.
 
         Parameters

@@ -128,7 +128,8 @@ def degrees(angle: float) -> str:
 
 def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
     word = _word(motion, number)
-    name, values = event.kind, {"where": degrees(event.angle), "verb": VERBS[word]}
+    name: str = event.kind
+    values = {"where": degrees(event.angle), "verb": VERBS[word]}
     if name == "start":
         values |= {"started": _started(word), "speed": _number(event.vx)}
     elif name == "slip_start" and word == SPIN:

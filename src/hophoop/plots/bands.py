@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from hophoop.derivatives.uncertainty import Uncertainty
 from hophoop.plots.style import Against
-from hophoop.results import Sample
+from hophoop.results import ArraySample
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ WIDTH = 2.0  # standard deviations
 OPACITY = 0.25
 
 
-def deviations(uncertainty: Uncertainty, sample: Sample, fields: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
+def deviations(uncertainty: Uncertainty, sample: ArraySample, fields: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
     """Standard deviations at the times of a sample, which has each event's instant from the left and from the right."""
     left = np.append(sample.t[1:] == sample.t[:-1], False)
     found = {name: np.empty(sample.t.shape) for name in fields}
@@ -34,7 +34,7 @@ def deviations(uncertainty: Uncertainty, sample: Sample, fields: Mapping[str, An
 
 
 def draw_bands(
-    ax: Axes, uncertainty: Uncertainty | None, sample: Sample, against: Against, fields: Mapping[str, tuple[float, str]]
+    ax: Axes, uncertainty: Uncertainty | None, sample: ArraySample, against: Against, fields: Mapping[str, tuple[float, str]]
 ) -> None:
     """Draw the bands of some fields of a sample, each with a factor and a colour; nothing without an uncertainty."""
     if uncertainty is None:

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.results import Sample
+from hophoop.results import ArraySample, Sample
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary.words import coming_rotation, mode_word, mode_words
@@ -51,12 +51,12 @@ def phases(motion: Trajectory) -> list[Phase]:
     return found
 
 
-def shown_words(sample: Sample) -> NDArray[np.str_]:
+def shown_words(sample: ArraySample) -> NDArray[np.str_]:
     """The words for the modes of a sample in order of time."""
     return mode_words(sample.mode, coming_rotation(sample.omega))
 
 
-def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Sample:
+def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> ArraySample:
     """The motion sampled densely, each event's instant from the left and from the right.
 
     In the instant of a jam, where the force is without bound, it has no value.
@@ -87,7 +87,7 @@ def turning(motion: Trajectory) -> bool:
     return bool((rates > 1e-9 * size).any() and (rates < -1e-9 * size).any())
 
 
-def broken(values: NDArray[np.float64], sample: Sample, modes: str) -> NDArray[np.float64]:
+def broken(values: NDArray[np.float64], sample: ArraySample, modes: str) -> NDArray[np.float64]:
     """The values where the mode is one of `modes`, nan elsewhere: a line that breaks.
 
     A phase's last point is taken from the left of the event that ends it, so that it belongs to the phase.

@@ -10,7 +10,7 @@ import numpy as np
 from hophoop.plots.bands import draw_bands
 from hophoop.plots.curves import curve
 from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
-from hophoop.results import Sample
+from hophoop.results import ArraySample
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as axis_labels
@@ -319,7 +319,7 @@ def _frame(ax: Axes, motion: Trajectory, against: Against, up: str, modes: bool)
     finish(ax, label, up)
 
 
-def _across(sample: Sample, against: Against) -> Any:
+def _across(sample: ArraySample, against: Against) -> Any:
     return sample.t if against == "time" else np.degrees(sample.angle)
 
 

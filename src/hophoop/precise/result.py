@@ -8,11 +8,12 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
-from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
+from hophoop.physics.body import Event, Mode
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
 from hophoop.scenario import Scenario
+from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, EventKind, ModeLetter, MotionStatus
 
 PASSING = {"turn", "apex", "kane_gain", "rest"}
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
@@ -26,9 +27,9 @@ class PreciseEvent:
     ----------
     t : Decimal
         Time [s].
-    kind : str
+    kind : EventKind
         One of the kinds of the file format, such as 'slip_start'.
-    from_mode, to_mode : str or None
+    from_mode, to_mode : ModeLetter or None
         Letters of the modes before and after.
     x, height, angle : Decimal
         Centre along the plane [m], gap [m], θ [rad].
@@ -52,9 +53,9 @@ class PreciseEvent:
     """
 
     t: Decimal
-    kind: str
-    from_mode: str | None
-    to_mode: str
+    kind: EventKind
+    from_mode: ModeLetter | None
+    to_mode: ModeLetter
     x: Decimal
     height: Decimal
     angle: Decimal
@@ -88,7 +89,7 @@ class PreciseMotion:
         Its doubles are taken as the exact numbers that they are.
     digits : int
         Digits asked for [1].
-    status : str
+    status : MotionStatus
         How the motion ended: completed, at_rest, jammed, undetermined or event_limit.
     sequence : str
         One letter a phase: R roll, S spin, K skid, H flight (hop), M skim.
@@ -102,7 +103,7 @@ class PreciseMotion:
 
     scenario: Scenario
     digits: int
-    status: str
+    status: MotionStatus
     sequence: str
     events: tuple[PreciseEvent, ...]
     energy: dict[str, Decimal]
@@ -140,8 +141,8 @@ class PreciseMotion:
         ValueError
             If there is no such kind.
         """
-        if kind not in EVENT_NAMES:
-            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_NAMES)}.")
+        if kind not in EVENT_KINDS:
+            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_KINDS)}.")
         return tuple(event for event in self.events if event.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:
@@ -232,7 +233,7 @@ def _event(record: Record, right: int, units: Units) -> PreciseEvent:
     of = units.decimal
     return PreciseEvent(
         t=of(state.t, units.time),
-        kind=EVENT_NAMES[record.kind],
+        kind=EVENT_KINDS[record.kind],
         from_mode=None if record.before_mode is None else MODE_LETTERS[record.before_mode],
         to_mode=MODE_LETTERS[record.after_mode],
         x=of(state.x, units.length),
@@ -324,5 +325,5 @@ def simulate_precisely(scenario: Scenario, digits: int, version: str) -> Precise
     units = Units(solution.body, digits)
     events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
-    status = Status(solution.status).name.lower()
+    status = MOTION_STATUSES[solution.status]
     return PreciseMotion(scenario, digits, status, sequence_of(solution), events, energy, version)

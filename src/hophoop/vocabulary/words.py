@@ -8,10 +8,65 @@ that rolls back it is the other way round. Colours follow the words.
 
 from __future__ import annotations
 
+from enum import StrEnum
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+
+class _Word(StrEnum):
+    """A string of the file format that type checkers and editors know; it is printed as a plain string."""
+
+    def __repr__(self) -> str:
+        return repr(self.value)
+
+
+class ModeLetter(_Word):
+    """Letter of a mode; S and K are the sign of the slip velocity v_t."""
+
+    ROLL = "R"
+    SLIP_NEGATIVE = "S"
+    SLIP_POSITIVE = "K"
+    FLIGHT = "H"
+    SKIM = "M"
+
+
+class EventKind(_Word):
+    """Kind of an event, in the order in which simultaneous ones are written."""
+
+    START = "start"
+    SLIP_START = "slip_start"
+    STICK = "stick"
+    SLIP_REVERSAL = "slip_reversal"
+    TAKEOFF = "takeoff"
+    IMPACT = "impact"
+    TURN = "turn"
+    APEX = "apex"
+    BOUNCE_LIMIT = "bounce_limit"
+    PAINLEVE_INCONSISTENT = "painleve_inconsistent"
+    PAINLEVE_INDETERMINATE = "painleve_indeterminate"
+    JAM = "jam"
+    KANE_GAIN = "kane_gain"
+    SKIM = "skim"
+    REST = "rest"
+    END = "end"
+
+
+class MotionStatus(_Word):
+    """How a motion ended."""
+
+    COMPLETED = "completed"
+    AT_REST = "at_rest"
+    JAMMED = "jammed"
+    UNDETERMINED = "undetermined"
+    EVENT_LIMIT = "event_limit"
+
+
+# By the numbers that the kernels use for them.
+MODE_LETTERS: Final = tuple(ModeLetter)
+EVENT_KINDS: Final = tuple(EventKind)
+MOTION_STATUSES: Final = tuple(MotionStatus)
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = "roll", "spin", "skid", "flight", "skim"
 MODES: Final = (ROLL, SPIN, SKID, FLIGHT, SKIM)
