@@ -100,8 +100,8 @@ class PhaseRecord:
 def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     """The phases of a motion, one after the other, and why each of them ends.
 
-    These are the steps of the kernel that `simulate` runs, taken one at a time. Where more digits than doubles have
-    decide the first events, the steps begin after them: the first phase then begins later than at 0.
+    These are the steps of the kernel that `simulate` runs, taken one at a time. Where events need more digits than doubles
+    have, their phases are left out: the next phase then begins later than the one before ends, the first one later than at 0.
 
     Parameters
     ----------
@@ -141,16 +141,24 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
     units = Units.of_scenario(scenario)
     scratch = new_scratch()
     start = start_of(np.array([cell_of(scenario)], dtype=object).T, 0, units.time)  # of floats, not NumPy's
-    script = script_of(scenario, contact)
     log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
     limits = limits_of(start, scenario.duration / units.time, math.nan, 0)
     with np.errstate(all="ignore"):
-        phase = repeat(body, script, log, scratch) if len(script) > 1 else begin(body, start, log, scratch)
-    # what more digits had to decide: its events say what happened, and the steps begin after them
-    seen = int(log.written[0]) if len(script) > 1 else 0
+        phase = begin(body, start, log, scratch)
+    seen = 0
+    certain = True
     while phase.status == GOING and has_room(log):
         with np.errstate(all="ignore"):
             after = step(body, phase, limits, log, scratch)
+        if certain and not math.isnan(scratch.doubt[0]):
+            certain = False
+            script = script_of(scenario, contact)
+            if len(script) > 1:  # the steps go on after the events that more digits decide
+                log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
+                with np.errstate(all="ignore"):
+                    phase = repeat(body, script, log, scratch)
+                seen = int(log.written[0])
+                continue
         count = int(log.written[0]) if has_room(log) else len(log.events)
         found = Trajectory(scenario, 0, log.events[seen:count], log.segments, hophoop.__version__).events
         yield _record(body, units, phase, after, found)

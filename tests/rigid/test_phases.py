@@ -92,6 +92,32 @@ def test_what_more_digits_decide_is_not_explained_again():
     assert [phase.mode for phase in found] == list(motion.sequence)[-len(found) :]
 
 
+@pytest.mark.parametrize("speed", [2.90816022624919, 2.9239611225471815, 3.1598361439299016])
+def test_phases_before_those_of_more_digits_are_explained(speed):
+    scenario = hh.Scenario(start=hh.Start.rolling(speed), duration=4.0)
+    motion = hh.simulate(scenario)
+    assert 1.0 < motion.doubt < 3.0
+    found = list(hh.phases(scenario))
+    gaps = [(a.t_end, b.t_begin) for a, b in itertools.pairwise(found) if a.t_end != b.t_begin]
+    ((last, following),) = gaps
+    assert found[0].t_begin == 0.0
+    assert last <= motion.doubt < following
+    before = [(round(phase.t_begin, 9), phase.mode) for phase in found if phase.t_end <= last]
+    assert before == [(round(t, 9), mode) for t, mode in split(motion)[: len(before)]]
+    after = [(phase.t_begin, phase.mode) for phase in found if phase.t_begin > following]
+    assert after == split(motion)[len(split(motion)) - len(after) :]
+    assert before
+    written = [event.t for phase in found for event in phase.events]
+    assert written == sorted(set(written))
+
+
+def test_a_motion_without_doubts_is_not_computed_twice(monkeypatch):
+    scenario = hh.Scenario(duration=2.0)
+    assert math.isinf(hh.simulate(scenario).doubt)
+    monkeypatch.setattr("hophoop.explanation.script_of", None)
+    assert [phase.mode for phase in hh.phases(scenario)] == list("RKRSHR")
+
+
 def test_a_compliant_contact_is_refused():
     with pytest.raises(ValueError, match=r"contact\.model = 'compliant' must be 'rigid'"):
         hh.phases(hh.Scenario(contact=hh.Compliant()))
