@@ -183,7 +183,11 @@ def whole_number(value: Any, name: str, least: int, most: int, but_not: int | No
     """
     if isinstance(value, bool) or not isinstance(value, int) or value < least or value == but_not:
         other = f" and not {but_not}" if but_not is not None else ""
-        raise InputError(f"{name} = {json.dumps(value)[:60]} must be a whole number from {least}{other}.")
+        raise InputError(
+            f"{name} = {json.dumps(value)[:60]} must be a whole number from {least}{other}.",
+            field=name,
+            value=value,
+        )
     if value > most:
-        raise TooMuch(f"{name} = {value} must be at most {most} in the lab.")
+        raise TooMuch.of_field(name, value, f"at most {most} in the lab")
     return value
