@@ -12,7 +12,7 @@ from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
-from hophoop.scenario import Scenario
+from hophoop.scenario import InputError, Scenario
 
 PASSING = {"turn", "apex", "kane_gain", "rest"}
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
@@ -141,7 +141,7 @@ class PreciseMotion:
             If there is no such kind.
         """
         if kind not in EVENT_NAMES:
-            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_NAMES)}.")
+            raise InputError.of_field("kind", kind, ", ".join(EVENT_NAMES), rule="is not one of")
         return tuple(event for event in self.events if event.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:

@@ -13,6 +13,8 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._errors import InputError
+
 ROLL, SPIN, SKID, FLIGHT, SKIM = "roll", "spin", "skid", "flight", "skim"
 MODES: Final = (ROLL, SPIN, SKID, FLIGHT, SKIM)
 """Words for the modes, in the order of the letters 'RSKHM' of a hoop that rolls ahead."""
@@ -57,7 +59,7 @@ def mode_word(letter: str, omega: float) -> str:
     if letter == "K":
         return SPIN if omega < 0.0 else SKID
     if letter not in ("R", "H", "M"):
-        raise ValueError(f"letter = {letter!r} must be one of R, S, K, H, M.")
+        raise InputError.of_field("letter", letter, "one of R, S, K, H, M")
     return {"R": ROLL, "H": FLIGHT, "M": SKIM}[letter]
 
 
