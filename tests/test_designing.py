@@ -5,6 +5,7 @@ import pytest
 
 import hophoop as hh
 from hophoop._native import forced
+from hophoop.scenario import InputError
 
 
 @pytest.fixture(autouse=True)
@@ -120,3 +121,20 @@ def test_landing_with_the_load_on_top():
 def test_what_is_refused(arguments, sentence):
     with pytest.raises(ValueError, match=sentence):
         hh.design(hh.Scenario(duration=0.5), **arguments)
+
+
+def test_a_quantity_that_none_of_the_motions_tried_has():
+    """The scenario itself has it as little as they do."""
+    scenario = hh.Scenario(duration=0.1)
+    with pytest.raises(InputError, match=r"^None of the 2 motions tried has 'revolutions_to_rolling'; widen"):
+        hh.design(
+            scenario.replace("start.speed", 3.95),
+            maximise="revolutions_to_rolling",
+            over={"start.speed": (3.9, 4.0)},
+            tries=2,
+            climbs=1,
+        )
+    with pytest.raises(InputError, match=r"^None of the 2 motions tried has 'impact\.t'; widen"):
+        hh.design(scenario, maximise="impact.t", over={"start.speed": (0.9, 1.0)}, tries=2, climbs=1)
+    with pytest.raises(InputError, match=r"^of = .impact\.weight.: an event has t, "):
+        hh.design(scenario, maximise="impact.weight", over={"start.speed": (0.9, 1.0)}, tries=2, climbs=1)

@@ -6,6 +6,10 @@ from importlib import import_module
 from typing import Any
 
 
+class MissingExtra(ImportError):
+    """A module of an extra is not installed; the message names the extra."""
+
+
 def need(module: str, extra: str) -> Any:
     """Import a module that belongs to an extra.
 
@@ -23,7 +27,7 @@ def need(module: str, extra: str) -> Any:
 
     Raises
     ------
-    ImportError
+    MissingExtra
         If the module's distribution is not installed; the message names the extra.
     """
     try:
@@ -33,7 +37,7 @@ def need(module: str, extra: str) -> Any:
         # A broken installation, where the module is there but something under it is not, must not be hidden.
         if error.name is not None and error.name.partition(".")[0] != top:
             raise
-        raise ImportError(
+        raise MissingExtra(
             f"{top} is not installed; it comes with the extra '{extra}': pip install 'hophoop[{extra}]'.",
             name=module,
         ) from None

@@ -14,7 +14,7 @@ from hophoop.physics.compliant import KELVIN_VOIGT, Compliance, FrictionLaw, nor
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.impact import impulse_ratio, slip_rates
 from hophoop.results import EventRecord
-from hophoop.scenario import Compliant, Hoop, Plane, Scenario, Start
+from hophoop.scenario import Compliant, Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 
@@ -174,7 +174,7 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
     events = motion.events
     index = next((i for i, event in enumerate(events) if event.kind == "impact"), -1)
     if index < 0:
-        raise ValueError("the motion has no landing.")
+        raise InputError("the motion has no landing.")
     touch = events[index]
     if motion.scenario.contact.model == "rigid":
         ahead = events[index - 1]

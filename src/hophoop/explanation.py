@@ -132,7 +132,7 @@ def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     """
     contact = scenario.contact
     if not isinstance(contact, Rigid):
-        raise InputError(f"contact.model = {contact.model!r} must be 'rigid': a compliant contact has no such rules.")
+        raise InputError.of_field("contact.model", contact.model, "'rigid': a compliant contact has no such rules")
     return _phases(scenario, contact)
 
 

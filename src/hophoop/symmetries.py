@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from hophoop.invariants import EPSILON, IMPULSES, LOSSES, TINY, Finding, worst
-from hophoop.scenario import Scenario
+from hophoop.scenario import InputError, Scenario
 from hophoop.trajectory import Trajectory
 
 _SIGNED = {"x", "angle", "speed", "vx", "omega", "slope"}
@@ -85,7 +85,7 @@ def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | 
             time = math.sqrt(length)
         try:
             return Scenario.from_dict(_in_other_units(keys, length, time, mass)), (length, time, mass)
-        except ValueError:
+        except InputError:
             continue
     return None
 

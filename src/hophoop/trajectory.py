@@ -99,7 +99,7 @@ class Trajectory:
             If there is no such kind.
         """
         if kind not in EVENT_NAMES:
-            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_NAMES)}.")
+            raise InputError.of_field("kind", kind, ", ".join(EVENT_NAMES), rule="is not one of")
         return Events(event for event in self.events if event.kind == kind)
 
     @property
@@ -167,12 +167,12 @@ class Trajectory:
         state at the end.
         """
         if side not in ("left", "right"):
-            raise ValueError(f"side = {side!r} must be 'left' or 'right'.")
+            raise InputError.of_field("side", side, "'left' or 'right'")
         times = np.asarray(t, dtype=float)
         end = self.duration
         bad = ~((times >= 0.0) & (times <= end * (1 + 1e-15)))
         if bad.any():
-            raise ValueError(f"t = {times[bad].flat[0]!r} must be from 0 to the motion's end at {end!r} s.")
+            raise InputError.of_field("t", times[bad].flat[0], f"from 0 to the motion's end at {end!r} s")
         raw = self._sample(self.units.kernel_times(self._segments, times.ravel()), side == "left")
         names, factors = self._sampled
         values: dict[str, Any]
@@ -208,7 +208,7 @@ class Trajectory:
             If n is below 2.
         """
         if n < 2:
-            raise ValueError(f"n = {n!r} must be at least 2.")
+            raise InputError.of_field("n", n, "at least 2")
         return np.linspace(0.0, self.duration, n)
 
     @cached_property

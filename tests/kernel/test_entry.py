@@ -51,7 +51,9 @@ def test_compiled_kernels_that_there_are_not(tmp_path):
     done = python(FIRST, HOPHOOP_LIBRARY=str(tmp_path), HOPHOOP_KERNELS="compiled")
     assert done.returncode == 1
     said = done.stderr.splitlines()[-1]
-    assert said.startswith("RuntimeError: HOPHOOP_KERNELS = 'compiled': hophoop was installed without compiled kernels.")
+    assert said.startswith(
+        "hophoop._errors.InputError: HOPHOOP_KERNELS = 'compiled': hophoop was installed without compiled kernels."
+    )
     assert BUILD in said
 
 

@@ -10,6 +10,7 @@ pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
+from hophoop._extras import MissingExtra  # noqa: E402
 from hophoop.lab import api, app, calls, packing, worker  # noqa: E402
 from hophoop.lab.limits import USUAL  # noqa: E402
 from hophoop.lab.workers import Workers  # noqa: E402
@@ -222,12 +223,28 @@ def test_every_default_and_word_in_the_document_is_accepted(client):
 
 def test_a_missing_extra_answers_501(monkeypatch, client):
     def missing(request, limits):
-        raise ImportError("matplotlib is not installed; it comes with the extra 'plots'.")
+        raise MissingExtra("matplotlib is not installed; it comes with the extra 'plots'.")
 
     call = calls.CALLS["theory"]
     monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=missing))
     application = api.create_app(workers=Workers(USUAL, Here))
     assert asking(application).post("/api/v1/theory", json={"duration": 3}).status_code == 501
+
+
+@pytest.mark.parametrize("error", [ValueError("could not be broadcast"), TypeError("no"), ImportError("no such name")])
+def test_a_defect_answers_500_and_is_logged(error, monkeypatch, client, caplog):
+    def broken(request, limits):
+        raise error
+
+    call = calls.CALLS["theory"]
+    monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=broken))
+    application = api.create_app(workers=Workers(USUAL, Here))
+    asking = TestClient(application, base_url="http://localhost", raise_server_exceptions=False)
+    reply = asking.post("/api/v1/theory", json={"duration": 3})
+    assert reply.status_code == 500
+    assert str(error) not in reply.text
+    assert "in broken" in caplog.text
+    assert f"{type(error).__name__}: {error}" in caplog.text
 
 
 class Here:

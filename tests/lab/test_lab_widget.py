@@ -66,3 +66,13 @@ def test_show_refuses_what_is_no_motion():
         hh.show(3)
     with pytest.raises(InputError, match="panels holds 'chart'"):
         hh.show(HOP, panels=["chart"])
+
+
+def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
+    def broken(*_):
+        raise ValueError("operands could not be broadcast together")
+
+    monkeypatch.setattr("hophoop.lab.calls.answer", broken)
+    with pytest.raises(ValueError, match="broadcast"):
+        widget._answer(widget, {"view": "a", "number": 5, "call": "theory", "body": {"scenario": {}}}, [])
+    assert widget.sent == [({"view": "a", "number": 5, "error": "The computation failed."}, None)]

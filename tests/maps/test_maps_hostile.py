@@ -18,6 +18,7 @@ import hophoop as hh
 from damage import REFUSED, SAME, tally
 from hophoop import maps
 from hophoop.maps import store
+from hophoop.scenario import InputError
 from map_kills import finished, kill_at_random
 from map_tools import contents
 
@@ -243,4 +244,19 @@ def test_a_plan_that_knows_more_is_not_taken_up(tmp_path):
     plan = path / "unfinished" / "plan.json"
     plan.write_text(plan.read_text().replace('"device"', '"weather": "fine", "device"'))
     with pytest.raises(ValueError, match=r"holds a map with another weather"):
+        make(path, resume=True)
+
+
+@pytest.mark.parametrize("content", [b"{", b"[]", b"\xff"])
+def test_a_damaged_plan_is_not_taken_up(content, tmp_path):
+    path = tmp_path / "map.zarr"
+
+    def stop(done, total):
+        if done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        make(path, progress=stop)
+    (path / "unfinished" / "plan.json").write_bytes(content)
+    with pytest.raises(InputError, match=r"map\.zarr holds a plan that is damaged"):
         make(path, resume=True)

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop._errors import plain, shortened
 from hophoop.scenario import InputError, parameter
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.formats import MOST_BYTES
-from hophoop.scenario.sentences import findings_sentence, plain, shortened
+from hophoop.scenario.sentences import findings_sentence
 from strategies import said
 
 

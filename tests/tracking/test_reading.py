@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.scenario import InputError
 from hophoop.tracking import Camera, Reading, View, read_track
 from hophoop.tracking.table import COLUMNS, track_of
 
@@ -299,3 +300,15 @@ def test_files_that_are_no_text(tmp_path):
 def test_bad_readings(values):
     with pytest.raises(ValueError, match=f"{next(iter(values))} = "):
         Reading(**values)
+
+
+def test_an_archive_with_a_password_is_refused(tmp_path):
+    file = tmp_path / "a.trz"
+    with zipfile.ZipFile(file, "w") as archive:
+        archive.writestr("a.trk", trk(POINTS))
+    data = bytearray(file.read_bytes())
+    for header, flags in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
+        data[data.index(header) + flags] |= 1
+    file.write_bytes(data)
+    with pytest.raises(InputError, match=r"a\.trz cannot be unpacked: .* is encrypted"):
+        read_track(file)

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from hophoop._errors import InputError
 from hophoop._native.library import library, why_none
 
 MODES = ("auto", "compiled", "interpreted")
@@ -30,7 +31,7 @@ def mode() -> str:
     """
     wanted = os.environ.get("HOPHOOP_KERNELS") or "auto"
     if wanted not in MODES:
-        raise ValueError(f"HOPHOOP_KERNELS = {wanted!r} must be one of {', '.join(MODES)}.")
+        raise InputError.of_field("HOPHOOP_KERNELS", wanted, f"one of {', '.join(MODES)}")
     return wanted
 
 
@@ -59,7 +60,7 @@ class Entry:
         if found is not None:
             return found.call(self.name)
         if wanted == "compiled":
-            raise RuntimeError(f"HOPHOOP_KERNELS = 'compiled': {why_none()}")
+            raise InputError(f"HOPHOOP_KERNELS = 'compiled': {why_none()}", field="HOPHOOP_KERNELS", value=wanted)
         return self._interpret
 
     def _interpret(self, *arguments: Any) -> Any:

@@ -16,6 +16,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from hophoop._errors import InputError
 from hophoop._native.calls import caller
 from hophoop._native.sources import PACKAGE, stamp
 
@@ -59,7 +60,7 @@ def _levels(told: dict[str, Any]) -> list[str]:
     levels = sorted(told["files"], reverse=True)
     most = os.environ.get("HOPHOOP_LEVEL") or levels[0]
     if most not in levels:
-        raise ValueError(f"HOPHOOP_LEVEL = {most!r} must be one of {', '.join(reversed(levels))}.")
+        raise InputError.of_field("HOPHOOP_LEVEL", most, f"one of {', '.join(reversed(levels))}")
     return levels[levels.index(most) :]
 
 

@@ -16,7 +16,7 @@ from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.scene3d import Film3D
-from hophoop.scenario import Hoop, Plane, Scenario, Start
+from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 
@@ -109,7 +109,9 @@ def article_films(
     names = [each.name for each in ARTICLE_FILMS]
     for name in given:
         if name not in names:
-            raise ValueError(f"scenarios names {name!r}, which is not one of {', '.join(names)}.")
+            raise InputError(
+                f"scenarios names {name!r}, which is not one of {', '.join(names)}.", field="scenarios", value=name
+            )
     Path(out_dir).mkdir(parents=True, exist_ok=True)
     paths = []
     for done, each in enumerate(ARTICLE_FILMS):

@@ -21,6 +21,7 @@ from hophoop._extras import need
 from hophoop._files import replacing, require_folder_of
 from hophoop._stopping import child, temporary_folder
 from hophoop.animate.canvas import Bytes
+from hophoop.scenario import InputError
 
 Progress = Callable[[int, int], None]
 FORMATS = (".mp4", ".webm", ".gif", ".png")
@@ -70,7 +71,7 @@ def format_of(path: str | Path) -> str:
     if suffix == "" or str(path).endswith(("/", os.sep)):
         return "png"
     if suffix not in FORMATS:
-        raise ValueError(f"out = {str(path)!r} must end in {', '.join(FORMATS)}, or be a folder for pictures.")
+        raise InputError.of_field("out", str(path), f"{', '.join(FORMATS)}, or be a folder for pictures", rule="must end in")
     return suffix[1:]
 
 
@@ -137,9 +138,9 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
         If mp4 or webm have an odd side, or a gif more than 50 pictures a second.
     """
     if kind in ("mp4", "webm") and (size[0] % 2 or size[1] % 2):
-        raise ValueError(f"size = {size!r} must be even numbers in a film of kind {kind}.")
+        raise InputError.of_field("size", size, f"even numbers in a film of kind {kind}")
     if kind == "gif" and fps > MAX_GIF_FPS:
-        raise ValueError(f"fps = {fps!r} must be at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones.")
+        raise InputError.of_field("fps", fps, f"at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones")
 
 
 _PALETTE = ["-vf", "palettegen=max_colors=255:reserve_transparent=0:stats_mode=full", "-frames:v", "1"]

@@ -15,6 +15,7 @@ from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.scene3d import Film3D
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 
 # 4 hundredths of a second a picture: a gif cannot say 1/30 s
@@ -100,7 +101,7 @@ def picture(motions: Motions, t: float, look: Look = Look()) -> Bytes:
     several = _several(motions)
     longest = max((motion.duration for motion in several), default=0.0)
     if not 0.0 <= t <= longest:
-        raise ValueError(f"t = {t!r} must be from 0 to the motion's end at {longest!r} s.")
+        raise InputError.of_field("t", t, f"from 0 to the motion's end at {longest!r} s")
     # A film of two pictures: the start, and the one that is asked for.
     timing = Timing(fps=1.0 / t, end=t) if t >= 1e-3 else Timing(end=max(t, 0.0))
     shown = Film2D(several, timing, look)

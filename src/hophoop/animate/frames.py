@@ -11,6 +11,7 @@ import numpy as np
 
 from hophoop.physics.body import EVENT_NAMES
 from hophoop.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
 
@@ -62,14 +63,16 @@ class Timing:
                 continue
             if not (0.0 < value <= most and math.isfinite(value)):
                 limit = f" and at most {most:g}" if math.isfinite(most) else ""
-                raise ValueError(f"{name} = {value!r} must be a positive number{limit}.")
+                raise InputError.of_field(name, value, f"a positive number{limit}")
         if self.slow_width is not None and not (0.0 < self.slow_width < math.inf):
-            raise ValueError(f"slow_width = {self.slow_width!r} must be positive (s).")
+            raise InputError.of_field("slow_width", self.slow_width, "positive (s)")
         if self.step not in STEPS:
-            raise ValueError(f"step = {self.step!r} must be one of {', '.join(STEPS)}.")
+            raise InputError.of_field("step", self.step, f"one of {', '.join(STEPS)}")
         for mark in self.marks:
             if isinstance(mark, str) and mark not in EVENT_NAMES:
-                raise ValueError(f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.")
+                raise InputError(
+                    f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.", field="slow_at", value=mark
+                )
 
     @property
     def marks(self) -> tuple[str | float, ...]:
@@ -129,14 +132,14 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
         If there is no motion, or the part to show is outside of it.
     """
     if not motions:
-        raise ValueError("motions = () must hold at least one motion.")
+        raise InputError("motions = () must hold at least one motion.", field="motions", value=())
     leaders = motions if timing.step == "time" else motions[:1]
     longest = max(motion.duration for motion in leaders)
     end = longest if timing.end is None else timing.end
     if not 0.0 <= timing.start <= longest:
-        raise ValueError(f"start = {timing.start!r} must be from 0 to the motion's end at {longest!r} s.")
+        raise InputError.of_field("start", timing.start, f"from 0 to the motion's end at {longest!r} s")
     if not timing.start <= end <= longest * (1 + 1e-12):
-        raise ValueError(f"end = {end!r} must be from start = {timing.start!r} to the motion's end at {longest!r} s.")
+        raise InputError.of_field("end", end, f"from the start at {timing.start!r} s to the motion's end at {longest!r} s")
     times, rate = _film_times(leaders, timing, min(end, longest))
     still = np.zeros(len(times))
     if end >= longest and all(motion.status in NO_FURTHER for motion in leaders if motion.duration == longest):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hophoop.animate.themes import theme_of
-from hophoop.scenario import describe
+from hophoop.scenario import InputError, describe
 from hophoop.trajectory import Trajectory
 
 CAMERAS = ("follow", "hold")
@@ -104,13 +104,13 @@ def check_size(size: tuple[int, int]) -> None:
     """Refuse a size that is not two whole numbers of pixels."""
     good = len(size) == 2 and all(isinstance(side, int) and 64 <= side <= MAX_SIDE for side in size)
     if not good:
-        raise ValueError(f"size = {size!r} must be a width and a height from 64 to {MAX_SIDE} pixels.")
+        raise InputError.of_field("size", size, f"a width and a height from 64 to {MAX_SIDE} pixels")
 
 
 def one_of(name: str, value: str, allowed: Sequence[str]) -> None:
     """Refuse a word that is not among those allowed."""
     if value not in allowed:
-        raise ValueError(f"{name} = {value!r} must be one of {', '.join(allowed)}.")
+        raise InputError.of_field(name, value, f"one of {', '.join(allowed)}")
 
 
 def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tuple[str, ...]:
@@ -134,7 +134,9 @@ def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tu
     if labels is None:
         return tuple(describe(motion.scenario) for motion in motions)
     if len(labels) != len(motions):
-        raise ValueError(f"labels holds {len(labels)} texts; the film shows {len(motions)} motions.")
+        raise InputError(
+            f"labels holds {len(labels)} texts; the film shows {len(motions)} motions.", field="labels", value=labels
+        )
     return tuple(labels)
 
 

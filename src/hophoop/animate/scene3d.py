@@ -50,6 +50,7 @@ from hophoop.animate.words import (
     speed_words,
 )
 from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
@@ -101,7 +102,7 @@ class Film3D:
         self.theme: Theme = theme_of(look.theme)
         slopes = {motion.scenario.plane.slope for motion in motions}
         if len(slopes) > 1:
-            raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
+            raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
         self._slope = slopes.pop()
         self._pyvista = need("pyvista", "films")
         self.canvas = Canvas(look.size, self.theme.background)

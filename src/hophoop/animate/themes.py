@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from hophoop.scenario import InputError
 from hophoop.vocabulary import colors
 
 
@@ -78,4 +79,4 @@ def theme_of(name: str) -> Theme:
     try:
         return THEMES[name]
     except KeyError:
-        raise ValueError(f"theme = {name!r} must be one of {', '.join(THEMES)}.") from None
+        raise InputError.of_field("theme", name, f"one of {', '.join(THEMES)}") from None

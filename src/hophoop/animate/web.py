@@ -22,6 +22,7 @@ from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
 from hophoop.animate.words import shades_of
 from hophoop.poses import Floats, load_distance, poses_of
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, PARTICIPLES
@@ -66,7 +67,7 @@ def scene(
     target = Path(path)
     kind = target.suffix.lower()
     if kind not in SUFFIXES:
-        raise ValueError(f"out = {str(path)!r} must end in {' or '.join(SUFFIXES)}.")
+        raise InputError.of_field("out", str(path), " or ".join(SUFFIXES), rule="must end in")
     several = (motions,) if isinstance(motions, Trajectory) else tuple(motions)
     data = scene_data(several, timing, look)
     content = glb(data) if kind == ".glb" else page(data).encode("utf-8")
@@ -101,7 +102,7 @@ def scene_data(
     shown: Clock = clock(motions, timing)
     slopes = {motion.scenario.plane.slope for motion in motions}
     if len(slopes) > 1:
-        raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
+        raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
     theme = theme_of(look.theme)
     names = labels_of(motions, look.labels)
     ends = [min(float(t[-1]), motion.duration) for t, motion in zip(shown.times, motions, strict=True)]

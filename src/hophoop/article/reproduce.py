@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import hophoop
-from hophoop._extras import need
+from hophoop._extras import MissingExtra, need
 from hophoop._files import replacing
 from hophoop._processes import python_beside
 from hophoop._stopping import heeded, remove, temporary, undoing
@@ -102,7 +102,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
             try:
                 made = (beside and beside.finish(say)) or films(folder / "films", say)
                 reason = ""
-            except ImportError as error:
+            except MissingExtra as error:
                 reason = str(error)
     with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made, runs), encoding="utf-8")
@@ -129,7 +129,7 @@ def films(out: Path, progress: Progress) -> list[Path]:
     """
     need("imageio_ffmpeg", "films")
     if find_spec("hophoop.animate") is None:
-        raise ImportError("this version makes no films.")
+        raise MissingExtra("this version makes no films.")
     from hophoop.animate import article_films
 
     fresh = _fresh(out)

@@ -120,7 +120,7 @@ def _wanted(chosen: Iterable[str]) -> tuple[str, ...]:
     wanted = tuple(dict.fromkeys(chosen))
     for work in wanted:
         if work not in works():
-            raise InputError(f"work = {work} must be one of {', '.join(works())}.")
+            raise InputError(f"work = {work} must be one of {', '.join(works())}.", field="work", value=work)
     return wanted or works()
 
 

@@ -7,6 +7,7 @@ are loaded when asked for; heavy imports stand inside the functions, so that ``h
 from __future__ import annotations
 
 import sys
+import traceback
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.util import find_spec
@@ -15,6 +16,8 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from hophoop._errors import InputError, plain
+from hophoop._extras import MissingExtra
 from hophoop._stopping import Stopping, heeded
 
 # In the order in which --help shows them.
@@ -23,6 +26,7 @@ COMMANDS = (
 )  # fmt: skip
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
+DEFECT = 1
 
 
 class Commands(TyperGroup):
@@ -67,11 +71,14 @@ class Commands(TyperGroup):
             raise Stopped from error
         except BrokenPipeError:
             raise  # the reader of a pipe has gone; handled where it has always been
-        except (ValueError, OSError, ImportError) as error:
+        except InputError as error:
             from hophoop.cli._output import in_options
+
+            raise Failed(str(in_options(error, self._options(ctx)))) from error
+        except (OSError, MissingExtra) as error:
             from hophoop.scenario.sentences import sentence
 
-            raise Failed(in_options(sentence(error), self._options(ctx))) from error
+            raise Failed(sentence(error)) from error
         except MemoryError as error:
             raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
 
@@ -137,7 +144,10 @@ def _told(error: BaseException, stopping: Stopping) -> int:
     # a mistake in the arguments themselves, which the parser reports
     describe = getattr(error, "format_message", None)
     if describe is None:
-        raise error
+        if not isinstance(error, Exception):
+            raise error
+        _report_defect(error)
+        return DEFECT
     text = " ".join(str(describe()).split())
     command = getattr(getattr(error, "ctx", None), "command_path", "hophoop")
     if "\n" in str(describe()) or not text:  # the help, where a command was left out
@@ -160,9 +170,18 @@ def say(text: str) -> None:
     typer.echo(text, err=True)
 
 
-def _say_error(sentence: str) -> None:
-    from hophoop.scenario.sentences import plain
+def _report_defect(error: Exception) -> None:
+    """Print the traceback of an exception that no input may cause, and where to report it."""
+    from hophoop import __version__
 
+    traceback.print_exception(error)
+    say(
+        f"This is a defect of hophoop {__version__} or of its installation, not of your input. "
+        "Please report it as an issue of hophoop's repository, with the lines above and the command."
+    )
+
+
+def _say_error(sentence: str) -> None:
     say(f"Error: {plain(sentence)}")
 
 

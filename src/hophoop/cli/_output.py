@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from hophoop._errors import InputError
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
-
-
-def _refuse(sentence: str) -> Exception:
-    from hophoop.scenario import InputError  # loads pydantic, which --help does without
-
-    return InputError(sentence)
 
 
 def console_of(width: int) -> Console:
@@ -33,13 +28,15 @@ def check_ending(option: str, path: Path, endings: tuple[str, ...]) -> None:
     """Refuse a name that does not tell a known format."""
     if not path.name.lower().endswith(endings):
         known = " or ".join(part for part in (", ".join(endings[:-1]), endings[-1]) if part)
-        raise _refuse(f"{option} = {path} must end in {known}.")
+        raise InputError(f"{option} = {path} must end in {known}.", field=option, value=path, allowed=known)
 
 
 def check_folder(option: str, path: Path) -> None:
     """Refuse a name in a folder that is not there, before anything long is computed."""
     if not path.absolute().parent.is_dir():
-        raise _refuse(f"{option} = {path} must be in a folder that is there; {path.parent} is not.")
+        raise InputError(
+            f"{option} = {path} must be in a folder that is there; {path.parent} is not.", field=option, value=path
+        )
 
 
 def check_apart(paths: list[Path], source: str | None = None) -> None:
@@ -47,16 +44,15 @@ def check_apart(paths: list[Path], source: str | None = None) -> None:
     whole = [path.absolute() for path in paths]
     for k, path in enumerate(whole):
         if path in whole[:k]:
-            raise _refuse(f"{paths[k]} is named for two outputs.")
+            raise InputError(f"{paths[k]} is named for two outputs.")
         if source not in (None, "-") and path == Path(str(source)).absolute():
-            raise _refuse(f"{paths[k]} is the scenario itself: name another file for the output.")
+            raise InputError(f"{paths[k]} is the scenario itself: name another file for the output.")
 
 
-def in_options(words: str, names: Mapping[str, str]) -> str:
-    """A sentence with options in place of the arguments of Python's functions; `names` maps these to those."""
-    for name, option in names.items():
-        words = option.join(re.split(rf"(?<![-.\w]){re.escape(name)}(?= (?:=|holds) )", words))
-    return words
+def in_options(error: InputError, names: Mapping[str, str]) -> InputError:
+    """An error with the option in place of the argument of a Python function; `names` maps arguments to options."""
+    option = names.get(error.field or "")
+    return error if option is None else error.renamed(option)
 
 
 @contextmanager
@@ -64,8 +60,8 @@ def named_options(names: Mapping[str, str]) -> Iterator[None]:
     """For options whose argument has another name in Python; those of the same name need no word (see `Commands`)."""
     try:
         yield
-    except ValueError as error:
-        raise _refuse(in_options(str(error), names)) from None
+    except InputError as error:
+        raise in_options(error, names) from None
 
 
 def fitted(table: Table, console: Console, spare: Sequence[str]) -> list[str]:

@@ -114,7 +114,7 @@ def animate(
 
     match = re.fullmatch(r"(\d+)[x×](\d+)", size)
     if match is None:
-        raise InputError(f"--size = {size} must be a width and a height, such as 1280x720.")
+        raise InputError(f"--size = {size} must be a width and a height, such as 1280x720.", field="--size", value=size)
     if three_d and (panel or overlay):
         raise InputError("--panel and --overlay do not go together with --3d.")
     if out.suffix:  # else a folder for pictures, which is made

@@ -65,11 +65,11 @@ def compare(
         return
     if npm is not None:
         if not npm.is_dir():
-            raise InputError(f"--npm = {npm} must be a folder that is there.")
+            raise InputError(f"--npm = {npm} must be a folder that is there.", field="--npm", value=npm)
         os.environ[FOLDER] = str(npm.absolute())
     for step in dt or ():
         if not 0.0 < step <= 0.1:
-            raise InputError(f"--dt = {step} must be above 0 and at most 0.1 s.")
+            raise InputError.of_field("--dt", step, "above 0 and at most 0.1 s")
     if not engine and not command and not physics_engines():
         say("No engine is installed: pip install 'hophoop[engines]'.")
         raise typer.Exit(NO_ANSWER)

@@ -121,13 +121,16 @@ def _verify(path: Path) -> None:
     from hophoop.cli import NO_ANSWER, say
     from hophoop.prove import check
     from hophoop.scenario import InputError
+    from hophoop.scenario.sentences import parse_reason
 
     try:
         certificate = json_text.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, json_text.JSONDecodeError) as error:
-        raise InputError(f"--check = {path} must be a certificate in JSON: {error}.") from None
+    except (ValueError, RecursionError) as error:
+        raise InputError(
+            f"--check = {path} must be a certificate in JSON: {parse_reason(error)}.", field="--check", value=path
+        ) from None
     if not isinstance(certificate, dict):
-        raise InputError(f"--check = {path} must be a certificate in JSON.")
+        raise InputError(f"--check = {path} must be a certificate in JSON.", field="--check", value=path)
     verdict = check(certificate)
     if verdict.accepted:
         typer.echo(f"accepted  {certificate['sequence']}, {certificate['status']}: {verdict.events} events verified")

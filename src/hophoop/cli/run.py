@@ -207,9 +207,9 @@ def run(
     if save is not None:
         check_ending("--save", save, STORES)
     if samples < 2:
-        raise InputError(f"--samples = {samples} must be at least 2.")
+        raise InputError.of_field("--samples", samples, "at least 2")
     if check_fingerprint is not None and not is_fingerprint(check_fingerprint):
-        raise InputError(f"--check-fingerprint = {check_fingerprint!r} must be {DIGITS} hexadecimal digits.")
+        raise InputError.of_field("--check-fingerprint", check_fingerprint, f"{DIGITS} hexadecimal digits")
     result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
         raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")

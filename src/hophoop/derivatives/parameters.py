@@ -186,7 +186,9 @@ def change_of(scenario: Scenario, path: str) -> Change:
     known = parameter(path)
     if path.startswith("hoop.parts.") and known.unit != "":
         return _of_part(scenario, path)
-    raise InputError(f"wrt = {path!r} is not a number that the motion depends on; there are {', '.join(PATHS)}.")
+    raise InputError(
+        f"wrt = {path!r} is not a number that the motion depends on; there are {', '.join(PATHS)}.", field="wrt", value=path
+    )
 
 
 def value_of(scenario: Scenario, path: str) -> float:

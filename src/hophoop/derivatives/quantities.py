@@ -45,6 +45,10 @@ AT_TIMES = tuple(name for name in FIELDS if not name.startswith(("before", "impu
 PASSING = (Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST)
 
 
+class NotInMotion(InputError):
+    """A quantity that other motions have: this one lacks the event that it is read at."""
+
+
 @lru_cache(maxsize=256)
 def unit_of_quantity(name: str) -> str:
     """SI unit of a quantity by its name.
@@ -88,22 +92,22 @@ def quantity(motion: Motion, name: str) -> Callable[[Carried], Rated]:
     known = MAPPED.get(name, name)
     if known in WHOLE:
         if known == "revolutions_to_rolling" and _rolling_since(motion) < 0:
-            raise InputError(f"of = {name!r}: this motion does not end in rolling.")
+            raise NotInMotion(f"of = {name!r}: this motion does not end in rolling.", field="of", value=name)
         return WHOLE[known][0]
     match = _AT.fullmatch(known) if known.startswith("at(") else None
     if match:
         return _at_time(motion, name, match["time"], match["field"])
     what, place, field = _parsed(known) or ("", 0, "")
     if not what:
-        raise InputError(f"of = {name!r} is no quantity; there are {_known()}.")
+        raise InputError(f"of = {name!r} is no quantity; there are {_known()}.", field="of", value=name)
     if what == "hop":
         if field not in HOP:
-            raise InputError(f"of = {name!r}: a hop has {', '.join(HOP)}.")
+            raise InputError(f"of = {name!r}: a hop has {', '.join(HOP)}.", field="of", value=name)
         return _of_hop(motion, name, place, field)
     if what not in EVENT_NAMES:
-        raise InputError(f"of = {name!r} is no quantity; there are {_known()}.")
+        raise InputError(f"of = {name!r} is no quantity; there are {_known()}.", field="of", value=name)
     if field not in FIELDS:
-        raise InputError(f"of = {name!r}: an event has {', '.join(FIELDS)}.")
+        raise InputError(f"of = {name!r}: an event has {', '.join(FIELDS)}.", field="of", value=name)
     found = np.flatnonzero(motion.tables["events"]["kind"] == EVENT_NAMES.index(what))
     index = _chosen(name, what, found, place)
     return lambda carried: carried.at_event(index, field)
@@ -121,7 +125,8 @@ def _known() -> str:
 
 def _chosen(name: str, what: str, found: np.ndarray, place: int) -> int:
     if not -len(found) <= place < len(found):
-        raise InputError(f"of = {name!r}: this motion has {len(found) or 'no'} {what}{'' if len(found) == 1 else 's'}.")
+        count = f"{len(found) or 'no'} {what}{'' if len(found) == 1 else 's'}"
+        raise NotInMotion(f"of = {name!r}: this motion has {count}.", field="of", value=name)
     return int(found[place])
 
 
@@ -129,11 +134,13 @@ def _at_time(motion: Motion, name: str, text: str, field: str) -> Callable[[Carr
     try:
         time = float(text)
     except ValueError:
-        raise InputError(f"of = {name!r}: {text!r} is no time in seconds.") from None
+        raise InputError(f"of = {name!r}: {text!r} is no time in seconds.", field="of", value=name) from None
     if not 0.0 <= time <= motion.duration:
-        raise InputError(f"of = {name!r}: the time must be from 0 to the motion's end at {motion.duration!r} s.")
+        raise InputError(
+            f"of = {name!r}: the time must be from 0 to the motion's end at {motion.duration!r} s.", field="of", value=name
+        )
     if field not in AT_TIMES:
-        raise InputError(f"of = {name!r}: a time has {', '.join(AT_TIMES)}.")
+        raise InputError(f"of = {name!r}: a time has {', '.join(AT_TIMES)}.", field="of", value=name)
 
     def read(carried: Carried) -> Rated:
         values, rates = carried.at_times(np.array([time]), [field])[field]
@@ -184,7 +191,7 @@ def _of_hop(motion: Motion, name: str, place: int, field: str) -> Callable[[Carr
     hops = hops_of(motion)
     begin, top, end = hops[_chosen(name, "hop", np.arange(len(hops)), place)]
     if end < 0 and not field.startswith("takeoff") and not (field == "height" and top >= 0):
-        raise InputError(f"of = {name!r}: the motion ends before this hop does.")
+        raise NotInMotion(f"of = {name!r}: the motion ends before this hop does.", field="of", value=name)
 
     def read(carried: Carried) -> Rated:
         if field == "height":

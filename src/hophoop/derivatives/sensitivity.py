@@ -162,7 +162,9 @@ def names_of(given: str | Sequence[str], what: str) -> tuple[str, ...]:
     """
     names = (given,) if isinstance(given, str) else tuple(given)
     if not names or len(set(names)) != len(names):
-        raise InputError(f"{what} = {list(names)!r} must name at least one thing, and none twice.")
+        raise InputError(
+            f"{what} = {list(names)!r} must name at least one thing, and none twice.", field=what, value=list(names)
+        )
     return names
 
 

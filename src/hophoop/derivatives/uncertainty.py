@@ -173,7 +173,7 @@ class Uncertainty:
             If a time is outside the motion or `side` is neither.
         """
         if side not in ("left", "right"):
-            raise InputError(f"side = {side!r} must be 'left' or 'right'.")
+            raise InputError.of_field("side", side, "'left' or 'right'")
         times = np.atleast_1d(np.asarray(t, float))
         self.motion.at(times)  # refuses times outside
         rates = _rates_at(self.motion, self.wrt, times, side == "left")

@@ -20,6 +20,7 @@ from hophoop.engines.scores import Scores, score
 from hophoop.engines.task import SPACING, States
 from hophoop.engines.truth import Truth, truths
 from hophoop.engines.worker import Worker, run_here
+from hophoop.scenario import InputError
 
 COMMON_STEP, FINE_STEP = 0.001, 0.0001
 LADDER = (0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001, 0.00005, 0.00002, 0.00001)
@@ -295,7 +296,7 @@ def _run(worker: Worker, job: Job, truth: Truth, ours: float) -> tuple[Row, str]
     try:
         record = worker.run(truth.task, job.dt, job.engine.settings[job.setting], LIMIT)
         found, measures = score(record, truth)
-    except (RuntimeError, ValueError) as error:
+    except (RuntimeError, InputError) as error:
         return Row(*head, failure=str(error)), ""
     wall = None if record.wall_seconds is None else record.wall_seconds / ours
     return Row(*head, "", found, measures, record.states, wall), record.notes.get("version", "")
@@ -349,6 +350,6 @@ def score_file(recording: Recording, scenario: str | None = None) -> tuple[str, 
     """
     name = scenario or recording.notes.get("scenario", "")
     if name not in truths():
-        raise ValueError(f"scenario = {name!r} is not one of {', '.join(truths())}.")
+        raise InputError.of_field("scenario", name, ", ".join(truths()), rule="is not one of")
     found, measures = score(recording, truths()[name])
     return name, found, measures

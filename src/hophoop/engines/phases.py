@@ -16,6 +16,7 @@ from itertools import groupby
 import numpy as np
 
 from hophoop.engines.task import SPACING, Floats, States, Task
+from hophoop.scenario import InputError
 
 WINDOW = 0.005  # s
 FREE = 0.01  # of m g
@@ -58,14 +59,14 @@ def thinned(states: States) -> States:
     """
     t = states.t
     if len(t) < 3:
-        raise ValueError(f"the record has {len(t)} states; it needs at least 3.")
+        raise InputError(f"the record has {len(t)} states; it needs at least 3.")
     for name, column in zip(states._fields, states, strict=True):
         if len(column) != len(t):
-            raise ValueError(f"{name} has {len(column)} numbers and t has {len(t)}.")
+            raise InputError(f"{name} has {len(column)} numbers and t has {len(t)}.")
         if not np.isfinite(column).all():
-            raise ValueError(f"{name} must be finite; state {int(np.argmin(np.isfinite(column)))} is not.")
+            raise InputError(f"{name} must be finite; state {int(np.argmin(np.isfinite(column)))} is not.")
     if abs(t[0]) > 1e-9 or not (np.diff(t) > 0).all():
-        raise ValueError("t must begin with 0 and grow.")
+        raise InputError("t must begin with 0 and grow.")
     if np.diff(t).min() >= SPACING * (1 - 1e-6):
         return states
     kept, last = [0], t[0]

@@ -62,7 +62,10 @@ def read_csv(text: str, name: str = "the record") -> Recording:
             notes[key.strip()] = value.strip()
         elif line.strip():
             lines.append(line)
-    rows = list(csv.reader(io.StringIO("\n".join(lines))))
+    try:
+        rows = list(csv.reader(io.StringIO("\n".join(lines))))
+    except csv.Error as error:
+        raise InputError(f"{name} is not CSV: {error}.") from None
     if not rows or tuple(cell.strip() for cell in rows[0]) != HEADER:
         raise InputError(f"{name} must begin with the header {','.join(HEADER)}.")
     for number, row in enumerate(rows[1:], start=1):

@@ -13,6 +13,7 @@ from importlib.metadata import PackageNotFoundError, entry_points, version
 from typing import Any
 
 from hophoop.engines.adapters.npm import NODE_ENGINES, npm_folder
+from hophoop.scenario import InputError
 
 GROUP = "hophoop.engines"
 PYTHON_ENGINES = (
@@ -91,7 +92,7 @@ def engine_of(name: str, adapter: Any, ours: bool = False) -> Engine:
     """
     run = getattr(adapter, "run", adapter if callable(adapter) else None)
     if run is None:
-        raise ValueError(f"the adapter {name!r} has no run(task, dt).")
+        raise InputError(f"the adapter {name!r} has no run(task, dt).")
     package = getattr(adapter, "PACKAGE", "")
     return Engine(
         name=name,
@@ -124,9 +125,12 @@ def command_engine(text: str) -> Engine:
         If the text is not of that form.
     """
     name, _, command = text.partition("=")
-    words = tuple(shlex.split(command))
+    try:
+        words = tuple(shlex.split(command))
+    except ValueError:  # a quotation that is not closed
+        words = ()
     if not re.fullmatch(r"[\w.-]+", name) or not words:
-        raise ValueError(f"command = {text!r} must be NAME=COMMAND, such as mine='node mine.mjs'.")
+        raise InputError.of_field("command", text, "NAME=COMMAND, such as mine='node mine.mjs'")
     return Engine(name=name, title=name, command=words, model="a command")
 
 
@@ -180,7 +184,7 @@ def engine(name: str) -> Engine:
         return _own(name)
     known = engines()
     if name not in known:
-        raise ValueError(f"engine = {name!r} is not one of {', '.join(known)}.")
+        raise InputError.of_field("engine", name, ", ".join(known), rule="is not one of")
     return known[name]
 
 

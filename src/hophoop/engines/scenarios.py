@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from hophoop.scenario import Hoop, Plane, Scenario, Start
+from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 
 BENCHMARK = "hophoop-bench/1"
 GRID = 32  # states of the truth a second
@@ -143,5 +143,5 @@ def chosen(names: list[str] | None) -> list[BenchScenario]:
     known = bench_scenarios()
     for name in names or ():
         if name not in known:
-            raise ValueError(f"scenario = {name!r} is not one of {', '.join(known)}.")
+            raise InputError.of_field("scenario", name, ", ".join(known), rule="is not one of")
     return [known[name] for name in names] if names else list(known.values())

@@ -12,6 +12,7 @@ from hophoop.engines.measures import Measures, between, energy, measure
 from hophoop.engines.phases import thinned
 from hophoop.engines.recording import Recording
 from hophoop.engines.truth import Truth
+from hophoop.scenario import InputError
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ def score(recording: Recording, truth: Truth) -> tuple[Scores, Measures]:
     t = states.t
     step = float(np.median(np.diff(t)))
     if t[-1] < task.duration - 2.0 * step - 1e-9:
-        raise ValueError(f"the record ends at {t[-1]:.6g} s; the motion {task.name!r} lasts {task.duration:.6g} s.")
+        raise InputError(f"the record ends at {t[-1]:.6g} s; the motion {task.name!r} lasts {task.duration:.6g} s.")
     found = measure(task, states)
     grid = truth.states
     angles = np.array([between(t, states.angle, states.omega, when) for when in grid.t])

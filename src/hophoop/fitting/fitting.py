@@ -91,9 +91,9 @@ def fit(
     """
     track = data if isinstance(data, Track) else read_track(data)
     if isinstance(hoop, str) and hoop not in ("ideal", "general"):
-        raise InputError(f"hoop = {hoop!r} must be 'ideal', 'general' or a Hoop.")
+        raise InputError.of_field("hoop", hoop, "'ideal', 'general' or a Hoop")
     if start != "auto" and start not in STARTS:
-        raise InputError(f"start = {start!r} must be auto, {', '.join(STARTS)}.")
+        raise InputError.of_field("start", start, f"auto, {', '.join(STARTS)}")
     plane = plane or Plane()
     problem = problem_of(track, hoop, "rolling" if start == "auto" else start, plane, (sigma, sigma_angle))
     if start == "auto" and (kind := start_kind(problem)) != "rolling":

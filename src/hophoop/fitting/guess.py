@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.fitting.problem import Problem
+from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
 
@@ -285,7 +286,7 @@ def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: 
                 )
         try:
             motion = problem.motion(values)
-        except ValueError:
+        except InputError:
             continue
         off = problem.distances(problem.places(motion, values), values)
         # far off is far off: what matters is how much of the film agrees

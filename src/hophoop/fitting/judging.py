@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import Solution
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
@@ -80,7 +81,7 @@ def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) ->
         )
         try:
             sequence = gathered(problem.motion(drawn).sequence)
-        except ValueError:
+        except InputError:
             continue
         found[sequence] = found.get(sequence, 0) + 1
     total = sum(found.values())

@@ -142,9 +142,9 @@ def plan(
     """
     for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", 1.0 if sigma_angle is None else sigma_angle)):
         if not (np.isfinite(value) and value > 0):
-            raise InputError(f"{name} = {value} must be a number above 0.")
+            raise InputError.of_field(name, value, "a number above 0")
     if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
-        raise InputError(f"sigma_scale = {sigma_scale} must be a number of at least 0.")
+        raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
     if not 12 <= count <= MOST_FRAMES:

@@ -218,7 +218,7 @@ class Problem:
         """
         try:
             motion = self.motion(values)
-        except ValueError:
+        except InputError:
             return np.full(self.count, FAR)
         return self.distances(self.places(motion, values), values)
 

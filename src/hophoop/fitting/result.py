@@ -377,7 +377,9 @@ def load_fit(path: str | Path) -> Fit:
             int(data["calls"]),
             None if data.get("posterior") is None else posterior_from_dict(data["posterior"]),
         )
-    except (KeyError, TypeError, IndexError) as error:
+    except InputError:
+        raise
+    except (KeyError, TypeError, IndexError, AttributeError, ValueError) as error:
         raise InputError(f"{file} is not whole: {error}.") from None
 
 

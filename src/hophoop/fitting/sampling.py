@@ -70,9 +70,9 @@ def sample(
         raise InputError("Nothing was fitted, so that there is nothing to sample.")
     count = 4 * len(names) if walkers is None else walkers
     if not LEAST_STEPS <= steps <= MOST_STEPS:
-        raise InputError(f"steps = {steps} must be from {LEAST_STEPS} to {MOST_STEPS:,}.")
+        raise InputError.of_field("steps", steps, f"from {LEAST_STEPS} to {MOST_STEPS:,}")
     if not 2 * len(names) <= count <= 10_000:
-        raise InputError(f"walkers = {count} must be from {2 * len(names)}, twice the number of parameters, to 10,000.")
+        raise InputError.of_field("walkers", count, f"from {2 * len(names)}, twice the number of parameters, to 10,000")
     likelihood = _likelihood(fit, problem, choice)
     rng = np.random.default_rng(seed)
     begin = _places(fit, choice, likelihood, count, rng)

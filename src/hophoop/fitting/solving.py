@@ -271,7 +271,7 @@ def slopes_at(problem: Problem, choice: Choice, parameters: Any, names: tuple[st
     tied = tuple(choice.tied)
     try:
         jacobian = exact_slopes(problem, values, (*names, *tied))
-    except ValueError:
+    except InputError:
         jacobian = np.full((problem.count, len(names) + len(tied)), np.nan)
     result = jacobian[:, : len(names)]
     if tied:
@@ -388,7 +388,7 @@ def _without_slip(problem: Problem, choice: Choice, best: Minimum, soft: bool) -
 def _slips(problem: Problem, values: dict[str, float]) -> bool:
     try:
         return bool({"S", "K"} & set(problem.motion(values).sequence))
-    except ValueError:
+    except InputError:
         return True
 
 

@@ -23,6 +23,7 @@ from pydantic import AfterValidator
 from starlette.requests import ClientDisconnect
 
 import hophoop
+from hophoop._extras import MissingExtra
 from hophoop.lab import calls, files, page, replies, requests
 from hophoop.lab.guard import HEAD, Guard
 from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
@@ -94,8 +95,8 @@ def create_app(
     async def _busy(request: Request, error: TooBusy) -> JSONResponse:
         return JSONResponse({"detail": str(error)}, 503, headers={"Retry-After": str(error.seconds)})
 
-    @app.exception_handler(ImportError)
-    async def _missing(request: Request, error: ImportError) -> JSONResponse:
+    @app.exception_handler(MissingExtra)
+    async def _missing(request: Request, error: MissingExtra) -> JSONResponse:
         return JSONResponse({"detail": str(error)}, 501)
 
     app.add_middleware(Guard, names=names)

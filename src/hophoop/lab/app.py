@@ -83,9 +83,9 @@ def serve(
     uvicorn = need("uvicorn", "lab")
     need("fastapi", "lab")
     if not 0 <= port <= 65535:
-        raise InputError(f"port = {port} must be from 0 to 65535.")
+        raise InputError.of_field("port", port, "from 0 to 65535")
     if not 1 <= workers <= 256:
-        raise InputError(f"workers = {workers} must be from 1 to 256.")
+        raise InputError.of_field("workers", workers, "from 1 to 256")
     if port == 0:
         port = _free_port(host)
     _check_free(host, port)
@@ -134,7 +134,7 @@ def _check_free(host: str, port: int) -> None:
             probe.bind((host, port))
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
-            raise InputError(f"port = {port} cannot be used on {host}: {reason}.") from None
+            raise InputError(f"port = {port} cannot be used on {host}: {reason}.", field="port", value=port) from None
 
 
 def _family(host: str) -> socket.AddressFamily:

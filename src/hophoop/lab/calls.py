@@ -187,7 +187,7 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
         If there is no such call, or the body is not what it takes.
     """
     if call not in CALLS:
-        raise InputError(f"call = {call!r} must be one of {', '.join(CALLS)}.")
+        raise InputError.of_field("call", call, f"one of {', '.join(CALLS)}")
     checked = body if isinstance(body, Frozen) else requests.validated(CALLS[call].takes, body)
     if isinstance(checked, requests.ScenarioRequest):
         checked.bounded(limits)

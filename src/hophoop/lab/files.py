@@ -59,7 +59,11 @@ def gif(scenario: Scenario, limits: Limits) -> bytes:
 
 def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
     if scenario.duration > limits.film:
-        raise TooMuch(f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab.")
+        raise TooMuch(
+            f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab.",
+            field="duration",
+            value=scenario.duration,
+        )
     from hophoop.animate import Look, Timing, film
 
     motion = simulate(within(scenario, limits))

@@ -158,6 +158,13 @@ def colour_at(image: Bytes, x: float, y: float) -> str:
     return "#" + "".join(f"{round(value):02x}" for value in np.median(near, axis=0))
 
 
+def _read(body: bytes) -> Any:
+    try:
+        return json.loads(body)
+    except (ValueError, RecursionError):
+        raise InputError("What was clicked cannot be read.") from None
+
+
 class _Answer(BaseHTTPRequestHandler):
     def __init__(self, page: Page, *args: Any) -> None:
         self.page = page
@@ -184,8 +191,8 @@ class _Answer(BaseHTTPRequestHandler):
         try:
             if not 0 < length <= MOST_BYTES:
                 raise InputError("What was clicked cannot be read.")
-            self.page.take(json.loads(self.rfile.read(length)))
-        except ValueError as error:
+            self.page.take(_read(self.rfile.read(length)))
+        except InputError as error:
             self._send("application/json", json.dumps({"error": str(error)}).encode(), 422)
             return
         self._send("application/json", b"{}")

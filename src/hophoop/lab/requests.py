@@ -144,7 +144,7 @@ class SimulateRequest(ScenarioRequest):
         """
         super().bounded(limits)
         if self.samples > limits.samples:
-            raise TooMuch(f"samples = {self.samples} must be at most {limits.samples} in the lab.")
+            raise TooMuch.of_field("samples", self.samples, f"at most {limits.samples} in the lab")
 
 
 class SamplesRequest(ScenarioRequest):

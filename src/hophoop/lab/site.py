@@ -74,7 +74,7 @@ def _place_of(docs: str) -> bytes:
     """What tells the page where the documentation is."""
     scheme = re.match(r"[^/?#]*?:", docs.strip())  # browsers skip spaces and control characters before one
     if (scheme and scheme[0].lower() not in ("http:", "https:")) or not docs.isprintable():
-        raise InputError(f"--docs = {docs!r} must be an address of http or https, or a path such as ../.")
+        raise InputError.of_field("--docs", docs, "an address of http or https, or a path such as ../")
     if not docs:
         return b""
     return f'<meta name="hophoop-docs" content="{html.escape(docs.rstrip("/"))}/">\n'.encode()

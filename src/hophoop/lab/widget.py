@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hophoop._extras import need
+from hophoop._extras import MissingExtra, need
 from hophoop.module.stamp import DERIVATIVES
-from hophoop.scenario import InputError, Scenario, sentence
+from hophoop.scenario import InputError, Scenario
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 
@@ -46,10 +46,10 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     if isinstance(motion, Scenario):
         motion = simulate(motion)
     if not isinstance(motion, Trajectory):
-        raise InputError(f"motion = {type(motion).__name__} must be a Trajectory or a Scenario.")
+        raise InputError(f"motion = {type(motion).__name__} must be a Trajectory or a Scenario.", field="motion", value=motion)
     for panel in panels:
         if panel not in PANELS:
-            raise InputError(f"panels holds {panel!r}, which must be one of {', '.join(PANELS)}.")
+            raise InputError(f"panels holds {panel!r}, which must be one of {', '.join(PANELS)}.", field="panels", value=panel)
     widget: AnyWidget = _widget_class()(motion, list(panels))
     return widget
 
@@ -123,9 +123,12 @@ def _widget_class() -> Any:
                     answered = calls.film_of(self._motion, request.scenario)
                 else:
                     answered = calls.answer(request)
-            except (ValueError, ImportError) as error:
-                self.send({**reply, "error": sentence(error)})
+            except (InputError, MissingExtra) as error:
+                self.send({**reply, "error": str(error)})
                 return
+            except Exception:
+                self.send({**reply, "error": "The computation failed."})
+                raise
             self.send(reply, [answered.packed()])
 
     _made.append(MotionWidget)

@@ -228,14 +228,16 @@ def outcome(job: Job) -> tuple[str, Any]:
     said : (str, object)
         `ANSWER` with bytes, `ERROR` with an exception that the asker must be told, or `FAILED` with a traceback.
     """
+    from hophoop._extras import MissingExtra
     from hophoop.lab import calls, files
+    from hophoop.scenario import InputError
 
     try:
         if job.form in files.KINDS:
             return ANSWER, files.KINDS[job.form].make(job.request.scenario, job.limits)
         answered = calls.answer(job.request, job.limits)
         return ANSWER, answered.packed() if job.form == "packed" else answered.json()
-    except (ValueError, ImportError) as error:
+    except (InputError, MissingExtra) as error:
         return ERROR, error
     except Exception:
         return FAILED, traceback.format_exc()

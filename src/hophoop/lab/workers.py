@@ -139,8 +139,10 @@ class Workers:
             If it would have to wait too long.
         TooMuch
             If it takes too long.
-        ValueError, ImportError
+        InputError, MissingExtra
             As the computation says.
+        RuntimeError
+            If it met a defect.
         """
         lane = self.lanes[kind]
         queue = self.limits.queue if kind != FILM else self.limits.film_queue

@@ -102,7 +102,9 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     """
     for end in (first, last):
         if not end > 0.0:
-            raise ValueError(f"end of a logarithmic axis = {end!r} must be greater than 0.")
+            raise InputError.of_field("end of a logarithmic axis", end, "greater than 0")
+        if end == math.inf:
+            raise InputError.of_field("end of a logarithmic axis", end, "finite")
     return geometric(first, last, _count(count))
 
 
@@ -119,7 +121,7 @@ def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
 
 def _count(count: int) -> int:
     if not 1 <= count <= MOST_VALUES or count != int(count):
-        raise ValueError(f"count = {count!r} must be a whole number from 1 to {MOST_VALUES:,}.")
+        raise InputError.of_field("count", count, f"a whole number from 1 to {MOST_VALUES:,}")
     return int(count)
 
 
@@ -153,7 +155,7 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
     path = path.strip()
     usage = f"axis {text!r} must read path=first:last:count, path=first:last:count:log or path=a,b,c."
     if not equals or not path or not rest:
-        raise ValueError(usage)
+        raise InputError(usage)
     try:
         if ":" not in rest:
             words = [word.strip() for word in rest.split(",")]
@@ -163,10 +165,10 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
                 return path, np.array(words)
         parts = rest.split(":")
         if len(parts) not in (3, 4) or (len(parts) == 4 and parts[3] != "log"):
-            raise ValueError(usage)
+            raise InputError(usage)
         first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
     except ValueError:
-        raise ValueError(usage) from None
+        raise InputError(usage) from None
     return path, logarithmic(first, last, count) if len(parts) == 4 else linear(first, last, count)
 
 
@@ -190,9 +192,9 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
         two axes name the same thing in two ways.
     """
     if len(axes) < 2:
-        raise InputError(f"axes = {list(axes)!r} must name at least two parameters.")
+        raise InputError(f"axes = {list(axes)!r} must name at least two parameters.", field="axes", value=list(axes))
     if not isinstance(base.contact, Rigid):
-        raise InputError(f"contact.model = {base.contact.model!r} must be 'rigid' in a map.")
+        raise InputError.of_field("contact.model", base.contact.model, "'rigid' in a map")
     made = []
     for path, values in axes.items():
         info = parameter(path)
@@ -268,7 +270,7 @@ def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
         try:
             scenario_at(base, {axis.path: value})
             continue
-        except ValueError as error:
+        except InputError as error:
             refused = error
         # perhaps it goes together with values of the other axes: such cells are there, the rest is marked
         ends = [{other.values[0], other.values[-1], *_extremes(other)} for other in others]
@@ -279,7 +281,7 @@ def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
                     {axis.path: value} | {other.path: v for other, v in zip(others, combination, strict=True)},
                 )
                 break
-            except ValueError:
+            except InputError:
                 continue
         else:
             raise refused

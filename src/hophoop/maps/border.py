@@ -109,9 +109,9 @@ def boundary(
     (('H', 'RKRSH'), ('edge', 'edge'))
     """
     if not 0.0 < step <= 0.5:
-        raise InputError(f"step = {step!r} must be greater than 0 and at most 0.5.")
+        raise InputError.of_field("step", step, "greater than 0 and at most 0.5")
     if most < 1:
-        raise InputError(f"most = {most!r} must be at least 1.")
+        raise InputError.of_field("most", most, "at least 1")
     base = Scenario() if base is None else base
     window = make_window(base, ranges, logarithmic)
     names = [quantity] if isinstance(quantity, str) else list(quantity)

@@ -83,7 +83,7 @@ def catalogue(load_fraction: float = 0.75, width: float = 0.0) -> list[Entry]:
     hoops = _data()["hoops"]
     key = repr(float(load_fraction))
     if key not in hoops:
-        raise InputError(f"load_fraction = {load_fraction!r} must be one of {', '.join(hoops)}.")
+        raise InputError.of_field("load_fraction", load_fraction, f"one of {', '.join(hoops)}")
     entries = [Entry(load_fraction=float(load_fraction), **entry) for entry in hoops[key]["entries"]]
     return [entry for entry in entries if entry.width >= width]
 

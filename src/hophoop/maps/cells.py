@@ -36,7 +36,7 @@ from hophoop.records.layout import (
     VY,
     X,
 )
-from hophoop.scenario import Scenario, cell_of
+from hophoop.scenario import InputError, Scenario, cell_of
 
 Array = NDArray[Any]
 
@@ -139,7 +139,7 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
     for i, combination in enumerate(combinations.T):
         try:
             hoop = scenario_at(base, dict(zip(values, combination, strict=True))).hoop
-        except ValueError:
+        except InputError:
             made[-1, i] = 0.0
             continue
         made[:5, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, hoop.load_fraction is not None

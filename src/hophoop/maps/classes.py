@@ -64,13 +64,13 @@ def make_window(
 ) -> Window:
     """A checked window."""
     if len(ranges) != 2:
-        raise InputError(f"ranges = {list(ranges)!r} must name two parameters.")
+        raise InputError(f"ranges = {list(ranges)!r} must name two parameters.", field="ranges", value=list(ranges))
     for path, (low, high) in ranges.items():
         if not low < high:
             raise InputError(f"range of {path} = {(low, high)!r} must be a smaller and a greater number.")
     for path in logarithmic:
         if path not in ranges:
-            raise InputError(f"logarithmic = {path!r} must be one of {', '.join(ranges)}.")
+            raise InputError.of_field("logarithmic", path, f"one of {', '.join(ranges)}")
         if not ranges[path][0] > 0.0:
             raise InputError(f"range of {path} = {ranges[path]!r} must be greater than 0 in a logarithmic window.")
     x, y = make_axes(base, {path: list(ends) for path, ends in ranges.items()})
@@ -97,7 +97,7 @@ class Classifier:
         self.quantities = choose_quantities(quantities)
         for quantity in self.quantities:
             if not quantity.is_code:
-                raise InputError(f"quantity = {quantity.name!r} must be one with classes, such as sequence.")
+                raise InputError.of_field("quantity", quantity.name, "one with classes, such as sequence")
         self.span = make_span(span)
         self.names: list[str] = []
         self.evaluated = 0

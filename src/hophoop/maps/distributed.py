@@ -18,6 +18,7 @@ from hophoop._extras import need
 from hophoop._native.sources import stamp
 from hophoop._stopping import end_now, ignored_by_children, temporary_folder, when_stopped
 from hophoop.maps.store import compute_chunk
+from hophoop.scenario import InputError
 
 # Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
 WAITING = 4
@@ -51,6 +52,8 @@ def compute_on_cluster(
 
     Raises
     ------
+    InputError
+        If that is no address.
     OSError
         If no scheduler answers at that address, or it is gone before all is done.
     """
@@ -106,7 +109,11 @@ def _answers(client: Any) -> bool:
 def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     distributed = need("distributed", "cluster")
     if scheduler is not None:
-        with distributed.Client(scheduler, timeout=PATIENCE) as client:
+        try:
+            connected = distributed.Client(scheduler, timeout=PATIENCE)
+        except ValueError as error:  # what Dask makes of an address that is none
+            raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
+        with connected as client:
             client.wait_for_workers(1, timeout=6 * PATIENCE)
             yield client
         return

@@ -159,7 +159,7 @@ def make_plan(
     """
     base = Scenario() if base is None else base
     if chunk_cells < 1:
-        raise InputError(f"chunk_cells = {chunk_cells!r} must be at least 1.")
+        raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")
     made = make_axes(base, axes)
     shape = tuple(axis.values.size for axis in made)
     chunk = chunk_shape(shape, chunk_cells)
@@ -368,7 +368,7 @@ def thread_limit(threads: int | None) -> Iterator[None]:
         yield
         return
     if not 1 <= threads <= cores():
-        raise InputError(f"threads = {threads!r} must be from 1 to {cores()}.")
+        raise InputError.of_field("threads", threads, f"from 1 to {cores()}")
     before = _threads.set(threads)
     try:
         yield

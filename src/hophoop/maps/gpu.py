@@ -35,12 +35,16 @@ def require_gpu() -> None:
     if find_spec("numba_cuda") is None:
         raise InputError(
             "device = 'gpu' needs a CUDA GPU with its driver, and numba-cuda, which is not installed; it comes with "
-            "the extra 'gpu': pip install 'hophoop[gpu]'. Or use 'cpu'."
+            "the extra 'gpu': pip install 'hophoop[gpu]'. Or use 'cpu'.",
+            field="device",
+            value="gpu",
         )
     from numba import cuda
 
     if not cuda.is_available():
-        raise InputError("device = 'gpu' needs a CUDA GPU with its driver, and there is none: use 'cpu'.")
+        raise InputError(
+            "device = 'gpu' needs a CUDA GPU with its driver, and there is none: use 'cpu'.", field="device", value="gpu"
+        )
 
 
 def evaluate(

@@ -61,7 +61,7 @@ def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
     3.616628
     """
     if plane.slope != 0.0:
-        raise InputError(f"plane.slope = {plane.slope!r} must be 0: on a slope the energy grows on the way.")
+        raise InputError.of_field("plane.slope", plane.slope, "0: on a slope the energy grows on the way")
     eps, kappa = hoop.eccentricity, hoop.inertia_ratio
     for state in jam_states(hoop, plane):
         if state.mode == "K" and painleve_region(state.angle + 1e-7, plane.mu_kinetic, hoop) == 1:

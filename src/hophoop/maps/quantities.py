@@ -124,9 +124,9 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
     present = [FORMER.get(name, name) for name in names]
     for name, known in zip(names, present, strict=True):
         if known not in QUANTITIES:
-            raise InputError(f"quantity = {name!r} must be one of {', '.join(QUANTITIES)}.")
+            raise InputError.of_field("quantity", name, f"one of {', '.join(QUANTITIES)}")
     if len(set(present)) != len(names):
-        raise InputError(f"quantities = {list(names)!r} must not name one twice.")
+        raise InputError(f"quantities = {list(names)!r} must not name one twice.", field="quantities", value=list(names))
     return tuple(QUANTITIES[known]._replace(name=name) for name, known in zip(names, present, strict=True))
 
 
@@ -200,7 +200,7 @@ def make_span(name: str) -> Span:
     except ValueError:
         turns = math.nan
     if not 0.0 < turns < math.inf:
-        raise InputError(f"span = {name!r} must be one of {', '.join(SPANS)}, with N above 0.")
+        raise InputError.of_field("span", name, f"one of {', '.join(SPANS)}, with N above 0")
     return Span(name, 2.0 * math.pi * turns, 0, True)
 
 

@@ -125,9 +125,9 @@ def refine(
     True
     """
     if not 0 <= levels <= MOST_LEVELS:
-        raise InputError(f"levels = {levels!r} must be from 0 to {MOST_LEVELS}.")
+        raise InputError.of_field("levels", levels, f"from 0 to {MOST_LEVELS}")
     if not 1 <= cells <= 4096:
-        raise InputError(f"cells = {cells!r} must be from 1 to 4096.")
+        raise InputError.of_field("cells", cells, "from 1 to 4096")
     base = Scenario() if base is None else base
     window = make_window(base, ranges, logarithmic)
     names = [quantity] if isinstance(quantity, str) else list(quantity)

@@ -108,7 +108,7 @@ def read_plan(path: Path) -> Plan:
 def _known_plan(path: Path) -> str | None:
     file = path / UNFINISHED / PLAN
     if file.exists():
-        return file.read_text(encoding="utf-8")
+        return file.read_text(encoding="utf-8", errors="replace")
     try:
         known = need("zarr", "maps").open_group(str(path), mode="r").attrs.get("plan")
     except (OSError, ValueError, KeyError):
@@ -117,7 +117,12 @@ def _known_plan(path: Path) -> str | None:
 
 
 def _compare(path: Path, known: str, wanted: str) -> None:
-    old, new = json.loads(known), json.loads(wanted)
+    try:
+        old, new = json.loads(known), json.loads(wanted)
+    except ValueError:
+        old = None
+    if not isinstance(old, dict):
+        raise InputError(f"{path} holds a plan that is damaged, so that it cannot be taken up.")
     if old.get("hophoop") != new["hophoop"]:
         raise InputError(
             f"{path} holds a map of hophoop {old.get('hophoop')}, which this version {new['hophoop']} cannot take up."

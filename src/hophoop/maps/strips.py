@@ -66,7 +66,7 @@ def saddle_of_skid(eccentricity: float, inertia_ratio: float, mu: float) -> tupl
     # ε (sinθ + μ cosθ) = −μ
     size = mu / (eccentricity * hypotenuse(1.0, mu))
     if not size < 1.0:
-        raise InputError(f"mu = {mu!r} must be below ε/√(1 − ε²): a skid has no saddle otherwise.")
+        raise InputError.of_field("mu", mu, "below ε/√(1 − ε²): a skid has no saddle otherwise")
     angle = -arcsine(size) - arctangent(mu)
     return angle, math.sqrt(eccentricity / inertia_ratio * (cosine(angle) - mu * sine(angle)))
 
@@ -112,7 +112,9 @@ def strips_at(scenario: Scenario, path: str = "start.speed") -> Strips:
     # as far before the saddle, half of what differs in θ̇/λ grows, and the other half decays
     growing = abs(arrivals[1].turning - arrivals[0].turning) / (4.0 * BESIDE * value)
     if growing == 0.0:
-        raise InputError(f"start.speed = {scenario.start.speed!r} must lead to a skid that all but stops at its saddle.")
+        raise InputError.of_field(
+            "start.speed", scenario.start.speed, "a skid that all but stops at its saddle", rule="must lead to"
+        )
     hoop, plane = scenario.hoop, scenario.plane
     angle, rate = saddle_of_skid(hoop.eccentricity, hoop.inertia_ratio, plane.mu_kinetic)
     # of the saddle at the top, in rolling
@@ -164,4 +166,4 @@ def _skid_to(scenario: Scenario, saddle: float) -> tuple[Trajectory, float, floa
         arrives = saddle - min(APPROACH, 0.5 * (saddle - event.angle))
         if event.to_mode == "K" and event.angle < arrives < following.angle:
             return motion, event.angle, event.t, following.t
-    raise InputError(f"start.speed = {scenario.start.speed!r} must lead to a skid that comes to its saddle.")
+    raise InputError.of_field("start.speed", scenario.start.speed, "a skid that comes to its saddle", rule="must lead to")

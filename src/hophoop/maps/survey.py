@@ -151,12 +151,12 @@ def survey(
         If an option is not allowed.
     """
     if not 4 <= lines <= 4096:
-        raise InputError(f"lines = {lines!r} must be from 4 to 4096.")
+        raise InputError.of_field("lines", lines, "from 4 to 4096")
     if not 1e-15 <= part < 0.1:
-        raise InputError(f"part = {part!r} must be from 1e-15 to 0.1.")
+        raise InputError.of_field("part", part, "from 1e-15 to 0.1")
     for name, least in (("least_friction", least_friction), ("least_speed", least_speed)):
         if not 0.0 < least < 0.1:
-            raise InputError(f"{name} = {least!r} must be greater than 0 and below 0.1.")
+            raise InputError.of_field(name, least, "greater than 0 and below 0.1")
     base = Scenario().replace("hoop.load_fraction", load_fraction)
     fastest = FASTEST * math.sqrt(base.plane.gravity / load_fraction)
     ranges = {"plane.mu": (least_friction, MOST_FRICTION), "start.speed": (least_speed, fastest)}

@@ -102,17 +102,19 @@ def sweep(
     if axes is None:
         raise InputError("axes must name at least two parameters.")
     if device not in DEVICES:
-        raise InputError(f"device = {device!r} must be one of {', '.join(DEVICES)}.")
+        raise InputError.of_field("device", device, f"one of {', '.join(DEVICES)}")
     if workers is not None and scheduler is not None:
         raise InputError("workers and scheduler cannot be given together.")
     if workers is not None and workers < 1:
-        raise InputError(f"workers = {workers!r} must be at least 1.")
+        raise InputError.of_field("workers", workers, "at least 1")
     clustered = workers is not None or scheduler is not None
     if device == "gpu":
         from hophoop.maps.gpu import require_gpu
 
         if clustered:
-            raise InputError("device = 'gpu' is for this machine: it cannot go with workers or scheduler.")
+            raise InputError(
+                "device = 'gpu' is for this machine: it cannot go with workers or scheduler.", field="device", value=device
+            )
         require_gpu()
     if clustered and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
@@ -128,7 +130,7 @@ def sweep(
             return dataset
     file = Path(out)
     if file.suffix not in (".zarr", ".nc"):
-        raise InputError(f"out = {str(file)!r} must end in .zarr or .nc.")
+        raise InputError.of_field("out", str(file), ".zarr or .nc", rule="must end in")
     if file.suffix == ".nc" and file.exists():
         if not resume:
             raise InputError(f"{file} is there already: take another name or remove it.")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from hophoop.derivatives.uncertainty import Uncertainty
 from hophoop.plots.style import Against
 from hophoop.results import ArraySample
+from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,7 +41,7 @@ def draw_bands(
     if uncertainty is None:
         return
     if against != "time":
-        raise ValueError(f"against = {against!r} must be 'time' with an uncertainty, which is that at a time.")
+        raise InputError.of_field("against", against, "'time' with an uncertainty, which is that at a time")
     found = deviations(uncertainty, sample, fields)
     for name, (factor, color) in fields.items():
         middle, half = factor * getattr(sample, name), factor * WIDTH * found[name]

@@ -77,7 +77,7 @@ def motion_map(
     """
     quantity = str(next(iter(dataset))) if quantity is None else quantity
     if quantity not in dataset:
-        raise InputError(f"quantity = {quantity!r} must be one of {', '.join(map(str, dataset))}.")
+        raise InputError.of_field("quantity", quantity, f"one of {', '.join(map(str, dataset))}")
     array = dataset[quantity]
     if array.ndim != 2:
         raise InputError(f"the map must have two axes, not {array.ndim}.")

@@ -11,6 +11,7 @@ from hophoop.plots.bands import draw_bands
 from hophoop.plots.curves import curve
 from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
 from hophoop.results import ArraySample
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as axis_labels
@@ -327,7 +328,7 @@ def _names(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> list[
     if labels is None:
         return [""] if len(motions) == 1 else [f", motion {k + 1}" for k in range(len(motions))]
     if len(labels) != len(motions):
-        raise ValueError(f"labels = {list(labels)!r} must be one for each of the {len(motions)} motions.")
+        raise InputError.of_field("labels", list(labels), f"one for each of the {len(motions)} motions")
     return [f", {label}" if label else "" for label in labels]
 
 

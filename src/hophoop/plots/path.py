@@ -12,7 +12,7 @@ from hophoop._extras import need
 from hophoop.plots.curves import curve, phases
 from hophoop.plots.style import new_axes
 from hophoop.poses import Floats, load_distance, poses_of, to_world
-from hophoop.scenario import Hoop
+from hophoop.scenario import Hoop, InputError
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
@@ -198,7 +198,7 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
         If Matplotlib is missing.
     """
     if not math.isfinite(angle):
-        raise ValueError(f"angle = {angle!r} must be a finite number.")
+        raise InputError.of_field("angle", angle, "a finite number")
     hoop = Hoop() if hoop is None else hoop
     ax = new_axes(ax, (5.6, 3.6))
     patches = need("matplotlib.patches", "plots")

@@ -14,7 +14,7 @@ from hophoop.plots.curves import curve, shown_words
 from hophoop.plots.marks import MARKED
 from hophoop.plots.naming import name_curves
 from hophoop.plots.style import degrees, new_axes
-from hophoop.scenario import Hoop, Plane
+from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as labels_of
@@ -76,14 +76,14 @@ def phase_plane(
         If Matplotlib is missing.
     """
     if labels is not None and len(labels) != len(motions):
-        raise ValueError(f"labels = {list(labels)!r} must be one for each of the {len(motions)} motions.")
+        raise InputError.of_field("labels", list(labels), f"one for each of the {len(motions)} motions")
     first = motions[0].scenario if motions else None
     hoop = hoop or (first.hoop if first else Hoop())
     plane = plane or (first.plane if first else Plane())
     low, high = _speeds(hoop, plane, motions) if speeds is None else speeds
     for name, (least, most) in (("angles", angles), ("speeds", (low, high))):
         if not (math.isfinite(least) and math.isfinite(most) and least < most):
-            raise ValueError(f"{name} = {(least, most)!r} must be a smaller and a greater number.")
+            raise InputError.of_field(name, (least, most), "a smaller and a greater number")
     ax = new_axes(ax, (8.4, 5.6))
     shown = _regions(ax, hoop, plane, angles, (low, high))
     _borders(ax, hoop, plane, angles, (low, high))

@@ -12,6 +12,7 @@ from hophoop.plots.curves import curve
 from hophoop.plots.path import _ground
 from hophoop.plots.style import ON_PAPER, new_axes
 from hophoop.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 from hophoop.vocabulary.words import FLIGHT
@@ -68,10 +69,10 @@ def strobe(
         If Matplotlib is missing.
     """
     if color not in ("speed", "mode"):
-        raise ValueError(f"color = {color!r} must be 'speed' or 'mode'.")
+        raise InputError.of_field("color", color, "'speed' or 'mode'")
     end = motion.duration if end is None else end
     if not 0.0 <= start <= end <= motion.duration:
-        raise ValueError(f"start = {start!r}, end = {end!r} must be a part of the motion, from 0 to {motion.duration!r} s.")
+        raise InputError(f"start = {start!r}, end = {end!r} must be a part of the motion, from 0 to {motion.duration!r} s.")
     times = _flashes(motion, every, every_deg, start, end)
     radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
     way = poses_of(motion, curve(motion, start, end).t)
@@ -102,10 +103,10 @@ def strobe(
 
 def _flashes(motion: Trajectory, every: float | None, every_deg: float | None, start: float, end: float) -> Floats:
     if every is not None and every_deg is not None:
-        raise ValueError(f"every = {every!r} and every_deg = {every_deg!r} cannot be given together.")
+        raise InputError(f"every = {every!r} and every_deg = {every_deg!r} cannot be given together.")
     for name, step in (("every", every), ("every_deg", every_deg)):
         if step is not None and not (0.0 < step < math.inf):
-            raise ValueError(f"{name} = {step!r} must be positive.")
+            raise InputError.of_field(name, step, "positive")
     if every_deg is not None:
         first, last = turned_at(motion, [start, end])
         step = math.radians(every_deg)
@@ -122,7 +123,9 @@ def _flashes(motion: Trajectory, every: float | None, every_deg: float | None, s
 
 def _check_count(count: float, name: str, step: float) -> None:
     if count > MOST_FLASHES:
-        raise ValueError(f"{name} = {step!r} makes {count:.0f} flashes; at most {MOST_FLASHES} can be told apart.")
+        raise InputError(
+            f"{name} = {step!r} makes {count:.0f} flashes; at most {MOST_FLASHES} can be told apart.", field=name, value=step
+        )
 
 
 def _round(step: float) -> float:

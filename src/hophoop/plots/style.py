@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 from hophoop._extras import need
 from hophoop.plots.curves import Phase, phases, turning
 from hophoop.plots.marks import mark_events
+from hophoop.scenario import InputError
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
@@ -37,7 +38,7 @@ def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
 def check_against(against: str) -> None:
     """Refuse what is neither time nor angle."""
     if against not in ("time", "angle"):
-        raise ValueError(f"against = {against!r} must be 'time' or 'angle'.")
+        raise InputError.of_field("against", against, "'time' or 'angle'")
 
 
 # Inches that a legend's entry takes: its line with the space beside it, and a letter of its name.
@@ -169,5 +170,5 @@ def as_list(motions: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
     """One motion or several, as a list that is not empty."""
     many = [motions] if isinstance(motions, Trajectory) else list(motions)
     if not many:
-        raise ValueError("motions must hold at least one motion.")
+        raise InputError("motions must hold at least one motion.", field="motions")
     return many

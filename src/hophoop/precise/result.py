@@ -12,7 +12,7 @@ from hophoop.physics.body import Event, Mode
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
-from hophoop.scenario import Scenario
+from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, EventKind, ModeLetter, MotionStatus
 
 PASSING = {"turn", "apex", "kane_gain", "rest"}
@@ -142,7 +142,7 @@ class PreciseMotion:
             If there is no such kind.
         """
         if kind not in EVENT_KINDS:
-            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_KINDS)}.")
+            raise InputError.of_field("kind", kind, ", ".join(EVENT_KINDS), rule="is not one of")
         return tuple(event for event in self.events if event.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:

@@ -162,9 +162,13 @@ def check(scenario: Scenario, digits: int) -> None:
     """Refuse what cannot be solved so."""
     whole = isinstance(digits, int) and not isinstance(digits, bool)
     if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
-        raise InputError(f"digits = {digits!r} must be a whole number from {LEAST_DIGITS} to {MOST_DIGITS}.")
+        raise InputError.of_field("digits", digits, f"a whole number from {LEAST_DIGITS} to {MOST_DIGITS}")
     if scenario.contact.model != "rigid":
-        raise InputError(f"digits = {digits!r} needs rigid contact: a compliant contact is solved in double precision only.")
+        raise InputError(
+            f"digits = {digits!r} needs rigid contact: a compliant contact is solved in double precision only.",
+            field="digits",
+            value=digits,
+        )
 
 
 def _levels(base: int) -> Iterator[tuple[int, bool]]:

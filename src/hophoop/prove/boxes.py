@@ -203,7 +203,7 @@ def prove_map(
     """
     _check(ranges)
     if not isinstance(depth, int) or not LEAST_DEPTH <= depth <= MOST_DEPTH:
-        raise InputError(f"depth = {depth!r} must be a whole number from {LEAST_DEPTH} to {MOST_DEPTH}.")
+        raise InputError.of_field("depth", depth, f"a whole number from {LEAST_DEPTH} to {MOST_DEPTH}")
     deadline, cells, done = Deadline(seconds), [], 0.0
     level: list[dict[str, tuple[float, float]]] = [dict(ranges)]
     for k in range(depth + 1):  # level by level, so that what time there is goes to the large boxes first
@@ -231,9 +231,9 @@ def _halves(box: dict[str, tuple[float, float]], whole: Ranges) -> list[dict[str
 
 def _check(ranges: Ranges) -> None:
     if not ranges:
-        raise InputError("ranges = {} must name at least one parameter.")
+        raise InputError("ranges = {} must name at least one parameter.", field="ranges", value={})
     for path, (low, high) in ranges.items():
         if path not in FREE:
-            raise InputError(f"ranges holds {path}, which must be one of {', '.join(FREE)}.")
+            raise InputError(f"ranges holds {path}, which must be one of {', '.join(FREE)}.", field="ranges", value=path)
         if not low < high:
-            raise InputError(f"{path} = {low:g} to {high:g} must be a range with its least value first.")
+            raise InputError(f"{path} = {low:g} to {high:g} must be a range with its least value first.", field=path, value=low)

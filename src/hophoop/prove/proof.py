@@ -199,11 +199,11 @@ def prove(
     """
     check_digits(digits)
     if until not in (DURATION, REVOLUTION):
-        raise InputError(f"until = {until!r} must be {DURATION} or {REVOLUTION}.")
+        raise InputError.of_field("until", until, f"{DURATION} or {REVOLUTION}")
     if not isinstance(scenario.contact, Rigid):
         raise InputError("A proof needs rigid contact; this scenario has a compliant one.")
     if seconds is not None and not seconds > 0:
-        raise InputError(f"seconds = {seconds!r} must be above 0.")
+        raise InputError.of_field("seconds", seconds, "above 0")
     return _prove(scenario, digits, until, max_events, Deadline(seconds))
 
 
@@ -243,7 +243,7 @@ def check_digits(digits: int) -> None:
     """Refuse a number of digits that cannot be asked for."""
     whole = isinstance(digits, int) and not isinstance(digits, bool)
     if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
-        raise InputError(f"digits = {digits!r} must be a whole number from {LEAST_DIGITS} to {MOST_DIGITS}.")
+        raise InputError.of_field("digits", digits, f"a whole number from {LEAST_DIGITS} to {MOST_DIGITS}")
 
 
 def _refused(proof: Proof, verdict: Verdict, deadline: Deadline) -> Proof:

@@ -11,38 +11,9 @@ import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from hophoop.scenario.sentences import plain, sentence, shortened
+from hophoop._errors import plain, shortened
+from hophoop.scenario.sentences import refusal
 from hophoop.scenario.texts import TEXTS, say
-
-
-class InputError(ValueError):
-    """Bad input, said in one sentence.
-
-    Parameters
-    ----------
-    message : str
-        The sentence: field, value, what is allowed.
-    errors : list of dict, optional
-        Everything that pydantic found, as its ``ValidationError.errors()`` gives it.
-    """
-
-    def __init__(self, message: str, errors: list[Any] | None = None) -> None:
-        super().__init__(plain(message))
-        self.errors = errors or []
-
-    @classmethod
-    def of(cls, error: ValidationError) -> InputError:
-        """Put what pydantic found into one sentence.
-
-        Parameters
-        ----------
-        error : pydantic.ValidationError
-
-        Returns
-        -------
-        error : InputError
-        """
-        return cls(sentence(error), list(error.errors(include_url=False)))
 
 
 def plain_init(init: Callable[..., None]) -> Callable[..., None]:
@@ -67,7 +38,7 @@ class Frozen(BaseModel):
         try:
             super().__init__(**values)
         except ValidationError as error:
-            raise InputError.of(error) from None
+            raise refusal(error) from None
 
     @model_validator(mode="before")
     @classmethod
@@ -78,7 +49,8 @@ class Frozen(BaseModel):
             if key not in known:
                 close = difflib.get_close_matches(str(key), known, n=1)
                 hint = say("did_you_mean", close=close[0]) if close else say("known_are", known=", ".join(known))
-                raise refuse(say("unknown_key", path=f"{cls.place}{shortened(str(key))}", hint=hint))
+                path = f"{cls.place}{shortened(str(key))}"
+                raise refuse(say("unknown_key", path=path, hint=hint), path)
         return data
 
     def to_dict(self) -> dict[str, Any]:
@@ -133,9 +105,9 @@ def _plain(value: Any) -> Any:
     return "inf" if value == math.inf else value
 
 
-def refuse(message: str) -> PydanticCustomError:
+def refuse(message: str, field: str | None = None) -> PydanticCustomError:
     """An error whose message is already the whole sentence."""
-    return PydanticCustomError("sentence", "{sentence}", {"sentence": plain(message)})
+    return PydanticCustomError("sentence", "{sentence}", {"sentence": plain(message), "field": field and plain(field)})
 
 
 def _not(kind: Literal["number", "friction", "whole", "finite_number"]) -> PydanticCustomError:

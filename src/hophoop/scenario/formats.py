@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import IO, Any
 from urllib.parse import parse_qsl, urlencode
 
-from hophoop.scenario.base import InputError
-from hophoop.scenario.sentences import parse_reason, shortened
+from hophoop._errors import InputError, shortened
+from hophoop.scenario.sentences import parse_reason
 from hophoop.scenario.texts import say
 
 MOST_BYTES = 1_000_000
@@ -49,7 +49,7 @@ def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
     if form is None:
         form = "json" if text.lstrip().startswith("{") else "toml"
     if form not in ("toml", "json"):
-        raise InputError(f"format = {form!r} must be 'toml' or 'json'.")
+        raise InputError.of_field("format", form, "'toml' or 'json'")
     try:
         if form == "toml" and _DEEP_KEY.search(text):
             raise RecursionError

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from pydantic import ValidationError
 
-from hophoop.scenario.base import Frozen, InputError
+from hophoop._errors import InputError
+from hophoop.scenario.base import Frozen
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
+from hophoop.scenario.sentences import refusal
 from hophoop.scenario.texts import say
 
 if TYPE_CHECKING:
@@ -86,7 +88,7 @@ def parameter(path: str) -> ParameterInfo:
     """
     for known in _candidates(path):
         return known
-    raise InputError(say("no_parameter", path=path, known=", ".join(paths())))
+    raise InputError(say("no_parameter", path=path, known=", ".join(paths())), field=path)
 
 
 def paths() -> list[str]:
@@ -174,7 +176,7 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
             continue
         table = data.setdefault(section, {})
         if not isinstance(table, dict):
-            raise InputError(say("no_section_parts", path=path, section=section))
+            raise InputError(say("no_section_parts", path=path, section=section), field=path)
         if section not in spelt_out and any(key in table for key in ENDS.get(path, ())):
             spelt_out.add(section)
             spelt = _spelt_out(_as_given(scenario, values, section), data, path)
@@ -210,7 +212,7 @@ def _validated(model: type[_Model], value: Any) -> _Model:
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        raise InputError.of(error) from None
+        raise refusal(error) from None
 
 
 def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, Any]:
@@ -235,11 +237,11 @@ def _put(table: Mapping[str, Any], steps: Sequence[str], value: Any, path: str) 
         elif isinstance(node, dict) and step in node:
             node = node[step]
         else:
-            raise InputError(say("not_there", path=path, step=step))
+            raise InputError(say("not_there", path=path, step=step), field=path)
     last = steps[-1]
     if isinstance(node, dict):
         node[last] = value
     elif isinstance(node, list) and last.isdecimal() and int(last) < len(node):
         node[int(last)] = value
     else:
-        raise InputError(say("not_there", path=path, step=last))
+        raise InputError(say("not_there", path=path, step=last), field=path)

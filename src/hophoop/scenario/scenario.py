@@ -10,15 +10,17 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, model_validator
 
+from hophoop._errors import InputError
 from hophoop.numerics.circular import sine_and_cosine
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.physics.compliant import STIFFNESS, sinking
 from hophoop.physics.resistance import most_resistance
-from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
+from hophoop.scenario.base import Frozen, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
+from hophoop.scenario.sentences import refusal
 from hophoop.scenario.texts import say
 
 LAWS = {law.name.lower(): int(law) for law in ImpactLaw}  # as the kernels know them
@@ -147,7 +149,7 @@ class Scenario(Frozen):
         try:
             return cls.model_validate(keys)
         except ValidationError as error:
-            raise InputError.of(error) from None
+            raise refusal(error) from None
 
     def save(self, path: str | Path) -> None:
         """Write a scenario file that `load` reads back as an equal scenario.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
+from hophoop._errors import InputError, shortened
 from hophoop.scenario.texts import TEXTS, say
 
 # Where a model's fields stand in a scenario.
@@ -28,43 +28,6 @@ _KINDS = {
 _OWN = {"number", "friction", "whole", "value"}
 
 _TAGS = {"rigid", "compliant", "ring", "disk", "point_mass", "rod"}
-
-
-# Longer than the name of a file may be: a word, or a value in quotation marks, which may have spaces.
-_LONG = re.compile(r"""(?<== )(['"]).{256,}?\1(?=[\s:.,])|\S{257,}[^\s:.,]""")
-
-
-def plain(text: str) -> str:
-    """A text that is safe to print: escapes in place of characters that are not printable, the start of what is very long.
-
-    Parameters
-    ----------
-    text : str
-
-    Returns
-    -------
-    text : str
-        One line.
-    """
-    text = _LONG.sub(lambda found: shortened(found[0]), text)
-    if text.isprintable():
-        return text
-    return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in text)
-
-
-def shortened(text: str) -> str:
-    """At most sixty characters of a text.
-
-    Parameters
-    ----------
-    text : str
-
-    Returns
-    -------
-    text : str
-        With three dots where something is left out.
-    """
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def parse_reason(error: BaseException) -> str:
@@ -117,7 +80,25 @@ def sentence(error: BaseException) -> str:
     if not isinstance(error, ValidationError):
         # KeyError and the like show their argument only; a name says more than nothing.
         return str(error) or type(error).__name__
-    return findings_sentence(error.errors(include_url=False), _PLACES.get(error.title, error.title.lower()))
+    return str(refusal(error))
+
+
+def refusal(error: ValidationError) -> InputError:
+    """The `InputError` for what pydantic found.
+
+    Parameters
+    ----------
+    error : pydantic.ValidationError
+
+    Returns
+    -------
+    error : InputError
+    """
+    findings = list(error.errors(include_url=False))
+    place = _PLACES.get(error.title, error.title.lower())
+    first = _said(place, findings[0])
+    message = findings_sentence(findings, place)
+    return InputError(message, findings, field=first.field, value=first.value, allowed=first.allowed)
 
 
 def findings_sentence(findings: Sequence[Mapping[str, Any]], place: str = "") -> str:
@@ -134,27 +115,35 @@ def findings_sentence(findings: Sequence[Mapping[str, Any]], place: str = "") ->
     -------
     sentence : str
     """
-    first = _say(place, findings[0])
+    first = _said(place, findings[0]).sentence
     others = len(findings) - 1
     if others == 0:
         return first
     return say("other_problem" if others == 1 else "other_problems", first=first.removesuffix("."), count=others)
 
 
-def _say(above: str, finding: Mapping[str, Any]) -> str:
+class _Said(NamedTuple):
+    sentence: str
+    field: str | None = None
+    value: Any = None
+    allowed: str | None = None
+
+
+def _said(above: str, finding: Mapping[str, Any]) -> _Said:
     place = _path(above, finding["loc"])
     kind, value, context = finding["type"], finding["input"], finding.get("ctx", {})
     if kind == "sentence":
-        return str(context["sentence"])
+        return _Said(str(context["sentence"]), context.get("field"))
     if kind == "missing":
-        return say("missing", path=place)
+        return _Said(say("missing", path=place), place)
     if kind == "union_tag_not_found" and isinstance(value, Mapping):
-        return say("missing", path=f"{place}.{_tag_key(place)}")
+        place = f"{place}.{_tag_key(place)}"
+        return _Said(say("missing", path=place), place)
     if kind == "union_tag_invalid":
+        place, value = f"{place}.{_tag_key(place)}", context["tag"]
         expected = [word.strip(" '") for word in str(context["expected_tags"]).split(",")]
         allowed = say("literal_error", expected=_either(expected))
-        return say("finding", path=f"{place}.{_tag_key(place)}", shown=_show(context["tag"]), allowed=allowed)
-    if kind in _OWN:
+    elif kind in _OWN:
         allowed = finding["msg"]
     elif kind in _LIMITS:
         allowed = say(kind, limit=context[_LIMITS[kind]])
@@ -164,8 +153,9 @@ def _say(above: str, finding: Mapping[str, Any]) -> str:
         allowed = say(_KINDS[kind])
     else:
         message = finding["msg"]
-        return f"{place} = {_show(value)}: {message[:1].lower()}{message[1:]}."
-    return say("finding", path=place, shown=_show(value), allowed=allowed)
+        return _Said(f"{place} = {_show(value)}: {message[:1].lower()}{message[1:]}.", place, value)
+    sentence = say("finding", path=place, shown=_show(value), allowed=allowed)
+    return _Said(sentence, place, value, allowed.removeprefix("must be "))
 
 
 def _path(above: str, loc: Sequence[str | int]) -> str:

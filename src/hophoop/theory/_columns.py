@@ -95,7 +95,7 @@ def require_no_resistance(plane: Plane) -> None:
     """Refuse rolling resistance, with which no closed form is known."""
     given = plane.rolling_resistance
     if given > 0.0:
-        raise InputError(f"plane.rolling_resistance = {given!r} must be 0 here: with rolling resistance this is not known.")
+        raise InputError.of_field("plane.rolling_resistance", given, "0 here: with rolling resistance this is not known")
 
 
 def _models(value: Any, kind: type, name: str) -> NDArray[np.object_]:
@@ -106,7 +106,7 @@ def _models(value: Any, kind: type, name: str) -> NDArray[np.object_]:
     many = np.array(value, dtype=object)
     for one in many.ravel():
         if not isinstance(one, kind):
-            raise InputError(f"{name} = {one!r} must be a {kind.__name__}, or an array of them.")
+            raise InputError.of_field(name, one, f"a {kind.__name__}, or an array of them")
     return many
 
 
@@ -114,9 +114,9 @@ def _finite(name: str, value: ArrayLike) -> Floats:
     try:
         numbers = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
-        raise InputError(f"{name} = {value!r} must be a number or an array of numbers.") from None
+        raise InputError.of_field(name, value, "a number or an array of numbers") from None
     if not np.isfinite(numbers).all():
-        raise InputError(f"{name} = {numbers[~np.isfinite(numbers)].flat[0]} must be a finite number.")
+        raise InputError.of_field(name, numbers[~np.isfinite(numbers)].flat[0], "a finite number")
     return numbers
 
 

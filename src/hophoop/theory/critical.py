@@ -148,7 +148,7 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
     2.908160226
     """
     if not (isinstance(turns, int | np.integer) and turns >= 1):
-        raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
+        raise InputError.of_field("turns", turns, "a whole number of at least 1")
     cases = _cases(hoop, plane)
     speeds = np.array([float(compiled(kernels.hop_speed)(body_from(row), float(turns))) for row in cases.body])
     return cases.shaped(speeds * cases.speed)

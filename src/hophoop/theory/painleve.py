@@ -155,7 +155,7 @@ def painleve_region(theta: ArrayLike, mu: ArrayLike, hoop: Hoops) -> Any:
     """
     cases = Columns(hoop, Plane(), theta=theta, mu=mu)
     if (cases["mu"] < 0.0).any():
-        raise InputError(f"mu = {float(cases['mu'].min())!r} must be at least 0.")
+        raise InputError.of_field("mu", float(cases["mu"].min()), "at least 0")
     directions = np.empty(cases.body.shape[0], dtype=np.int64)
     compiled(kernels.regions)(cases.body, cases["theta"], cases["mu"], directions)
     return cases.shaped(directions)

@@ -67,8 +67,8 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
     """
     if plane.rolling_resistance > 0.0:
         given = plane.rolling_resistance
-        raise InputError(
-            f"plane.rolling_resistance = {given!r} must be 0 here: with it a hoop rests in the ranges of `rest_ranges`."
+        raise InputError.of_field(
+            "plane.rolling_resistance", given, "0 here: with it a hoop rests in the ranges of `rest_ranges`"
         )
     body = to_body(hoop, plane)
     second = time_unit(hoop, plane)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
-from hophoop.scenario import Hoop, Plane, Scenario
+from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory.critical import first_hop_speed, first_slip_speed, hop_angle, immediate_hop_speed, slip_angle
 from hophoop.theory.massless import massless_loss
 from hophoop.theory.painleve import jam_states, painleve_minimum
@@ -164,7 +164,7 @@ def _rest(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
 def _row(key: str, words: str, unit: str, quantity: Callable[[], Any]) -> Quantity:
     try:
         value = float(quantity())
-    except ValueError as error:
+    except InputError as error:
         return Quantity(key, words, unit, None, str(error))
     note = ""
     if math.isnan(value):

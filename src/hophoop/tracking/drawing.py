@@ -145,7 +145,7 @@ def overlay(
         raise InputError("The track is not of a film, so that it cannot be laid over one.")
     for name, path, ending in (("film", film, ".mp4"), ("page", page, ".html")):
         if path is not None and Path(path).suffix.lower() != ending:
-            raise InputError(f"{name} = {path} must end in {ending}.")
+            raise InputError(f"{name} = {path} must end in {ending}.", field=name, value=path)
     wanted = set(_stills(track)) if page is not None else set()
     stills: list[tuple[int, bytes]] = []
     camera = track.view.camera

@@ -55,7 +55,7 @@ def track(
         If PyAV or SciPy is missing.
     """
     if not (np.isfinite(radius) and radius > 0):
-        raise InputError(f"radius = {radius} must be a number above 0 (metres).")
+        raise InputError.of_field("radius", radius, "a number above 0 (metres)")
     hints = hints or Hints()
     source = Path(video).name
     total = count(video)

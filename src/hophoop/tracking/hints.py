@@ -68,25 +68,25 @@ class Hints:
 
             colour_chroma(self.marker)
         if self.ring not in ("auto", "dark", "light"):
-            raise InputError(f"ring = {self.ring!r} must be auto, dark or light.")
+            raise InputError.of_field("ring", self.ring, "auto, dark or light")
         if (self.centre is None) != (self.rim is None):
             missing, there = ("rim", "centre") if self.rim is None else ("centre", "rim")
             raise InputError(f"{missing} is missing: {there} alone does not say where the hoop is.")
         for name, count in (("centre", 2), ("ground", 4), ("tilt", 2)):
             value = getattr(self, name)
             if value is not None and (len(value) != count or not np.isfinite(value).all()):
-                raise InputError(f"{name} = {value} must be {count} numbers.")
+                raise InputError.of_field(name, value, f"{count} numbers")
         for name in ("rim", "rate", "focal"):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
-                raise InputError(f"{name} = {value} must be a number above 0.")
+                raise InputError.of_field(name, value, "a number above 0")
         if not 0.0 <= self.exposure < 1.0:
-            raise InputError(f"exposure = {self.exposure} must be from 0 to 1 s.")
+            raise InputError.of_field("exposure", self.exposure, "from 0 to 1 s")
         if not abs(self.row_delay) <= 1e-3:
-            raise InputError(f"row_delay = {self.row_delay} must be from -0.001 to 0.001 s.")
+            raise InputError.of_field("row_delay", self.row_delay, "from -0.001 to 0.001 s")
         if self.tilt is not None and max(abs(self.tilt[0]), abs(self.tilt[1])) > 0.6:
-            raise InputError(f"tilt = {self.tilt} must be from -0.6 to 0.6 (radians).")
+            raise InputError.of_field("tilt", self.tilt, "from -0.6 to 0.6 (radians)")
         if not abs(self.level) < 1.0:
-            raise InputError(f"level = {self.level} must be between -1 and 1 (radians).")
+            raise InputError.of_field("level", self.level, "between -1 and 1 (radians)")
         if self.slope is not None and not abs(self.slope) < 0.5 * np.pi:
-            raise InputError(f"slope = {self.slope} must lie between -pi/2 and pi/2 (radians).")
+            raise InputError.of_field("slope", self.slope, "between -pi/2 and pi/2 (radians)", rule="must lie")

@@ -158,8 +158,10 @@ def _given(pictures: list[Picture], camera: Camera, hints: Hints, sign: int, rng
     hoop = confirm(picture.luma, search, Circle(float(place[0]), float(place[1]), hints.rim), rng)
     if hoop is None:
         raise InputError(
-            f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} with rim = {hints.rim:g} pixels shows no rim in the frame at "
-            f"{picture.t:.3f} s."
+            f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} and a rim of {hints.rim:g} pixels show no rim "
+            f"in the frame at {picture.t:.3f} s.",
+            field="centre",
+            value=hints.centre,
         )
     return hoop
 
@@ -193,5 +195,7 @@ def _marker(seen: list[tuple[Picture, Circle]], camera: Camera, hints: Hints) ->
     blue, red = colour_chroma(hints.marker)
     found = with_area(Marker(blue, red, np.nan, np.nan), seen, camera)
     if np.isnan(found.area):
-        raise InputError(f"marker = {hints.marker!r}: no patch of that colour was seen on the hoop.")
+        raise InputError(
+            f"marker = {hints.marker!r}: no patch of that colour was seen on the hoop.", field="marker", value=hints.marker
+        )
     return found

@@ -75,11 +75,11 @@ def colour_chroma(text: str) -> tuple[float, float]:
                 raise ValueError
             r, g, b = (int(word[k : k + 2], 16) for k in (1, 3, 5))
         except ValueError:
-            raise InputError(f"marker = {text!r} must be auto, none, {', '.join(NAMES)} or a colour as #rrggbb.") from None
+            raise InputError.of_field("marker", text, f"auto, none, {', '.join(NAMES)} or a colour as #rrggbb") from None
     blue = (-37.797 * r - 74.203 * g + 112.0 * b) / 255
     red = (112.0 * r - 93.786 * g - 18.214 * b) / 255
     if np.hypot(blue, red) < LEAST_CHROMA:
-        raise InputError(f"marker = {text!r} is too near to gray to be told by its colour.")
+        raise InputError(f"marker = {text!r} is too near to gray to be told by its colour.", field="marker", value=text)
     return blue, red
 
 

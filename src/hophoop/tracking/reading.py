@@ -58,11 +58,11 @@ class Reading:
 
     def __post_init__(self) -> None:
         if self.angle_unit not in (None, "rad", "deg"):
-            raise InputError(f"angle_unit = {self.angle_unit!r} must be 'rad' or 'deg'.")
+            raise InputError.of_field("angle_unit", self.angle_unit, "'rad' or 'deg'")
         for name in ("radius", "sigma", "sigma_angle"):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
-                raise InputError(f"{name} = {value} must be a number above 0.")
+                raise InputError.of_field(name, value, "a number above 0")
 
 
 def read_track(path: str | Path, reading: Reading | None = None) -> Track:

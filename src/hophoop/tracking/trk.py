@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
+import zlib
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -92,13 +93,16 @@ def _root(path: Path) -> ElementTree.Element:
                 data = archive.read(info) if info.file_size <= MOST_BYTES else b""
     except zipfile.BadZipFile:
         raise InputError(f"{path} is not a ZIP archive, as a .trz file is.") from None
+    except (zlib.error, EOFError, RuntimeError) as error:
+        reason = str(error).rstrip(".") or "it ends too early"
+        raise InputError(f"{path} cannot be unpacked: {reason}.") from None
     if not data:
         raise InputError(f"{path} is empty or larger than {MOST_BYTES // 1_000_000} MB.")
     if b"<!ENTITY" in data[:100_000]:
         raise InputError(f"{path} declares entities, which a file of Tracker does not.")
     try:
         return ElementTree.parse(io.BytesIO(data)).getroot()
-    except ElementTree.ParseError as error:
+    except (ElementTree.ParseError, ValueError, LookupError) as error:  # the latter two of an unknown encoding
         raise InputError(f"{path} is not valid XML: {error}.") from None
 
 

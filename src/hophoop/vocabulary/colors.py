@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from hophoop._errors import InputError
 from hophoop.vocabulary import words
 
 # Okabe and Ito's eight
@@ -125,4 +126,4 @@ def mode_color(word: str) -> str:
     try:
         return MODES[word]
     except KeyError:
-        raise ValueError(f"word = {word!r} must be one of {', '.join(MODES)}.") from None
+        raise InputError.of_field("word", word, f"one of {', '.join(MODES)}") from None

@@ -14,6 +14,8 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._errors import InputError
+
 
 class _Word(StrEnum):
     """A string of the file format that type checkers and editors know; it is printed as a plain string."""
@@ -112,7 +114,7 @@ def mode_word(letter: str, omega: float) -> str:
     if letter == "K":
         return SPIN if omega < 0.0 else SKID
     if letter not in ("R", "H", "M"):
-        raise ValueError(f"letter = {letter!r} must be one of R, S, K, H, M.")
+        raise InputError.of_field("letter", letter, "one of R, S, K, H, M")
     return {"R": ROLL, "H": FLIGHT, "M": SKIM}[letter]
 
 
