@@ -12,6 +12,7 @@ from hophoop.compliant import flight
 from hophoop.compliant.kernel import run
 from hophoop.compliant.parameters import to_compliance, to_start
 from hophoop.compliant.records import OM, SIZE, VN, Y, new_work
+from hophoop.invariants import check
 from hophoop.physics.body import Event, Status
 from hophoop.records.layout import EVENT, SEGMENT
 
@@ -115,6 +116,15 @@ def test_a_motion_of_no_time_stays_at_its_start():
     assert sample.spring > 0.0
     assert motion.ledger.residual == 0.0
     assert motion.ledger.potential != 0.0
+
+
+def test_a_bristle_lets_go_before_the_load_vanishes():
+    """Both came between the same two samples of a step, and the end of the load was taken for the first."""
+    motion = hh.simulate(kept(70961))
+    check(motion)
+    sample = motion.at(np.array([event.t for event in motion.find("takeoff")]), side="left")
+    assert len(sample.t) > 50
+    assert (abs(sample.friction_force) <= sample.normal_force + 1e-8).all()
 
 
 def test_turns_are_counted_on():

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.compliant.events import FRICTION_CHANGE, GUARDS, NONE, SAMPLES, first_exit
+from hophoop.compliant.events import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
 from hophoop.compliant.parameters import to_compliance
-from hophoop.compliant.records import SIZE, VT, Y
+from hophoop.compliant.records import SIZE, VT, Y, Z
 from hophoop.compliant.tableau import STAGES
 
 WIDTH = 0.2 / SAMPLES
@@ -40,6 +40,20 @@ def test_slip_that_ends_for_a_moment(friction, middle, regime):
         which, s = first_exit(comp, regime, poly, armed)
         assert which == (NONE if expected is None else FRICTION_CHANGE)
         assert s == (1.0 if expected is None else pytest.approx(expected, abs=1e-12))
+
+
+def test_the_first_of_two_guards_that_are_negative_between_the_same_samples():
+    """The load of a bristle vanishes for a moment, and just before the bristle lets go."""
+    _, comp, _, _ = to_compliance(hh.Scenario(contact=hh.Compliant(law="hunt-crossley", friction="bristle")))
+    middle, held, more = 0.5 / SAMPLES, WIDTH**2, 1e-4 * WIDTH
+    poly = np.zeros((SIZE, STAGES + 1))
+    poly[Y, :3] = np.array([middle**2 - WIDTH**2, -2.0 * middle, 1.0]) / -comp.k
+    poly[Z, :2] = held / comp.k_t, more / comp.k_t
+    roots = np.roots([1.0, -2.0 * middle - more, middle**2 - WIDTH**2 - held])
+    which, s = first_exit(comp, 0, poly, np.ones(GUARDS, bool))
+    assert (which, s) == (FRICTION_CHANGE, pytest.approx(roots.min(), rel=1e-9))
+    poly[Z] = 0.0
+    assert first_exit(comp, 0, poly, np.ones(GUARDS, bool)) == (RELEASE, pytest.approx(middle - WIDTH, rel=1e-9))
 
 
 @pytest.mark.parametrize("side", [1, -1])

@@ -60,7 +60,7 @@ def first_exit(comp, regime, poly, armed):
         before = last - slope / SAMPLES  # as if it had come straight
         for i in range(1, SAMPLES + 1):
             high = i / SAMPLES
-            if low >= best:
+            if low - 1.0 / SAMPLES >= best:  # one sample further shows a minimum before it
                 break
             value, floor = guard_at(comp, regime, index, poly, high)
             if armed[index]:

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources f14ec7549b5224539081ef0f88ff5c25 */
-var c={sources:"d26970f1fcec545153797c703cb85dd7",module:"aebb1752195ea5b7",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources dfa31a65927de98276142897f2c84086 */
+var c={sources:"6af07387dc2c615b03d61d4d746c41f0",module:"67858aa18ea5efdd",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
