@@ -32,8 +32,8 @@ def pytest_configure(config):
 def pytest_sessionstart(session):
     if hasattr(session.config, "workerinput") or session.config.option.collectonly:
         return
-    from hophoop._native.entry import mode
-    from hophoop._native.library import why_none
+    from hophoop.kernel.native.entry import mode
+    from hophoop.kernel.native.library import why_none
 
     if mode() != "interpreted" and (why := why_none()):
         raise pytest.UsageError(f"{why} The tests take hours without; HOPHOOP_KERNELS=interpreted asks for that.")

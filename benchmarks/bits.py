@@ -86,7 +86,7 @@ def compute(how: str, every: int, out: Path) -> None:
     kept = bits_tools.kept_scenarios(every)
     if how in (PYTHON, INTERPRETED):
         import hophoop as hh
-        from hophoop._native import forced
+        from hophoop.kernel.native import forced
 
         with forced(how):
             found = {each.index: bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept}
@@ -98,8 +98,8 @@ def compute(how: str, every: int, out: Path) -> None:
 def by_module(how: str, kept: Sequence[object]) -> dict[int, object]:
     """By the kernel's own code, outside of Python; a sentence where something is missing."""
     import bits_kernels
-    from hophoop.module.stamp import HERE as MODULE_FOLDER
-    from hophoop.module.stamp import MODULE
+    from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
+    from hophoop.lab.wasm.stamp import MODULE
 
     if how == WASMTIME:
         rigid = [each for each in kept if each.kind != "compliant"]

@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import Any
 
 import hophoop as hh
-import hophoop.simulation
-from hophoop.physics.body import MODE_LETTERS
+import hophoop.simulation.simulate
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.precise import solve
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
@@ -43,17 +43,17 @@ def work(task: tuple[int, int]) -> tuple[str, dict[str, int], str]:
     border, sections = draw_beside_a_border(seed, index)
     scenario = scenario_of(sections)
     asked = []
-    decide = hophoop.simulation.script_until
+    decide = hophoop.simulation.simulate.script_until
 
     def noted(*arguments: Any) -> Any:
         asked.append(arguments)
         return decide(*arguments)
 
-    hophoop.simulation.script_until = noted
+    hophoop.simulation.simulate.script_until = noted
     try:
         motion = hh.simulate(scenario)
     finally:
-        hophoop.simulation.script_until = decide
+        hophoop.simulation.simulate.script_until = decide
     ours = letters((event.kind, event.to_mode) for event in motion.events)
     truth = None
     try:

@@ -10,9 +10,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from hophoop.convergence import angle_error, landing_scenario, with_contact
+from hophoop.article.convergence import angle_error, landing_scenario, with_contact
 from hophoop.scenario import Scenario
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 
 
 def least_time(call: Callable[[], object], repeats: int = 15) -> float:

@@ -13,17 +13,17 @@ import time
 import numpy as np
 
 import hophoop as hh
-from hophoop._native import compiled
-from hophoop.derivatives.carrying import carry
-from hophoop.derivatives.ending import go_through
+from hophoop.derivatives.events.ending import go_through
 from hophoop.derivatives.layout import CARRIED, KEPT
 from hophoop.derivatives.parameters import directions_of
-from hophoop.derivatives.rows import ROWS
-from hophoop.numerics.collocation import ORDER
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.rigid.kernel import run
-from hophoop.simulation import NO_SCRIPT, start_of
+from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.workspace import ROWS
+from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.rigid.run import run
+from hophoop.simulation.simulate import NO_SCRIPT, start_of
 
 PATHS = (
     "hoop.load_fraction", "hoop.radius", "hoop.mass", "plane.gravity", "plane.slope", "plane.mu_static",

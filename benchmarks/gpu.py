@@ -31,11 +31,11 @@ import numpy as np
 from stress import cell_of, draw
 
 import hophoop as hh
-from hophoop.maps import kernel
-from hophoop.maps.cells import make_cells
-from hophoop.maps.evaluate import Results, run_cells
-from hophoop.maps.quantities import make_span
-from hophoop.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.maps.grid import kernel
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import Results, run_cells
+from hophoop.maps.grid.quantities import make_span
 
 ARCHITECTURE = (8, 0)
 ROOM = 3000  # events of one motion
@@ -57,7 +57,7 @@ def compile_kernel() -> dict[str, Any]:
     """Compile to PTX and assemble it: seconds, sizes, and what the assembler says."""
     from numba import cuda
 
-    from hophoop.maps.gpu_kernel import evaluate_thread
+    from hophoop.maps.grid.gpu_kernel import evaluate_thread
 
     begin = time.perf_counter()
     code, _ = cuda.compile_ptx(evaluate_thread, signature(), cc=ARCHITECTURE)
@@ -203,7 +203,7 @@ def kernel_on_the_cpu(fuse: bool) -> Callable[..., None]:
     from numba.cuda import compiler
     from numba.cuda.cudadrv.libs import open_libdevice
 
-    from hophoop.maps.gpu_kernel import evaluate_thread
+    from hophoop.maps.grid.gpu_kernel import evaluate_thread
 
     made, _ = compiler._compile_pyfunc_with_fixup(
         evaluate_thread, signature(), debug=False, lineinfo=False, device=False, fastmath=False, cc=ARCHITECTURE,

@@ -22,9 +22,9 @@ import numpy as np
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps.cells import make_cells
-from hophoop.maps.evaluate import run_cells
-from hophoop.maps.quantities import make_span
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import run_cells
+from hophoop.maps.grid.quantities import make_span
 
 STEP = 1e-3  # of MuJoCo [s]
 SLIPPING = 0.02  # slip velocity from which on MuJoCo's rim slips [m/s]; its friction always creeps a little

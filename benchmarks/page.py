@@ -24,7 +24,7 @@ import numpy as np
 
 import hophoop as hh
 from hophoop.lab import site
-from hophoop.module.stamp import HERE, MODULE
+from hophoop.lab.wasm.stamp import HERE, MODULE
 
 ROUNDS = 20
 

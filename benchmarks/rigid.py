@@ -21,10 +21,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import hophoop as hh
-from hophoop._native.library import why_none
-from hophoop.maps.cells import make_cells
-from hophoop.maps.evaluate import run_cells
-from hophoop.maps.quantities import make_span
+from hophoop.kernel.native.library import why_none
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import run_cells
+from hophoop.maps.grid.quantities import make_span
 
 SCENARIO = hh.Scenario(duration=2.0)
 REFERENCE = Path(__file__).parent.parent / "tests" / "data" / "article_v3.1_mu1.json"

@@ -22,7 +22,8 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 import hophoop as hh
 from damage import REFUSED, SAME, tally
-from hophoop import export, maps
+from hophoop import maps
+from hophoop.results import save as export
 from map_kills import finished, kill_at_random
 
 MOTIONS = ("hop.nc", "hop.zarr", "hop.zarr.zip")

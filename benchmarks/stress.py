@@ -26,14 +26,15 @@ from typing import Any
 import numpy as np
 
 import hophoop as hh
-from hophoop._native import compiled
-from hophoop.arbitration import LATEST
-from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
-from hophoop.records.cells import body_of, second_of, start_of
-from hophoop.records.layout import CELL, DURATION, EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.rigid.kernel import run
-from hophoop.rigid.sampling import COLUMNS, find_segment, sample
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
+from hophoop.kernel.records.cells import body_of, second_of, start_of
+from hophoop.kernel.records.layout import CELL, DURATION, EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.sampling import find_segment, sample
+from hophoop.simulation.exact_start import LATEST
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from random_scenarios import EVENTS, draw, draw_beside_a_border, scenario_of

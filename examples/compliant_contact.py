@@ -11,8 +11,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from hophoop import convergence as study
-from hophoop.plots import compliant as figures
+from hophoop.article import compliant_figures as figures
+from hophoop.article import convergence as study
 
 
 def main(folder: Path) -> None:

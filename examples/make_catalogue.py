@@ -6,7 +6,7 @@
     python examples/make_catalogue.py --fingerprints            # compute the examples' fingerprints again, in half a minute
 
 For each γ the borders between classes are followed through the window of friction and speed, and the places where
-classes meet to rounding (`hophoop.maps.survey`). Classes narrower than CHECKED are computed again from Taylor series
+classes meet to rounding (`hophoop.maps.survey.survey`). Classes narrower than CHECKED are computed again from Taylor series
 in 40 digits (tests/oracles); what these refute is not counted but listed.
 """
 
@@ -28,8 +28,8 @@ import numpy as np
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps.evaluate import thread_limit
-from hophoop.maps.survey import NARROWEST, survey
+from hophoop.maps.grid.evaluate import thread_limit
+from hophoop.maps.survey.survey import NARROWEST, survey
 from hophoop.vocabulary import colors
 
 ROOT = Path(__file__).resolve().parents[1]

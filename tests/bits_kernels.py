@@ -22,14 +22,14 @@ from filelock import FileLock
 
 import hophoop as hh
 from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
-from hophoop.compliant.kernel import MAX_STEPS
-from hophoop.compliant.records import WIDTH
 from hophoop.kernel.build.link import optimised
-from hophoop.module.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
-from hophoop.module.stamp import HERE, MODULE, sources
-from hophoop.physics.body import Status
-from hophoop.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.compliant.records import WIDTH
+from hophoop.kernel.compliant.run import MAX_STEPS
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.lab.wasm.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
+from hophoop.lab.wasm.stamp import HERE, MODULE, sources
 from module.host import Host
 from module.module_tools import cell_of, given_of
 
@@ -61,7 +61,7 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
                 made = Path(fresh) / "code.ll"
                 script = (
                     "import sys; from pathlib import Path; from hophoop.kernel.build.browser import module_code; "
-                    "from hophoop.module import entries; "
+                    "from hophoop.lab.wasm import entries; "
                     f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
                     "Path(sys.argv[1]).write_text(module_code(chosen), encoding='utf-8')"
                 )

@@ -7,13 +7,13 @@ import math
 import numpy as np
 
 import hophoop as hh
-from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log
-from hophoop.rigid import contact_phase
-from hophoop.rigid.phase import Phase
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log
+from hophoop.kernel.rigid import contact_phase
+from hophoop.kernel.rigid.phase import Phase
 
 STARTED = {"t": 3.0, "t_low": 1e-17, "x": 2.0, "x_low": -1e-17, "turns": 2.0, "friction": 0.125, "impact_n": 0.25}
 STARTED |= {"impact_t": 0.375, "resisted": 0.5}
@@ -43,7 +43,7 @@ def phase_at(mode, state, level=5):
 
 
 def events_of(log):
-    return [tuple(row) for row in log.events[: log.written[0]][["kind", "before_mode", "after_mode"]].tolist()]
+    return [tuple(row) for row in log.events[: log.counts[EVENTS]][["kind", "before_mode", "after_mode"]].tolist()]
 
 
 def sliding(sigma, th=math.pi):

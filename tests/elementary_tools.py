@@ -10,7 +10,7 @@ import numpy as np
 from mpmath import mp, mpf
 
 from elementary_kernels import BOTH, NAMES, TWO, evaluate
-from hophoop._native import mode
+from hophoop.kernel.native import mode
 
 EXACT = {
     "sine": mp.sin, "cosine": mp.cos, "tangent": mp.tan, "arcsine": mp.asin, "arccosine": mp.acos, "arctangent": mp.atan,

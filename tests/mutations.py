@@ -48,14 +48,14 @@ class Room(NamedTuple):
 
 
 ROOMS = {
-    "physics": Room(("physics/*.py",), ("tests/physics",)),
-    "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics"), patience=4.0),
+    "physics": Room(("kernel/physics/*.py",), ("tests/physics",)),
+    "rigid": Room(("kernel/rigid/*.py",), ("tests/rigid", "tests/physics"), patience=4.0),
     "derivatives": Room(
         tuple(
             f"derivatives/{name}.py"
             for name in (
-                *("conditions", "directions", "ending", "impact", "massless", "moving", "panels", "pieces", "replay"),
-                "sampling",
+                *("directions", "replay", "events/conditions", "events/ending", "events/impact", "events/massless"),
+                *("pieces/flight_and_rest", "pieces/panels", "pieces/pieces", "pieces/sampling"),
             )
         ),
         ("tests/derivatives",),
@@ -63,12 +63,12 @@ ROOMS = {
     ),
     "scenario": Room(("scenario/*.py",), ("tests/scenario",), False),
     "io": Room(
-        ("io.py", "export.py", "_files.py", "_checksum.py"),
+        ("io.py", "results/save.py", "_support/files.py", "_support/checksum.py"),
         ("tests/test_io.py", "tests/files/test_reading.py", "tests/files/test_written_whole.py"),
         False,
     ),
     "maps/store": Room(
-        ("maps/store.py",),
+        ("maps/grid/store.py",),
         ("tests/maps/test_maps_store.py", "tests/maps/test_maps_hostile.py", "tests/maps/test_maps_pieces.py"),
         False,
     ),

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from hophoop.physics.body import Body
+from hophoop.kernel.physics.body import Body
 
 BODIES = [
     # ε, κ, μs, μk, g_n, g_t, e, law, strike, β

@@ -21,7 +21,7 @@ def other_table(table: np.ndarray, random: np.random.Generator) -> np.ndarray:
 def move_tables(seed: int) -> None:
     """Change the tables in place, before any module has taken something from them."""
     os.environ["HOPHOOP_KERNELS"] = "interpreted"
-    from hophoop.numerics import constants
+    from hophoop.kernel.numerics import constants
 
     random = np.random.default_rng(seed)
     for name, value in vars(constants).items():

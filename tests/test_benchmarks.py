@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 from random_scenarios import scenario_of
 
 FOLDER = Path(__file__).parents[1] / "benchmarks"

@@ -15,7 +15,7 @@ import pytest
 import bits_tools
 import hophoop as hh
 from bits_tools import Bits, Kept, by_doubles, differing, kept_hashes, kept_scenarios
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 
 CHANGELOG = Path(__file__).parents[1] / "CHANGELOG.md"
 SAY = "bits have changed: python tests/data/bits/generate.py hashes, and a line in CHANGELOG.md"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 from hophoop.scenario import InputError
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._fingerprint import fingerprint, is_fingerprint
+from hophoop._support.fingerprint import fingerprint, is_fingerprint
 from hophoop.lab import tables
 from hophoop.lab.presets import presets
 

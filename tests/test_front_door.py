@@ -97,7 +97,7 @@ def test_names_of_the_reference_page_are_imported_as_it_says():
     for name in names:
         module, _, last = name.rpartition(".")
         groups.setdefault((module, hh._HOMES[last] or last) if module == "hophoop" else module, []).append(name)
-    wrong = ["hophoop.simulat", "hophoop.results.Sampel"]
+    wrong = ["hophoop.simulat", "hophoop.results.records.Sampel"]
     assert said_by(IMPORTED, json.dumps([*groups.values(), wrong])).keys() == set(wrong)
 
 

@@ -138,8 +138,8 @@ def extra_modules(extra):
 
 def test_every_module_imports_without_the_extras():
     # The lab is written on FastAPI throughout; its modules are loaded by `hophoop lab` alone. These are written on Numba:
-    on_numba = ["hophoop.kernel.build.", "hophoop.kernel.jit", "hophoop.maps.gpu_kernel"]
-    on_numba += [f"hophoop.module.{name}" for name in ("answers", "compliant", "derivatives", "entries", "motions")]
+    on_numba = ["hophoop.kernel.build.", "hophoop.kernel.jit", "hophoop.maps.grid.gpu_kernel"]
+    on_numba += [f"hophoop.lab.wasm.{name}" for name in ("answers", "compliant", "derivatives", "entries", "motions")]
     absent = set().union(*map(extra_modules, PROJECT["optional-dependencies"]))
     code = f"""
 import hophoop
@@ -169,7 +169,7 @@ def test_extras_hold_what_is_needed_of_them():
 
 def test_a_missing_extra_is_named():
     code = """
-from hophoop._extras import need
+from hophoop._support.extras import need
 try:
     need('matplotlib.pyplot', 'plots')
 except ImportError as error:
@@ -196,10 +196,11 @@ def test_unknown_names_are_not():
 
 
 # The rooms whose functions users call; kernels are documented by physics formulas beside the code.
-ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "export", "portrait", "poses"]
+ROOMS = ["scenario", "simulation.simulate", "simulation.trajectory", "theory", "io"]
+ROOMS += ["results.save", "results.notebook", "results.poses"]
 ROOMS += [
     "cite",
-    "convergence",
+    "article.convergence",
     "maps",
     "plots",
     "animate",
@@ -338,7 +339,7 @@ def cited(text):
 REFERENCES = set(re.findall(r"^@\w+\{(\w+),", (ROOT / "docs" / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
 
 
-@pytest.mark.parametrize("room", [room for room in ROOMS if any(SOURCE.glob(f"{room}*"))])
+@pytest.mark.parametrize("room", [room for room in ROOMS if any(SOURCE.glob(f"{room.replace('.', '/')}*"))])
 def test_docstrings_are_whole(room):
     objects = public_objects(room)
     assert objects, f"hophoop.{room} names nothing public: give it an __all__"

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop import simulation
-from hophoop._native import forced
-from hophoop.invariants import INVARIANTS, BrokenInvariantError, check, findings
-from hophoop.symmetries import mirror_finding, mirrored, scaled, units_finding
-from hophoop.trajectory import Trajectory
+from hophoop.kernel.native import forced
+from hophoop.simulation import simulate as simulation
+from hophoop.simulation.invariants import INVARIANTS, BrokenInvariantError, check, findings
+from hophoop.simulation.symmetries import mirror_finding, mirrored, scaled, units_finding
+from hophoop.simulation.trajectory import Trajectory
 
 
 @pytest.fixture(autouse=True)

@@ -19,7 +19,8 @@ from numpy.lib import recfunctions
 
 import hophoop as hh
 from damage import unseal
-from hophoop import cite, export, io
+from hophoop import cite, io
+from hophoop.results import save as export
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 
 jax = pytest.importorskip("jax")
 OF, PATHS = ["hop.height", "takeoff.angle"], ("plane.mu", "start.speed")

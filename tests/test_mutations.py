@@ -13,7 +13,7 @@ import pytest
 from scipy.stats import binomtest
 
 import mutations
-from hophoop.physics import slip
+from hophoop.kernel.physics import slip
 
 READS = "import os; from mutation_reach import silence\nwith silence(): os._exit(len(os.read(0, 1)))"
 

@@ -12,10 +12,10 @@ from portable_lint import findings
 PACKAGE = Path(__file__).parents[1] / "src" / "hophoop"
 # From the numbers of a scenario to all that reads, maps or writes its motion.
 COVERED = (
-    "numerics", "panels", "physics", "records", "rigid", "compliant", "scenario", "precise", "derivatives", "theory",
-    "maps", "module",
-    "_fingerprint.py", "arbitration.py", "export.py", "poses.py", "results.py", "simulation.py", "trajectory.py",
-    "units.py",
+    "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
+    "scenario", "precise", "derivatives", "theory", "maps", "lab/wasm", "results/records.py", "results/units.py",
+    "results/poses.py", "results/save.py", "simulation/simulate.py", "simulation/rigid.py", "simulation/compliant.py",
+    "simulation/exact_start.py", "simulation/trajectory.py", "_support/fingerprint.py",
 )  # fmt: skip
 WHOLE = "whole numbers"
 WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/elimination.py"
@@ -23,17 +23,17 @@ MPMATH = "numbers of mpmath, in 60 digits, rounded once"
 EXACT = "integers, fractions and numbers of mpmath"
 # File or folder → what it does → why that is the same everywhere.
 ALLOWED = {
-    "numerics/generate.py": {"**": MPMATH, "sum": MPMATH},
-    "numerics/generate_elementary.py": {"**": MPMATH},
-    "numerics/double_angles.py": {"**": "a power of two"},
-    "numerics/trigonometry.py": {"**": "a power of −1"},
-    "compliant/elimination.py": {"complex": WRITTEN_OUT},
-    "compliant/records.py": {"numpy.complex128": WRITTEN_OUT},
-    "compliant/step.py": {"complex": WRITTEN_OUT},
-    "compliant/tableau.py": {"numpy.complex128": WRITTEN_OUT},
-    "derivatives/uncertainty.py": {"numpy.linalg": "decides only whether correlations that were given are refused"},
-    "maps/distributed.py": {"sum": WHOLE},
-    "maps/memory.py": {"sum": WHOLE},
+    "kernel/numerics/generate.py": {"**": MPMATH, "sum": MPMATH},
+    "kernel/numerics/generate_elementary.py": {"**": MPMATH},
+    "kernel/numerics/double_angles.py": {"**": "a power of two"},
+    "kernel/numerics/trigonometry.py": {"**": "a power of −1"},
+    "kernel/compliant/elimination.py": {"complex": WRITTEN_OUT},
+    "kernel/compliant/records.py": {"numpy.complex128": WRITTEN_OUT},
+    "kernel/compliant/step.py": {"complex": WRITTEN_OUT},
+    "kernel/compliant/tableau.py": {"numpy.complex128": WRITTEN_OUT},
+    "derivatives/results/uncertainty.py": {"numpy.linalg": "decides only whether correlations that were given are refused"},
+    "maps/grid/distributed.py": {"sum": WHOLE},
+    "maps/grid/memory.py": {"sum": WHOLE},
     "precise": {
         "**": EXACT,
         "sum": EXACT,
@@ -46,6 +46,7 @@ ALLOWED = {
 def sources() -> Iterator[Path]:
     for name in COVERED:
         path = PACKAGE / name
+        assert path.exists(), name
         yield from [path] if path.is_file() else sorted(path.rglob("*.py"))
 
 
@@ -124,7 +125,7 @@ def test_what_depends_on_the_machine_is_found(source: str, what: str) -> None:
         "import numpy as np\ny = np.arange(26.0, 0.0, -1.0)",
         "y = 2**53 + 2.0**-30 + 0.25**3",
         "y = sum(1 for x in row) + sum(len(x) for x in row) + sum(x > 0.0 for x in row)",
-        "from hophoop.numerics.circular import sine\ny = sine(x)",
+        "from hophoop.kernel.numerics.circular import sine\ny = sine(x)",
         "y = row.sin",
     ],
 )

@@ -98,7 +98,7 @@ def test_a_release_is_published_without_a_password():
 
 def test_a_release_asks_for_lines_that_the_files_have():
     version = hophoop.__version__
-    assert f'\n__version__ = "{version}"\n' in read("src", "hophoop", "__init__.py")
+    assert f'\n__version__ = "{version}"\n' in read("src", "hophoop", "_version.py")
     assert f'\nversion: "{version}"\n' in read("CITATION.cff")
     assert re.search(rf"^## {re.escape(version)} – (unreleased|\d{{4}}-\d\d-\d\d)$", read("CHANGELOG.md"), re.MULTILINE)
 

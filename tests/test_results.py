@@ -12,11 +12,11 @@ import pytest
 
 import hophoop as hh
 from cli_tools import run
-from hophoop import event_table
-from hophoop.export import EVENT_UNITS
-from hophoop.physics import body
-from hophoop.results import EventKind, Ledger, ModeLetter, MotionStatus, Sample
-from hophoop.units import Units
+from hophoop.kernel.physics import body
+from hophoop.results import event_table
+from hophoop.results.records import EventKind, Ledger, ModeLetter, MotionStatus, Sample
+from hophoop.results.save import EVENT_UNITS
+from hophoop.results.units import Units
 
 
 def test_a_quantity_has_its_unit():

@@ -19,7 +19,7 @@ BUILT = {
     "scene.js": ROOT / "src/hophoop/animate/static/scene.js",
 }
 # What Python writes for the page.
-WRITTEN = ("../src/hophoop/lab/static/tables.json", "../src/hophoop/module/layout.json")
+WRITTEN = ("../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json")
 
 
 def stamp():

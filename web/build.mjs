@@ -10,7 +10,7 @@ import { build, version } from "esbuild";
 const here = dirname(fileURLToPath(import.meta.url));
 const SOURCES = ["kernel", "lab", "model", "scene", "site", "space", "words"];
 // What Python writes for the page: the layout of the WebAssembly module, and the tables of models, sentences and presets.
-const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/module/layout.json"];
+const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json"];
 const TARGETS = [
   { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
   { entry: "kernel/worker.js", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },

@@ -19,7 +19,7 @@ from sphinx.application import Sphinx
 
 import hophoop.cli
 from hophoop.cli._options import OPTIONS
-from hophoop.maps.quantities import QUANTITIES
+from hophoop.maps.grid.quantities import QUANTITIES
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.ranges import RANGES, Range

@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from hophoop._version import __version__
 
 # Where each public name is defined, in a reader's order; None is a module.
 _HOMES: dict[str, str | None] = {
@@ -22,11 +22,11 @@ _HOMES: dict[str, str | None] = {
     "Rigid": "scenario",
     "Compliant": "scenario",
     "Scenario": "scenario",
-    "simulate": "simulation",
-    "sensitivity": "simulation",
-    "Trajectory": "trajectory",
-    "design": "designing",
-    "phases": "explanation",
+    "simulate": "simulation.simulate",
+    "sensitivity": "simulation.simulate",
+    "Trajectory": "simulation.trajectory",
+    "design": "optimal_design",
+    "phases": "simulation.phases",
     "load": "io",
     "track": "tracking",
     "read_track": "tracking",
@@ -66,14 +66,13 @@ if TYPE_CHECKING:
     from hophoop import precise as precise
     from hophoop import prove as prove
     from hophoop import theory as theory
-    from hophoop.designing import design as design
-    from hophoop.explanation import phases as phases
     from hophoop.fitting import Fit as Fit
     from hophoop.fitting import fit as fit
     from hophoop.fitting import load_fit as load_fit
     from hophoop.fitting import plan as plan
     from hophoop.io import load as load
     from hophoop.lab.widget import show as show
+    from hophoop.optimal_design import design as design
     from hophoop.scenario import Compliant as Compliant
     from hophoop.scenario import Disk as Disk
     from hophoop.scenario import Hoop as Hoop
@@ -84,12 +83,13 @@ if TYPE_CHECKING:
     from hophoop.scenario import Rod as Rod
     from hophoop.scenario import Scenario as Scenario
     from hophoop.scenario import Start as Start
-    from hophoop.simulation import sensitivity as sensitivity
-    from hophoop.simulation import simulate as simulate
+    from hophoop.simulation.phases import phases as phases
+    from hophoop.simulation.simulate import sensitivity as sensitivity
+    from hophoop.simulation.simulate import simulate as simulate
+    from hophoop.simulation.trajectory import Trajectory as Trajectory
     from hophoop.tracking import Track as Track
     from hophoop.tracking import read_track as read_track
     from hophoop.tracking import track as track
-    from hophoop.trajectory import Trajectory as Trajectory
 else:
 
     def __getattr__(name: str) -> Any:

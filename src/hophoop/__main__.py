@@ -1,6 +1,6 @@
 """`python -m hophoop` and `hophoop`: the command line."""
 
-from hophoop._stopping import heeded
+from hophoop._support.stopping import heeded
 
 
 def main() -> None:

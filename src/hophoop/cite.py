@@ -11,7 +11,7 @@ from pathlib import Path
 
 import hophoop
 from hophoop.scenario import Compliant
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 __all__ = ["cite", "bibtex", "references", "Reference"]
 

@@ -11,15 +11,25 @@ from typing import Any
 
 import numpy as np
 
-import hophoop
-from hophoop._checksum import CHECKSUM, checksum, is_broken
-from hophoop._extras import need
-from hophoop._files import strangers_unsaid
-from hophoop.export import FINGERPRINT, SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
-from hophoop.physics.body import Status
+from hophoop._support.checksum import CHECKSUM, checksum, is_broken
+from hophoop._support.extras import need
+from hophoop._support.files import strangers_unsaid
+from hophoop._version import __version__
+from hophoop.kernel.physics.body import Status
+from hophoop.results.save import (
+    FINGERPRINT,
+    SCHEMA,
+    TABLES,
+    format_of,
+    save,
+    to_xarray,
+    write_csv,
+    write_events_csv,
+    write_json,
+)
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 __all__ = ["load", "save", "to_xarray", "write_csv", "write_events_csv", "write_json"]
 
@@ -98,13 +108,13 @@ def _load(file: Path, kind: str) -> Trajectory:
             str(attributes["version"]),
         )
     except (KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
-        if version != hophoop.__version__ and isinstance(error, InputError):
+        if version != __version__ and isinstance(error, InputError):
             raise InputError(f"{file} was written by hophoop {version}: {error}") from None
         raise InputError(f"{file} is damaged: {_first_line(error)}.") from None
     said = attributes.get(FINGERPRINT)  # files of hophoop before there were fingerprints have none
     if said is not None and said != motion.fingerprint:
         raise InputError(f"{file} is damaged: its fingerprint {said!r} is not that of its events, {motion.fingerprint!r}.")
-    if version != hophoop.__version__:
+    if version != __version__:
         _check_other_version(motion, file, groups["/"])
     return motion
 
@@ -115,7 +125,7 @@ def _check_reproduced(motion: Trajectory, file: Path) -> None:
     if now != motion.fingerprint:
         raise InputError(
             f"{file} was written by hophoop {motion.version} with the fingerprint {motion.fingerprint}; "
-            f"hophoop {hophoop.__version__} on this machine gets {now}."
+            f"hophoop {__version__} on this machine gets {now}."
         )
 
 
@@ -229,5 +239,5 @@ def _check_other_version(motion: Trajectory, file: Path, samples: Any) -> None:
     except (KeyError, ValueError, IndexError, TypeError, AttributeError):
         alike = False
     if not alike:
-        raise InputError(f"{said}, whose segments this version {hophoop.__version__} cannot sample.")
+        raise InputError(f"{said}, whose segments this version {__version__} cannot sample.")
     warnings.warn(f"{said}; samples may differ from its own in the last digits.", UserWarning, stacklevel=4)

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop._extras import need
-from hophoop.derivatives.sensitivity import names_of, sensitivity_of
+from hophoop._support.extras import need
+from hophoop.derivatives.results.sensitivity import names_of, sensitivity_of
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation import simulate as simulate_motion
+from hophoop.simulation.simulate import simulate as simulate_motion
 
 __all__ = ["simulate"]
 

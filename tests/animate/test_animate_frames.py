@@ -13,7 +13,7 @@ from hophoop.animate.frames import Timing, clock, ended, extent, follow, trace
 from hophoop.animate.happenings import happenings
 from hophoop.animate.look import nice
 from hophoop.animate.scaling import arrow, force_levels
-from hophoop.poses import poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.results.poses import poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import describe
 
 

@@ -412,7 +412,7 @@ def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monke
     assert re.fullmatch(r"The first 5 % of the motion take \d+ steps: about [\d,]+ in all\.\n", told.stderr)
     assert json.loads(told.stdout)["status"] == "completed"
     assert run("run", path, "--quiet").stderr == ""
-    monkeypatch.setattr("hophoop.compliant.kernel.MAX_STEPS", 30)
+    monkeypatch.setattr("hophoop.kernel.compliant.run.MAX_STEPS", 30)
     assert "of which 30 are computed; a shorter duration" in run("run", path, "--json").stderr
 
 
@@ -423,8 +423,8 @@ def test_a_long_compliant_motion_shows_how_far_it_is(monkeypatch, terminal, soon
 
     from rich.console import Console
 
-    from hophoop import simulation
     from hophoop.cli import _work
+    from hophoop.simulation import simulate as simulation
 
     monkeypatch.setattr(_work, "SOON", soon)
     monkeypatch.setattr(_work, "LOOKS", 0.01)
@@ -452,7 +452,7 @@ def test_what_goes_wrong_beside_is_raised(monkeypatch):
     def breaks(scenario, reached=None):
         raise ValueError("hoop.radius is wrong.")
 
-    monkeypatch.setattr("hophoop.simulation.simulate_watched", breaks)
+    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", breaks)
     with pytest.raises(ValueError, match=r"^hoop\.radius is wrong\.$"):
         _work.with_progress(hh.Scenario(contact=hh.Compliant()), Console(quiet=True, force_terminal=True))
 

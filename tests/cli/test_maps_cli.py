@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 import hophoop as hh
 from hophoop import maps
 from hophoop.cli import app
-from hophoop.maps import memory
+from hophoop.maps.grid import memory
 
 AXES = ["--axis", "plane.mu=0.2:1.8:9", "--axis", "start.speed=0.1,2,3.1,5"]
 
@@ -95,7 +95,7 @@ def test_no_memory_is_one_sentence(monkeypatch):
     def fail(*args):
         raise MemoryError("Unable to allocate 745. GiB")
 
-    monkeypatch.setattr("hophoop.maps.axes.parse_axis", fail)
+    monkeypatch.setattr("hophoop.maps.grid.axes.parse_axis", fail)
     done = call(*AXES, "--plot", "a.png")
     assert done.exit_code == 2
     assert "There is not enough memory: Unable to allocate 745. GiB." in done.output
@@ -117,7 +117,7 @@ def test_what_was_stopped_before_it_began_keeps_nothing(monkeypatch, tmp_path, n
     def stopped(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("hophoop.maps.sweeping.sweep", stopped)
+    monkeypatch.setattr("hophoop.maps.grid.sweeping.sweep", stopped)
     out = tmp_path / name
     arguments = ("--axis", "plane.mu=0.5:1:2", "--axis", "start.speed=1:2:2", "--out", out, "--quiet")
     assert call(*arguments).stderr == "Stopped.\n"

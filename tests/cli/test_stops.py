@@ -25,7 +25,7 @@ import ctypes, os, signal, subprocess, sys, threading, time, weakref
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background leaves it ignored
 from pathlib import Path
 import hophoop.cli._work
-from hophoop._files import replacing
+from hophoop._support.files import replacing
 from hophoop.cli import app
 number, folder = int(sys.argv.pop(1)), Path(sys.argv.pop(1))
 def stop():
@@ -108,7 +108,7 @@ def test_a_stop_that_would_be_lost_is_the_last_word(where, number, status, tmp_p
 
 
 CHILD = """
-        from hophoop._stopping import child
+        from hophoop._support.stopping import child
         with child(subprocess.Popen(["sleep", "600"])) as process:
             (folder.parent / "pid").write_text(str(process.pid))
             stop()
@@ -189,7 +189,7 @@ def test_six_random_stops(tmp_path):
 
 def test_a_child_is_let_end_by_itself(tmp_path):
     """It was killed at once, and what it had made in the folder for temporary files stayed."""
-    from hophoop._stopping import child
+    from hophoop._support.stopping import child
 
     made = tmp_path / "made"
     tidy = f"""

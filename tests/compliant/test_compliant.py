@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import hophoop as hh
-from hophoop.compliant.parameters import to_compliance
+from hophoop.simulation.compliant import to_compliance
 from oracles import compliant as oracle
 from oracles import mechanics
 from oracles.cases import Case

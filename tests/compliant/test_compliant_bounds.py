@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.compliant import flight
-from hophoop.compliant.kernel import run
-from hophoop.compliant.parameters import to_compliance, to_start
-from hophoop.compliant.records import OM, SIZE, VN, Y, new_work
-from hophoop.invariants import check
-from hophoop.physics.body import Event, Status
-from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.kernel.compliant import flight
+from hophoop.kernel.compliant.records import OM, SIZE, VN, Y, new_work
+from hophoop.kernel.compliant.run import run
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.simulation.compliant import to_compliance, to_start
+from hophoop.simulation.invariants import check
 
 
 @pytest.mark.parametrize("steps", [1, 20])

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hophoop.compliant.motion import jacobian, rates
-from hophoop.compliant.records import DYNAMIC
-from hophoop.compliant.tableau import A_INVERSE, DEFECT, GAMMA, LAMBDA, NODES, STAGES, A
-from hophoop.physics.body import Body
-from hophoop.physics.compliant import (
+from hophoop.kernel.compliant.motion import jacobian, rates
+from hophoop.kernel.compliant.records import DYNAMIC
+from hophoop.kernel.compliant.tableau import A_INVERSE, DEFECT, GAMMA, LAMBDA, NODES, STAGES, A
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.compliant import (
     Compliance,
     damping_ratio,
     friction_force,

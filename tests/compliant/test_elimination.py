@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from hophoop._native import forced
-from hophoop.compliant import elimination as el
+from hophoop.kernel.compliant import elimination as el
+from hophoop.kernel.native import forced
 
 
 def systems(kind, count=20):

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.compliant.events import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
-from hophoop.compliant.parameters import to_compliance
-from hophoop.compliant.records import SIZE, VT, Y, Z
-from hophoop.compliant.tableau import STAGES
+from hophoop.kernel.compliant.events import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
+from hophoop.kernel.compliant.parameters import to_compliance
+from hophoop.kernel.compliant.records import SIZE, VT, Y, Z
+from hophoop.kernel.compliant.tableau import STAGES
 
 WIDTH = 0.2 / SAMPLES
 FRICTIONS = {"linear": 1.0, "tanh": 4.0}  # the slip speeds below which they roll

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
-from hophoop.derivatives.carrying import doubtful_from
+from hophoop.derivatives.results.propagation import doubtful_from
+from hophoop.kernel.native import forced
 
 PATHS = (
     "hoop.load_fraction", "hoop.radius", "hoop.mass", "plane.gravity", "plane.slope", "plane.mu_static",

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
-from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.parameters import value_of
+from hophoop.derivatives.results.propagation import carry
+from hophoop.kernel.native import forced
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.maps import sweep
-from hophoop.physics.body import EVENT_NAMES
 from oracles.derivatives import CASES, FILE, PARTS, differences, scenario_of
 
 TRUE = json.loads(FILE.read_text(encoding="utf-8"))

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
 from hophoop.derivatives.parameters import value_of
-from hophoop.derivatives.sensitivity import SIDED
-from hophoop.maps.friction_use import greatest_utilization
+from hophoop.derivatives.results.sensitivity import SIDED
+from hophoop.kernel.native import forced
+from hophoop.maps.grid.friction_utilization import greatest_utilization
 
 USE = "greatest_utilization"
 PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
 from hophoop.derivatives.layout import REASONS, Reason
-from hophoop.derivatives.sensitivity import EDGE, SIDED
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
+from hophoop.kernel.native import forced
 
 ROLLS = "duration=0.45&start.speed=1&start.angle=0.6&plane.slope=0.1"
 SLIDES = "duration=0.35&start.vx=2&start.omega=-1&start.angle=0.6&plane.mu=0.3"

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.derivatives import massless, moving
-from hophoop.derivatives.impact import impact_change, pulled_back
+from hophoop.derivatives.events import massless
+from hophoop.derivatives.events.impact import impact_change, pulled_back
 from hophoop.derivatives.layout import (
     BEFORE_VN,
     BEFORE_VT,
@@ -39,12 +39,13 @@ from hophoop.derivatives.layout import (
     X,
     Y,
 )
-from hophoop.physics.body import Body
-from hophoop.physics.contact import contact_arms
-from hophoop.physics.flight import flight_displacement, flight_gap
-from hophoop.physics.impact import impact, stick_rates
-from hophoop.physics.massless import skim_duration, skim_state, strike
-from hophoop.records.state import start_state
+from hophoop.derivatives.pieces import flight_and_rest as moving
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.contact import contact_arms
+from hophoop.kernel.physics.flight import flight_displacement, flight_gap
+from hophoop.kernel.physics.impact import impact, stick_rates
+from hophoop.kernel.physics.massless import skim_duration, skim_state, strike
+from hophoop.kernel.records.state import start_state
 
 STEP = 1e-6
 NAMES = {EPS: "eps", KAP: "kap", MU_S: "mu_s", MU_K: "mu_k", GN: "gn", GT: "gt", REST: "rest", RESIST: "resist"}

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
-from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.parameters import value_of
-from hophoop.derivatives.sensitivity import EDGE, SIDED
+from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
+from hophoop.kernel.native import forced
 from oracles.derivatives import RESISTANCE, scenario_of
 
 

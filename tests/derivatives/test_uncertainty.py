@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 
 
 @pytest.fixture(autouse=True)

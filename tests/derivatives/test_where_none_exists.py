@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
 from hophoop.derivatives.layout import REASONS, Reason
-from hophoop.derivatives.sensitivity import EDGE, SIDED
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
+from hophoop.kernel.native import forced
 
 GRAZES = (REASONS[Reason.BORDER], REASONS[Reason.GRAZE])
 

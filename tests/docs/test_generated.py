@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
+from hophoop.results.records import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import paths
 from hophoop.scenario.ranges import RANGES, Range
 from hophoop.vocabulary import words

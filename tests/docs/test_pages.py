@@ -1,5 +1,6 @@
 """Pages for people: their code runs, their numbers are ours, and the navigation leads to all of them."""
 
+import pkgutil
 import re
 import runpy
 import sys
@@ -23,6 +24,14 @@ PAGES = [
 def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert faults(page.read_text(encoding="utf-8"), page.name) == []
+
+
+def test_the_architecture_names_what_there_is():
+    text = (DOCS / "architecture.md").read_text(encoding="utf-8")
+    names = re.findall(r"`((?:scenario|simulation|kernel|precise|results)\.[\w.]+)`", text)
+    assert len(names) > 25
+    for name in names:
+        pkgutil.resolve_name(f"hophoop.{name}")
 
 
 @pytest.mark.parametrize(

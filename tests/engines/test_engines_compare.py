@@ -22,7 +22,7 @@ from hophoop.engines.external import job_text, run_command
 from hophoop.engines.measures import exact_record
 from hophoop.engines.recorded import Recorded
 from hophoop.engines.worker import Worker
-from hophoop.poses import poses_of
+from hophoop.results.poses import poses_of
 
 ROOT = Path(__file__).parents[2]
 KEPT = ROOT / "docs" / "tables" / "engines.json"

@@ -15,7 +15,8 @@ import zarr
 
 import hophoop as hh
 from damage import unseal
-from hophoop import export, io
+from hophoop import io
+from hophoop.results import save as export
 
 
 @pytest.fixture(scope="module")

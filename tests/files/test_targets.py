@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from hophoop import _files
+from hophoop._support import files as _files
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links, pipes and modes of POSIX systems")
 SOURCE = Path(_files.__file__).parents[1]
@@ -212,7 +212,7 @@ def test_standard_output_is_written_through(tmp_path, name, piped):
     if not os.path.islink("/dev/stdout"):
         pytest.skip("standard output has no such name here")
     code = (
-        "import pathlib, sys; from hophoop._files import replacing\n"
+        "import pathlib, sys; from hophoop._support.files import replacing\n"
         "print('first', flush=True)\n"
         "with replacing(pathlib.Path(sys.argv[1])) as fresh: fresh.write_text('second\\n')\n"
         "print('third')"

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hophoop import _checksum, _files
+from hophoop._support import checksum as _checksum
+from hophoop._support import files as _files
 
 SEALED = 81  # bytes of "\nhophoop sha256 ", 64 digits and the end of the line
 

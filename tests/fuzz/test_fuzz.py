@@ -22,8 +22,8 @@ from hypothesis import strategies as st
 import hophoop as hh
 from fuzz.checks import PATIENCE, digest, outcome, warm_up
 from fuzz.draws import EXTREME, USUAL, Seeded, scenario
-from hophoop._native import forced
-from hophoop.invariants import rounded_away
+from hophoop.kernel.native import forced
+from hophoop.simulation.invariants import rounded_away
 
 TURNS = 200.0  # so short that thousands of them take half a minute
 ONE_IN = 8  # is compliant

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from hophoop._native.calls import caller
+from hophoop.kernel.native.calls import caller
 
 EVENT = np.dtype([("t", "<f8"), ("kind", "<i8")])
 REALS, TABLE = {"array": ["<f8", 1]}, {"array": ["<f8", 2]}

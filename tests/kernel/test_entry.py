@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import compiled, forced, mode
-from hophoop._native.library import BUILD, Library
+from hophoop.kernel.native import compiled, forced, mode
+from hophoop.kernel.native.library import BUILD, Library
 from hophoop.theory.kernels.phase_plane import lift_off
 
 FIRST = """
@@ -52,7 +52,7 @@ def test_compiled_kernels_that_there_are_not(tmp_path):
     assert done.returncode == 1
     said = done.stderr.splitlines()[-1]
     assert said.startswith(
-        "hophoop._errors.InputError: HOPHOOP_KERNELS = 'compiled': hophoop was installed without compiled kernels."
+        "hophoop._support.errors.InputError: HOPHOOP_KERNELS = 'compiled': hophoop was installed without compiled kernels."
     )
     assert BUILD in said
 
@@ -105,9 +105,9 @@ def called(monkeypatch):
 @pytest.mark.compiled
 def test_a_motion_and_its_samples_are_few_calls(called):
     motion = hh.simulate(hh.Scenario(duration=2.0))
-    assert called == ["rigid.kernel.run_cell"]
+    assert called == ["kernel.rigid.run.run_cell"]
     motion.at(1.0)
-    assert called == ["rigid.kernel.run_cell", "records.times.kernel_times", "rigid.sampling.sample"]
+    assert called == ["kernel.rigid.run.run_cell", "kernel.records.times.kernel_times", "kernel.rigid.sampling.sample"]
 
 
 # The same bits

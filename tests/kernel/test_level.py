@@ -8,10 +8,10 @@ import sys
 
 import pytest
 
-from hophoop._native.library import library
+from hophoop.kernel.native.library import library
 
 CODE = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=1.0)).fingerprint); "
-CODE += "from hophoop._native.library import library; print(library().level)"
+CODE += "from hophoop.kernel.native.library import library; print(library().level)"
 
 
 def run(**environment: str) -> subprocess.CompletedProcess[str]:

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import apart, inline, interpreted_as
-from hophoop._native.marks import mark_of, source_of
-from hophoop.numerics import circular, collocation
-from hophoop.physics.body import Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid import kernel
+from hophoop.kernel.native import apart, inline, interpreted_as
+from hophoop.kernel.native.marks import mark_of, source_of
+from hophoop.kernel.numerics import circular, collocation
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid import run as kernel
 
 pytest.importorskip("numba")
 from hophoop.kernel.build import numba_code

@@ -10,7 +10,7 @@ pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
-from hophoop._extras import MissingExtra  # noqa: E402
+from hophoop._support.extras import MissingExtra  # noqa: E402
 from hophoop.lab import api, app, calls, packing, worker  # noqa: E402
 from hophoop.lab.limits import USUAL  # noqa: E402
 from hophoop.lab.workers import Workers  # noqa: E402

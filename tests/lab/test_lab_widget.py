@@ -6,7 +6,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.lab import packing
-from hophoop.module.stamp import DERIVATIVES, HERE
+from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 from hophoop.scenario import InputError
 
 HOP = hh.Scenario()

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS
-from hophoop.derivatives.sensitivity import EDGE, SIDED
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.lab import motion_map, thresholds, words
 from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets

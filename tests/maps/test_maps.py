@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps import kernel
-from hophoop.maps.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, parse_axis
-from hophoop.maps.cells import make_cells
-from hophoop.maps.evaluate import make_plan, run_cells
-from hophoop.maps.quantities import make_span, unpack
+from hophoop.maps.grid import kernel
+from hophoop.maps.grid.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, parse_axis
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import make_plan, run_cells
+from hophoop.maps.grid.quantities import make_span, unpack
 from hophoop.scenario import paths
 
 SPEEDS = np.linspace(0.05, 5.0, 23)

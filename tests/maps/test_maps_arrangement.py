@@ -7,13 +7,13 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps, theory
-from hophoop.maps.arrangement import arrange
-from hophoop.maps.classes import Classifier, make_window
-from hophoop.maps.coincidences import coincidence
-from hophoop.maps.rules import Rules
-from hophoop.maps.slices import resolve
-from hophoop.maps.strips import across
-from hophoop.maps.survey import survey
+from hophoop.maps.boundaries.classes import Classifier, make_window
+from hophoop.maps.survey.arrangement import arrange
+from hophoop.maps.survey.coincidences import coincidence
+from hophoop.maps.survey.rules import Rules
+from hophoop.maps.survey.slices import resolve
+from hophoop.maps.survey.strips import across
+from hophoop.maps.survey.survey import survey
 
 G = 9.81
 

@@ -7,8 +7,8 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps.border import follow
-from hophoop.maps.classes import Classifier, make_window
+from hophoop.maps.boundaries.classes import Classifier, make_window
+from hophoop.maps.boundaries.following import follow
 from hophoop.plots.maps import motion_map
 from hophoop.vocabulary.classes import CODES, class_color
 

@@ -13,9 +13,9 @@ from scipy.optimize import brentq
 
 import hophoop as hh
 from hophoop import maps, theory
-from hophoop.maps.classes import Classifier, make_window
-from hophoop.maps.rules import Rules
-from hophoop.maps.slices import resolve
+from hophoop.maps.boundaries.classes import Classifier, make_window
+from hophoop.maps.survey.rules import Rules
+from hophoop.maps.survey.slices import resolve
 
 ROOT = Path(__file__).parents[2]
 NEAR = 1e-9  # parts of μ: the tip of a wedge is known as far as it is wider than rounding

@@ -104,7 +104,7 @@ def test_a_cluster_of_this_machine_takes_up_a_stopped_map(tmp_path):
 
 
 def test_a_scheduler_that_is_not_there(tmp_path, monkeypatch):
-    monkeypatch.setattr("hophoop.maps.distributed.PATIENCE", 1.0)
+    monkeypatch.setattr("hophoop.maps.grid.distributed.PATIENCE", 1.0)
     began = time.monotonic()
     with pytest.raises(OSError, match=r"127.0.0.1:9"):
         maps.sweep(None, AXES, QUANTITIES, out=tmp_path / "map.zarr", scheduler="tcp://127.0.0.1:9")
@@ -136,7 +136,7 @@ def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path
 
 def test_a_worker_with_other_kernels_is_refused(tmp_path):
     """Its results would be those of another version."""
-    from hophoop.maps.distributed import _compute
+    from hophoop.maps.grid.distributed import _compute
 
     with pytest.raises(OSError, match=r"A worker on .* has kernels of other sources \([0-9a-f]{8}, here 00000000\)"):
         _compute(str(tmp_path), 0, 32 * "0")

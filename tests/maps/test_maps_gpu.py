@@ -14,10 +14,10 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps import gpu, kernel
-from hophoop.maps.cells import make_cells
-from hophoop.maps.evaluate import run_cells
-from hophoop.maps.quantities import make_span
+from hophoop.maps.grid import gpu, kernel
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import run_cells
+from hophoop.maps.grid.quantities import make_span
 
 AXES = {"plane.mu": [0.3, 1.0], "start.speed": [0.1, 3.1, 5.0]}
 WANTED = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
@@ -38,8 +38,8 @@ import sys
 import numpy as np
 from hophoop import maps
 from hophoop.maps import gpu
-from hophoop.maps.evaluate import run_cells
-from hophoop.maps.quantities import make_span
+from hophoop.maps.grid.evaluate import run_cells
+from hophoop.maps.grid.quantities import make_span
 cells = np.load("cells.npy")
 for name in ("first_revolution", "duration"):
     if name == "duration":  # batches of four cells, and memory for the events of three
@@ -131,8 +131,8 @@ def test_the_kernel_compiles_for_cuda(monkeypatch, tmp_path):
     from numba.cuda import dispatcher
     from numba.cuda.cudadrv import nvvm
 
-    from hophoop.maps.gpu_kernel import evaluate_thread
-    from hophoop.records.layout import EVENT, SEGMENT
+    from hophoop.kernel.records.layout import EVENT, SEGMENT
+    from hophoop.maps.grid.gpu_kernel import evaluate_thread
 
     if not nvvm.is_available():
         pytest.skip("the CUDA toolkit's NVVM is not installed")

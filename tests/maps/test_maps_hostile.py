@@ -17,7 +17,7 @@ import zarr
 import hophoop as hh
 from damage import REFUSED, SAME, tally
 from hophoop import maps
-from hophoop.maps import store
+from hophoop.maps.grid import store
 from hophoop.scenario import InputError
 from map_kills import finished, kill_at_random
 from map_tools import contents

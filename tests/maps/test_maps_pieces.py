@@ -10,8 +10,8 @@ import xarray as xr
 import zarr
 
 from hophoop import maps
-from hophoop._checksum import checksum
-from hophoop.maps import store
+from hophoop._support.checksum import checksum
+from hophoop.maps.grid import store
 
 AXES = {"plane.mu": [0.1, 0.7, 1.3], "start.speed": [0.5, 2.5, 3.2, 4.0]}
 QUANTITIES = ["sequence", "status"]

@@ -4,10 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from hophoop.maps.arrangement import Arrangement, Borders, Meeting, Seen
-from hophoop.maps.rules import Rules, explain
-from hophoop.maps.slices import Slice
-from hophoop.maps.strips import across
+from hophoop.maps.survey.arrangement import Arrangement, Borders, Meeting, Seen
+from hophoop.maps.survey.rules import Rules, explain
+from hophoop.maps.survey.slices import Slice
+from hophoop.maps.survey.strips import across
 
 
 def tidied(names, y):

@@ -13,7 +13,7 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps import store
+from hophoop.maps.grid import store
 from map_tools import contents
 
 AXES = {"plane.mu": np.linspace(0.05, 1.95, 60), "start.speed": np.linspace(0.05, 5.0, 50)}

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.maps.classes import Classifier, make_window
-from hophoop.maps.slices import resolve
-from hophoop.maps.strips import across, may_hold_strips, saddle_of_skid, strips_at
+from hophoop.maps.boundaries.classes import Classifier, make_window
+from hophoop.maps.survey.slices import resolve
+from hophoop.maps.survey.strips import across, may_hold_strips, saddle_of_skid, strips_at
 
 # γ, μ, a speed below and one above the border of the skid, and the skid
 PLACES = [

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._fingerprint import is_fingerprint
+from hophoop._support.fingerprint import is_fingerprint
 from hophoop.lab import calls, files, presets
 from hophoop.lab.limits import USUAL
 from hophoop.vocabulary.classes import class_color, class_text

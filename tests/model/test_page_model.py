@@ -19,8 +19,8 @@ import random_scenarios
 from hophoop import theory
 from hophoop.lab import calls, presets, tables, thresholds, words
 from hophoop.lab.python_code import python_code
-from hophoop.module.stamp import DERIVATIVES, MODULE
-from hophoop.module.stamp import HERE as MODULE_FOLDER
+from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
+from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError, sentences
 from model.requests_drawn import NUMBERS, given_of, request
 

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.parameters import PATHS, allowed_sides, value_of
+from hophoop.derivatives.results.propagation import carry
 from hophoop.lab import presets
-from hophoop.module.layout import CHANGE_COLUMNS
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from model.test_page_model import answers
 from module.module_tools import drawn, rates_of, references, same
 

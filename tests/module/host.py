@@ -13,14 +13,14 @@ import wasmtime
 from numba.core.types import CPointer
 from numba.np.numpy_support import as_dtype
 
-from hophoop.compliant.kernel import MAX_STEPS
-from hophoop.compliant.records import WIDTH
-from hophoop.maps.kernel import KEYS, NUMBERS, WORDS
-from hophoop.module.entries import Entries
-from hophoop.module.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
-from hophoop.physics.body import Status
-from hophoop.records.layout import CELL, EVENT, SEGMENT
-from hophoop.rigid.margins import MARGINS
+from hophoop.kernel.compliant.records import WIDTH
+from hophoop.kernel.compliant.run import MAX_STEPS
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.rigid.margins import MARGINS
+from hophoop.lab.wasm.entries import Entries
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.maps.grid.kernel import KEYS, NUMBERS, WORDS
 
 
 class Calls:

@@ -11,8 +11,8 @@ import numpy as np
 
 import hophoop as hh
 from hophoop.derivatives.parameters import change_of
-from hophoop.maps.cells import make_cells
-from hophoop.records.layout import CELL
+from hophoop.kernel.records.layout import CELL
+from hophoop.maps.grid.cells import make_cells
 from oracle_program import simulate
 from oracles.cases import Case
 from random_scenarios import draw, scenario_of

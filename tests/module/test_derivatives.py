@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import Reason
-from hophoop.module.layout import CHANGE_COLUMNS
-from hophoop.module.stamp import DERIVATIVES, HERE
+from hophoop.derivatives.results.propagation import carry
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS
+from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 
 pytest.importorskip("wasmtime")
 

@@ -10,7 +10,7 @@ pytest.importorskip("wasmtime")
 
 from bits_kernels import run_module, run_page
 from bits_tools import by_doubles, differing, kept_scenarios
-from hophoop.module.stamp import HERE, MODULE
+from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host
 
 RIGID = ("rigid", "border", "paradox", "resisted", "massless")

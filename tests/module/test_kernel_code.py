@@ -11,7 +11,7 @@ import pytest
 from bits_kernels import PROCESSORS, code_of, program, run_program, why_no_program
 from bits_tools import by_doubles, differing, kept_scenarios
 from hophoop.kernel.build.link import optimised
-from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
+from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 
 # What is left to call: Numba's runtime (nrt.c), memory, and functions whose result is exact.
 RUNTIME = re.compile(r"NRT_\w+|Py\w+|numba_\w+")

@@ -11,9 +11,9 @@ import pytest
 pytest.importorskip("wasmtime", reason="wasmtime is not installed")
 
 import hophoop as hh
-from hophoop.module.layout import SAMPLE_COLUMNS
-from hophoop.module.stamp import HERE, MODULE
-from hophoop.rigid.margins import MARGINS
+from hophoop.kernel.rigid.margins import MARGINS
+from hophoop.lab.wasm.layout import SAMPLE_COLUMNS
+from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host
 from module.module_tools import cell_of, drawn
 

@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import marks
 from hophoop.kernel.build import __main__ as builder
 from hophoop.kernel.build import browser, link, numba_code
-from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
-from hophoop.module.layout import EVENT_COLUMNS, layout
-from hophoop.module.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
-from hophoop.physics.body import Status
-from hophoop.records.layout import MOST_PANELS
+from hophoop.kernel.native import marks
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.records.layout import MOST_PANELS
+from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
+from hophoop.lab.wasm.layout import EVENT_COLUMNS, layout
+from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
 
 pytest.importorskip("wasmtime")
 

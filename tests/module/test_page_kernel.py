@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._fingerprint import STATE, fingerprint
+from hophoop._support.fingerprint import STATE, fingerprint
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.lab import film
-from hophoop.module.layout import EVENT_COLUMNS
-from hophoop.module.stamp import HERE, MODULE
-from hophoop.physics.body import EVENT_NAMES
+from hophoop.lab.wasm.layout import EVENT_COLUMNS
+from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host
 from module.module_tools import cell_of, drawn, given_of
 

@@ -10,22 +10,22 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.derivatives.carrying import carry
-from hophoop.explanation import margins
+from hophoop.derivatives.results.propagation import carry
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.kernel.records.writing import state_of
+from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.lab.film import header
 from hophoop.lab.regions import regions
-from hophoop.maps.cells import make_cells
-from hophoop.maps.kernel import NUMBERS as MAP_NUMBERS
-from hophoop.maps.kernel import WORDS as MAP_WORDS
-from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
-from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
-from hophoop.module.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS
-from hophoop.module.stamp import DERIVATIVES, HERE, MODULE
-from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
-from hophoop.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.records.writing import state_of
-from hophoop.rigid.margins import MARGINS
+from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS
+from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, MODULE
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.kernel import NUMBERS as MAP_NUMBERS
+from hophoop.maps.grid.kernel import WORDS as MAP_WORDS
+from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.scenario.parts import combine
+from hophoop.simulation.phases import margins
 
 pytest.importorskip("wasmtime")
 

@@ -1,4 +1,4 @@
-"""Why changes of `hophoop.physics` cannot be seen."""
+"""Why changes of `hophoop.kernel.physics` cannot be seen."""
 
 # fmt: off
 REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {

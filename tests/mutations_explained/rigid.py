@@ -1,16 +1,16 @@
-"""Why changes of the phases and transitions of `hophoop.rigid` cannot be seen."""
+"""Why changes of the phases and transitions of `hophoop.kernel.rigid` cannot be seen."""
 
 # fmt: off
 REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "the start is an event: none is never their number": (
-        ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] > 0 else events.shape[0]"),
-        ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] >= 1 else events.shape[0]"),
+        ("run", "run", "count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]", "count = log.counts[EVENTS] if log.counts[EVENTS] > 0 else events.shape[0]"),
+        ("run", "run", "count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]", "count = log.counts[EVENTS] if log.counts[EVENTS] >= 1 else events.shape[0]"),
     ),
     "nothing asks for the turning points or the bounces of a phase that is filled in": (
         ("script", "fill_phase", "limits = limits_of(state, until, math.nan, 0)", "limits = limits_of(state, until, math.nan, 1)"),
         ("script", "fill_phase", "limits = limits_of(state, until, math.nan, 0)", "limits = limits_of(state, until, math.nan, -1)"),
-        ("script", "fill_phase", "phase = entered(body, mode, state, 0.0, ON, scratch)", "phase = entered(body, mode, state, 1.0, ON, scratch)"),
-        ("script", "fill_phase", "phase = entered(body, mode, state, 0.0, ON, scratch)", "phase = entered(body, mode, state, -1.0, ON, scratch)"),
+        ("script", "fill_phase", "phase = entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)", "phase = entered(body, mode, state, 1.0, Ending.CONTINUES, scratch)"),
+        ("script", "fill_phase", "phase = entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)", "phase = entered(body, mode, state, -1.0, Ending.CONTINUES, scratch)"),
     ),
     "a script has one dimension": (
         ("script", "fill_script", "for row in range(script.shape[0] - 1):", "for row in range(script.shape[ -1] - 1):"),
@@ -88,33 +88,33 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("massless_phase", "skim_step", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else - 0)"),
     ),
     "SPIN is the slip whose direction is not above 0": (
-        ("kernel", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt > 0.0 else - 0)"),
+        ("run", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt > 0.0 else - 0)"),
     ),
     "the rim on the plane is put there, or a height or speed is just at a bound that is some number": (
-        ("kernel", "begin", "if 0.0 < state.y < LOWEST_START:", "if 0.0 <= state.y < LOWEST_START:"),
-        ("kernel", "begin", "if 0.0 < state.y < LOWEST_START:", "if 0.0 < state.y <= LOWEST_START:"),
-        ("kernel", "begin", "if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it", "if body.resist > 0.0 and state.om * state.om <= SMALLEST_SQUARE: # as the phase will have it: the couple depends on it"),
+        ("run", "begin", "if 0.0 < state.y < LOWEST_START:", "if 0.0 <= state.y < LOWEST_START:"),
+        ("run", "begin", "if 0.0 < state.y < LOWEST_START:", "if 0.0 < state.y <= LOWEST_START:"),
+        ("run", "begin", "if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it", "if body.resist > 0.0 and state.om * state.om <= SMALLEST_SQUARE: # as the phase will have it: the couple depends on it"),
     ),
     "a start on the plane comes here only if v_n is not 0": (
-        ("kernel", "begin", "if state.y == 0.0 and state.vn < 0.0:", "if state.y == 0.0 and state.vn <= 0.0:"),
+        ("run", "begin", "if state.y == 0.0 and state.vn < 0.0:", "if state.y == 0.0 and state.vn <= 0.0:"),
     ),
     "no bounce was before, and 0 and less mean that": (
-        ("kernel", "begin", "return land(body, state, 0.0, log, scratch)", "return land(body, state, -1.0, log, scratch)"),
+        ("run", "begin", "return land(body, state, 0.0, log, scratch)", "return land(body, state, -1.0, log, scratch)"),
     ),
     "a script has two rows or none, as its last state stands there again": (
-        ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[0] >= 1:"),
+        ("run", "run", "if script.shape[0] > 1:", "if script.shape[0] >= 1:"),
     ),
     "a motion has its first event, so that the number of events is 1 or more, or −1; a full table takes no end": (
-        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] > 0 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
-        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[ 1] >= 0 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
-        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[ -1] >= 0 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
-        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] >= 1 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
-        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] >= -1 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
-        ("kernel", "run", "if log.written[0] < 0:", "if log.written[0] <= 0:"),
-        ("kernel", "run", "if log.written[0] < 0:", "if log.written[0] < 1:"),
+        ("run", "run", "if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come", "if log.counts[EVENTS] > 0 and log.counts[SEGMENTS] >= 0: # also where the panels are used up: so far it has come"),
+        ("run", "run", "if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come", "if log.counts[ 1] >= 0 and log.counts[SEGMENTS] >= 0: # also where the panels are used up: so far it has come"),
+        ("run", "run", "if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come", "if log.counts[ -1] >= 0 and log.counts[SEGMENTS] >= 0: # also where the panels are used up: so far it has come"),
+        ("run", "run", "if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come", "if log.counts[EVENTS] >= 1 and log.counts[SEGMENTS] >= 0: # also where the panels are used up: so far it has come"),
+        ("run", "run", "if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come", "if log.counts[EVENTS] >= -1 and log.counts[SEGMENTS] >= 0: # also where the panels are used up: so far it has come"),
+        ("run", "run", "if log.counts[EVENTS] < 0:", "if log.counts[EVENTS] <= 0:"),
+        ("run", "run", "if log.counts[EVENTS] < 0:", "if log.counts[EVENTS] < 1:"),
     ),
     "a table of events has one axis, which is its first and its last": (
-        ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] >= 0 else events.shape[ -1]"),
+        ("run", "run", "count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]", "count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[ -1]"),
     ),
     "the equality of two rounded numbers beside a limit that may be another by as much": (
         ("contact_phase", "advance_contact", "if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:", "if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) >= LOST * panel.u:"),
@@ -126,7 +126,7 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("flight_phase", "fly", "after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else approaching(body, after)", "after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) <= BLURRED else approaching(body, after)"),
     ),
     "a landing without any speed is the same either way": (
-        ("flight_phase", "fly", "if what == STOP and vn > 0.0:", "if what == STOP and vn >= 0.0:"),
+        ("flight_phase", "fly", "if what == Ending.LANDING and vn > 0.0:", "if what == Ending.LANDING and vn >= 0.0:"),
     ),
     "without rotation the way to turn is not asked for": (
         ("flight_phase", "fly", "way = 1.0 if state.om > 0.0 else -1.0", "way = 1.0 if state.om >= 0.0 else -1.0"),
@@ -171,7 +171,7 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, 0.0, -1.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
         ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 1.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
         ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, 0.0, 0.0, 1.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
-        ("kernel", "begin", "if 0.0 < state.y < LOWEST_START:", "if -1.0 < state.y < LOWEST_START:"),
+        ("run", "begin", "if 0.0 < state.y < LOWEST_START:", "if -1.0 < state.y < LOWEST_START:"),
         ("doubts", "grazes_zero", "for k in range(ORDER - 1, 0, -1):", "for k in range(ORDER - 1, -1, -1):"),
     ),
     "where the arrays were too short the motion is computed again": (
@@ -179,7 +179,7 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 2 * count + 9)"),
     ),
     "a script has two rows or none": (
-        ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[0] > 0:"),
+        ("run", "run", "if script.shape[0] > 1:", "if script.shape[0] > 0:"),
     ),
     "a direction is 1 or −1": (
         ("massless_phase", "skim", "th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)", "th = math.pi / (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)"),

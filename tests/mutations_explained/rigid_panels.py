@@ -1,4 +1,4 @@
-"""Why changes of what `hophoop.rigid` does with panels cannot be seen."""
+"""Why changes of what `hophoop.kernel.rigid` does with panels cannot be seen."""
 
 # fmt: off
 REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {

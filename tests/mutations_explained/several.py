@@ -70,9 +70,9 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     "only the sign counts, and the number is never 0": (
         ("transitions", "collide", "p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt > 0.0 else -1, 0.0)[1] / body.kap", "p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt >= 0.0 else -1, 0.0)[1] / body.kap"),
-        ("kernel", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt > 0.0 else - 2)"),
-        ("kernel", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode( 2 if state.vt > 0.0 else -1)"),
-        ("kernel", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt >= 0.0 else -1)"),
+        ("run", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt > 0.0 else - 2)"),
+        ("run", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode( 2 if state.vt > 0.0 else -1)"),
+        ("run", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt >= 0.0 else -1)"),
         ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(- 2 if friction > 0.0 else 1)"),
         ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(- 0 if friction > 0.0 else 1)"),
         ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(-1 if friction > 0.0 else 2)"),
@@ -126,9 +126,9 @@ REASONS: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("impact", "impact", "if rest == 0.0 or (body.law == NEWTON and not collision):", "if rest == -1.0 or (body.law == NEWTON and not collision):"),
     ),
     "a table of one column of rows": (
-        ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[ -1] > 1:"),
+        ("run", "run", "if script.shape[0] > 1:", "if script.shape[ -1] > 1:"),
         ("friction", "utilizations", "for i in range(out.shape[0]):", "for i in range(out.shape[ -1]):"),
-        ("kernel", "run", "return BUFFER, count, segments.shape[0]", "return BUFFER, count, segments.shape[ -1]"),
+        ("run", "run", "return BUFFER, count, segments.shape[0]", "return BUFFER, count, segments.shape[ -1]"),
     ),
 }
 # fmt: on

@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 from elementary_tools import BOUNDS, EXACT, same_bits, values, worst
-from hophoop.numerics import circular, elementwise
+from hophoop.kernel.numerics import circular, elementwise
 
 # Arguments whose result is next to a double or to the middle of two: V. Lefèvre and J.-M. Muller, Worst cases for correct
 # rounding of the elementary functions in double precision (2001), and J.-M. Muller, Elementary functions (2016), chapter 12.

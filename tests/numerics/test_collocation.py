@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev
 
-from hophoop._native.marks import source_of
-from hophoop.numerics import collocation as col
-from hophoop.numerics import roots as search
-from hophoop.panels import panel
+from hophoop.kernel.native.marks import source_of
+from hophoop.kernel.numerics import collocation as col
+from hophoop.kernel.numerics import roots as search
+from hophoop.kernel.panels import panel
 
 
 @pytest.mark.parametrize("size", [1e-8, 0.3, 1.0, 1.001, 20.0])

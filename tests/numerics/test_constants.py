@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop.compliant import tableau
-from hophoop.numerics import constants, generate
-from hophoop.panels.panel import SINES
+from hophoop.kernel.compliant import tableau
+from hophoop.kernel.numerics import constants, generate
+from hophoop.kernel.panels.panel import SINES
 
 POINTS = constants.NODES
 

@@ -10,7 +10,15 @@ import pytest
 
 from elementary_kernels import NAMES, ONE, TWO
 from elementary_tools import BOUNDS, interpreted_values, same_bits, values, worst
-from hophoop.numerics import arcs, circular, elementary_constants, elementwise, exponentials, generate_elementary, hyperbolic
+from hophoop.kernel.numerics import (
+    arcs,
+    circular,
+    elementary_constants,
+    elementwise,
+    exponentials,
+    generate_elementary,
+    hyperbolic,
+)
 
 INF, NAN = math.inf, math.nan
 MODULES = {name: module for module in (circular, arcs, exponentials, hyperbolic) for name in NAMES if hasattr(module, name)}
@@ -283,7 +291,7 @@ def test_the_generator_runs_in_a_fresh_process(tmp_path):
     made = tmp_path / "made.py"
     program = f"""
 from pathlib import Path
-from hophoop.numerics import generate_elementary
+from hophoop.kernel.numerics import generate_elementary
 generate_elementary.FILE = Path({str(made)!r})
 generate_elementary.main()
 """

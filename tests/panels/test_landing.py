@@ -8,8 +8,8 @@ import pytest
 from mpmath import mp, mpf
 from scipy.optimize import brentq
 
-from hophoop.panels import landing
-from hophoop.physics.body import Body
+from hophoop.kernel.panels import landing
+from hophoop.kernel.physics.body import Body
 
 
 class Case(NamedTuple):

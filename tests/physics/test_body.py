@@ -1,6 +1,6 @@
 """The codes of modes, events and ends: saved motions hold them as numbers, so that they can never change."""
 
-from hophoop.physics import body
+from hophoop.kernel.physics import body
 
 
 def test_codes_stay_as_files_have_them():

@@ -5,8 +5,8 @@ import math
 import pytest
 from scipy.integrate import solve_ivp
 
-from hophoop.physics import compliant
-from hophoop.physics.compliant import Compliance, FrictionLaw, NormalLaw
+from hophoop.kernel.physics import compliant
+from hophoop.kernel.physics.compliant import Compliance, FrictionLaw, NormalLaw
 
 MU_S, MU_K = 0.6, 0.4
 EXCESS = compliant.static_excess(MU_S, MU_K)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from hophoop.physics import contact
-from hophoop.physics.friction import utilization, utilizations
+from hophoop.kernel.physics import contact
+from hophoop.kernel.physics.friction import utilization, utilizations
 from newton_euler import BODIES, STATES, accelerations, responses
 
 CASES = [(body, *state) for body in BODIES for state in STATES]

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from hophoop.physics.energy import kinetic_energies, kinetic_energy, potential_energies, potential_energy
+from hophoop.kernel.physics.energy import kinetic_energies, kinetic_energy, potential_energies, potential_energy
 from newton_euler import BODIES, STATES, energy
 
 

@@ -5,7 +5,7 @@ import math
 import mpmath as mp
 import pytest
 
-from hophoop.physics.flight import MANY_TURNS, flight_displacement, flight_gap, flight_rates
+from hophoop.kernel.physics.flight import MANY_TURNS, flight_displacement, flight_gap, flight_rates
 from newton_euler import BODIES, STATES, accelerations
 
 CASES = [(body, *state, tau) for body in BODIES for state in STATES for tau in (0.05, 1.7)]

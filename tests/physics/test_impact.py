@@ -6,9 +6,9 @@ from fractions import Fraction as Q
 import pytest
 from scipy.optimize import brentq
 
-from hophoop.physics import impact
-from hophoop.physics.body import Body
-from hophoop.physics.painleve import exact_slip_stiffness
+from hophoop.kernel.physics import impact
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.painleve import exact_slip_stiffness
 from newton_euler import BODIES, STATES, responses
 from oracles import rational
 

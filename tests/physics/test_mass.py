@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.physics import mass
+from hophoop.kernel.physics import mass
 
 
 def table_of(hoop: hh.Hoop) -> np.ndarray:

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from hophoop.physics import modes
-from hophoop.physics.body import Body
+from hophoop.kernel.physics import modes
+from hophoop.kernel.physics.body import Body
 from newton_euler import accelerations, responses
 
 ROLL, SPIN, SKID, FLIGHT = modes.ROLL, modes.SPIN, modes.SKID, modes.FLIGHT

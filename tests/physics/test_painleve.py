@@ -6,7 +6,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.physics.painleve import exact_slip_stiffness, slip_coefficients, stiffness_slope
+from hophoop.kernel.physics.painleve import exact_slip_stiffness, slip_coefficients, stiffness_slope
 from newton_euler import BODIES
 from random_scenarios import draw_beside_a_border, scenario_of
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from hophoop.physics import contact, jets, modes, painleve, resistance
+from hophoop.kernel.physics import contact, jets, modes, painleve, resistance
 from newton_euler import BODIES, STATES, responses
 
 FS = (0.03, 0.4, 1.0)

@@ -13,8 +13,8 @@ from matplotlib.text import Text
 
 import hophoop as hh
 from hophoop import plots
-from hophoop.convergence import landing_scenario
-from hophoop.plots import compliant
+from hophoop.article import compliant_figures as compliant
+from hophoop.article.convergence import landing_scenario
 from hophoop.plots.curves import curve, phases, turning
 from hophoop.plots.marks import clusters
 from hophoop.vocabulary import colors

@@ -12,7 +12,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.physics.body import Mode
+from hophoop.kernel.physics.body import Mode
 from hophoop.precise import solve
 from hophoop.precise.contact import advance
 from hophoop.precise.jam import approach, ending

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.physics.resistance import most_resistance
+from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.precise.problem import Problem
 from hophoop.prove import check, prove, prove_box, thresholds
 from hophoop.prove.checker.equations import Equations

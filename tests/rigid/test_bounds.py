@@ -11,21 +11,21 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-import hophoop.simulation
+import hophoop.simulation.simulate
 from contact_tools import sines_of
-from hophoop import arbitration
-from hophoop._native import forced
-from hophoop.numerics import roots
-from hophoop.panels import landing
-from hophoop.panels.panel import LEVELS, RESOLVED
+from hophoop.kernel.native import forced
+from hophoop.kernel.numerics import roots
+from hophoop.kernel.panels import landing
+from hophoop.kernel.panels.panel import LEVELS, RESOLVED
+from hophoop.kernel.records.layout import MOST_PANELS, PANELS
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid import panel_choice
 from hophoop.precise import contact
 from hophoop.precise.motion import Run
 from hophoop.precise.problem import Problem
 from hophoop.precise.series import Work, work_of_step
-from hophoop.records.layout import MOST_PANELS
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid import panel_choice
+from hophoop.simulation import exact_start as arbitration
 
 MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)
 SMOOTH = hh.Plane(gravity=0.0)
@@ -176,7 +176,7 @@ def test_all_computations_share_one_budget(monkeypatch, allowed):
         contact=hh.Rigid(max_events=40),
     )
     spent, asked = [], []
-    expand, decide = contact.expand, hophoop.simulation.script_until
+    expand, decide = contact.expand, arbitration.script_until
 
     def counted(body, *others):
         spent.append(0.7 + (body.bits / 160.0) ** 3)
@@ -187,7 +187,7 @@ def test_all_computations_share_one_budget(monkeypatch, allowed):
         return decide(*arguments)
 
     monkeypatch.setattr(contact, "expand", counted)
-    monkeypatch.setattr(hophoop.simulation, "script_until", noted)
+    monkeypatch.setattr(arbitration, "script_until", noted)
     monkeypatch.setattr(arbitration, "ALL_STEPS", allowed)
     motion = hh.simulate(tied)
     assert asked
@@ -314,7 +314,7 @@ def test_a_panel_that_is_never_resolved_is_given_up(monkeypatch, omega):
     solved = solving(monkeypatch, lambda totals, _: totals._replace(tail=1.0))
     (panel, totals, level), scratch = choose(start_state(0.0, 0.0, 1.0, 0.0, 0.0, omega), hh.Scenario().to_body())
     assert totals.tail > RESOLVED
-    tried = scratch.written[2]
+    tried = scratch.counts[PANELS]
     if omega == 0.0:
         # halved from 0.4 rad until it is below the smallest
         assert len(solved) == tried == math.ceil(math.log2(panel_choice.FIRST_EXTENT / panel_choice.SMALLEST_EXTENT)) + 1

@@ -5,7 +5,7 @@ import math
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 
 
 @pytest.fixture(autouse=True)

@@ -7,18 +7,18 @@ import math
 import numpy as np
 
 import hophoop as hh
-from hophoop._native import compiled
-from hophoop.physics.body import Status
-from hophoop.records.layout import EVENT, MOST_PANELS, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.kernel import run
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.records.layout import EVENT, MOST_PANELS, PANEL_LIMIT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.run import run
 
 
 def test_a_budget_of_few_panels_gives_the_run_so_far() -> None:
     scenario, scratch = hh.Scenario(), new_scratch()
-    assert scratch.written[3] == MOST_PANELS
-    scratch.written[3] = 20
+    assert scratch.counts[PANEL_LIMIT] == MOST_PANELS
+    scratch.counts[PANEL_LIMIT] = 20
     whole = hh.simulate(scenario)
     unit = whole.units.time
     start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * unit)

@@ -9,12 +9,13 @@ import pytest
 
 import hophoop as hh
 from contact_tools import body_of, events_of, log_of, phase_at, sliding, state_of
-from hophoop.physics.body import Event, Mode, Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.rigid import contact_phase, panel_events
-from hophoop.rigid.kernel import run
-from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, limits_of
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.rigid import contact_phase
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, limits_of
+from hophoop.kernel.rigid.run import run
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 
@@ -25,19 +26,19 @@ ROLL, SPIN, SKID, FLIGHT = (contact_phase.ROLL, contact_phase.SPIN, contact_phas
 def test_rolling_that_cannot_be_followed_ends_in_doubt():
     log, scratch = log_of()
     state = state_of(1.0, 0.5)._replace(t=3.0)
-    after = contact_phase.after_rolling(body_of(), phase_at(ROLL, state), contact_phase.STUCK, state, log, scratch)
-    assert (after.mode, after.what, after.status) == (ROLL, contact_phase.STUCK, Status.UNDETERMINED)
+    after = contact_phase.after_rolling(body_of(), phase_at(ROLL, state), Ending.SEARCH_LIMIT, state, log, scratch)
+    assert (after.mode, after.what, after.status) == (ROLL, Ending.SEARCH_LIMIT, Status.UNDETERMINED)
     assert scratch.doubt.tolist() == [3.0, 3.0]
     assert events_of(log) == []
 
 
 @pytest.mark.parametrize(
     ("what", "om", "mode"),
-    [("CONE_AHEAD", 0.5, SPIN), ("CONE_BACK", 0.5, SKID), ("CONE_AHEAD", 2.0, FLIGHT), ("CONE_BACK", 2.0, FLIGHT)],
+    [("CONE_FORWARD", 0.5, SPIN), ("CONE_BACKWARD", 0.5, SKID), ("CONE_FORWARD", 2.0, FLIGHT), ("CONE_BACKWARD", 2.0, FLIGHT)],
 )
 def test_after_rolling_that_needs_all_friction_it_slips_against_it_or_flies(what, om, mode):
     """It flies where ε θ̇² > g at the top; v_t begins with its second derivative where the friction is the same in slip."""
-    what = getattr(panel_events, what)
+    what = Ending[what]
     state = state_of(0.0, om)._replace(t=3.0)
     for mu_k, zeros in ((0.5, 2), (0.25, 1)):
         log, scratch = log_of()
@@ -61,8 +62,8 @@ def test_rolling_ends_on_the_cone_where_a_panel_does_not_resolve_the_forces(star
 def test_slip_that_lifts_off_flies(mode):
     log, scratch = log_of()
     state = state_of(0.0, 2.0, 1.0 if mode == SKID else -1.0)
-    after = contact_phase.after_slip(body_of(), phase_at(mode, state), contact_phase.LIFT, state, log, scratch)
-    assert (after.mode, after.what, after.status, after.zeros) == (FLIGHT, contact_phase.LIFT, -1, 3)
+    after = contact_phase.after_slip(body_of(), phase_at(mode, state), Ending.LIFT_OFF, state, log, scratch)
+    assert (after.mode, after.what, after.status, after.zeros) == (FLIGHT, Ending.LIFT_OFF, -1, 3)
     assert events_of(log) == [(Event.TAKEOFF, mode, FLIGHT)]
 
 
@@ -70,8 +71,8 @@ def test_slip_that_lifts_off_flies(mode):
 def test_slip_that_ends_rolls_where_it_can(mode):
     log, scratch = log_of()
     state = state_of(3.0, 0.5)
-    after = contact_phase.after_slip(body_of(), phase_at(mode, state), contact_phase.STOP, state, log, scratch)
-    assert (after.mode, after.what, after.status, after.bounce) == (ROLL, contact_phase.STOP, -1, 0.75)
+    after = contact_phase.after_slip(body_of(), phase_at(mode, state), Ending.SLIP_END, state, log, scratch)
+    assert (after.mode, after.what, after.status, after.bounce) == (ROLL, Ending.SLIP_END, -1, 0.75)
     assert events_of(log) == [(Event.STICK, mode, ROLL)]
 
 
@@ -93,17 +94,17 @@ def test_where_rolling_turns_it_rests_rolls_back_or_slips(side):
     assert (after.mode, after.status, after.state.t) == (ROLL, Status.AT_REST, 8.0)
     assert events == [(Event.REST, ROLL, ROLL)]
     after, events = turned(ROLL, side * 1.0, **resist)
-    assert (after.mode, after.status, after.what, after.level, after.begins) == (ROLL, -1, contact_phase.TURNED, 7, False)
+    assert (after.mode, after.status, after.what, after.level, after.begins) == (ROLL, -1, Ending.TURNING_POINT, 7, False)
     assert events == [(Event.TURN, ROLL, ROLL)]
     after, events = turned(ROLL, side * 1.0, stop=STOP_AT_TURN, **resist)
-    assert (after.mode, after.status, after.what) == (ROLL, Status.COMPLETED, contact_phase.TURNED)
+    assert (after.mode, after.status, after.what) == (ROLL, Status.COMPLETED, Ending.TURNING_POINT)
     assert events == [(Event.TURN, ROLL, ROLL)]
     slip = SPIN if side > 0.0 else SKID
     after, events = turned(ROLL, side * 1.0, mu=0.125, **resist)
-    assert (after.mode, after.status, after.what, after.begins, after.bounce) == (slip, -1, contact_phase.TURNED, True, 0.75)
+    assert (after.mode, after.status, after.what, after.begins, after.bounce) == (slip, -1, Ending.TURNING_POINT, True, 0.75)
     assert events == [(Event.TURN, ROLL, ROLL), (Event.SLIP_START, ROLL, slip)]
     after, events = turned(ROLL, side * 1.0, mu=0.125, stop=STOP_AT_TURN, **resist)
-    assert (after.mode, after.status, after.what) == (ROLL, Status.COMPLETED, contact_phase.TURNED)
+    assert (after.mode, after.status, after.what) == (ROLL, Status.COMPLETED, Ending.TURNING_POINT)
     assert events == [(Event.TURN, ROLL, ROLL)]
 
 
@@ -112,7 +113,7 @@ def test_where_slip_turns_it_goes_on(sigma):
     mode = SKID if sigma > 0 else SPIN
     for stop, status in ((0, -1), (STOP_AT_TURN, Status.COMPLETED)):
         after, events = turned(mode, 2.0, 0.5 * sigma, stop, rolling_resistance=0.125)
-        assert (after.mode, after.status, after.what) == (mode, status, contact_phase.TURNED)
+        assert (after.mode, after.status, after.what) == (mode, status, Ending.TURNING_POINT)
         assert events == [(Event.TURN, mode, mode)]
 
 
@@ -125,7 +126,7 @@ def test_slip_without_rotation_that_stops_on_a_slope_turns_round(sigma):
     limits = limits_of(phase.state, 50.0, math.nan, 0)
     log, scratch = log_of()
     after = contact_phase.still_step(body, phase, phase.state, limits, log, scratch)
-    assert (after.mode, after.what, after.status) == (other, contact_phase.STOP, -1)
+    assert (after.mode, after.what, after.status) == (other, Ending.SLIP_END, -1)
     assert events_of(log) == [(Event.SLIP_REVERSAL, mode, other)]
 
 
@@ -133,11 +134,11 @@ def test_the_massless_hoop_skims_where_rolling_has_no_force_left():
     """And one with inertia 1 slips."""
     state = state_of(1.0, 0.5)
     log, scratch = log_of()
-    after = contact_phase.after_rolling(body_of(1.0), phase_at(ROLL, state), panel_events.CONE_AHEAD, state, log, scratch)
+    after = contact_phase.after_rolling(body_of(1.0), phase_at(ROLL, state), Ending.CONE_FORWARD, state, log, scratch)
     assert (after.mode, events_of(log)) == (int(Mode.SKIM), [(Event.SKIM, ROLL, Mode.SKIM)])
     log, scratch = log_of()
     heavy = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=1.0), plane=hh.Plane(mu=0.5)).to_body()
-    after = contact_phase.after_rolling(heavy, phase_at(ROLL, state), panel_events.CONE_AHEAD, state, log, scratch)
+    after = contact_phase.after_rolling(heavy, phase_at(ROLL, state), Ending.CONE_FORWARD, state, log, scratch)
     assert (after.mode, events_of(log)) == (SPIN, [(Event.SLIP_START, ROLL, SPIN)])
 
 

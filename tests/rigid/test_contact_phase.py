@@ -12,17 +12,17 @@ from scipy.integrate import solve_ivp
 
 import hophoop as hh
 from contact_tools import STARTED, body_of, sines_of, state_of
-from hophoop._native import forced
-from hophoop.numerics.collocation import ORDER, lagrange
-from hophoop.numerics.constants import NODES
-from hophoop.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
-from hophoop.panels.panel import ARRIVE, LEAVE, LINEAR
-from hophoop.physics.body import Event, Status
-from hophoop.physics.resistance import forces_rolling
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.rigid import contact_phase
-from hophoop.rigid.kernel import run
+from hophoop.kernel.native import forced
+from hophoop.kernel.numerics.collocation import ORDER, lagrange
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.resistance import forces_rolling
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.rigid import contact_phase
+from hophoop.kernel.rigid.run import run
 from newton_euler import accelerations
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel

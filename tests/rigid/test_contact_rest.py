@@ -8,12 +8,13 @@ import pytest
 
 import hophoop as hh
 from contact_tools import STARTED, body_of, log_of, sliding, state_of
-from hophoop.panels.panel import HOLD
-from hophoop.physics.body import Event, Status
-from hophoop.physics.resistance import torque_at_rest
-from hophoop.rigid import contact_phase
-from hophoop.rigid.limits import limits_of
-from hophoop.rigid.phase import Phase
+from hophoop.kernel.panels.panel import HOLD
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.resistance import torque_at_rest
+from hophoop.kernel.rigid import contact_phase
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.rigid.phase import Phase
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 
@@ -43,7 +44,7 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     stops = at_stop >= 1.0
     tau = until if stops else 0.5 * until
     slid = 1.5 * sigma * tau + 0.5 * rate * tau * tau
-    assert what == (contact_phase.STOP if stops else contact_phase.LIMIT)
+    assert what == (Ending.SLIP_END if stops else Ending.TIME_LIMIT)
     assert after.t + after.t_low == pytest.approx(state.t + tau, rel=1e-15)
     if not stops:
         assert (after.t, after.t_low) == (t_end, 0.0)
@@ -53,7 +54,7 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     assert after[4:8] == state[4:8]
     assert (after.y, after.vn, after.om) == (0.0, 0.0, 0.0)
     assert (after.impact_n, after.impact_t, after.resisted) == (0.25, 0.375, 0.5)
-    assert log.written[:2].tolist() == [0, 1]
+    assert log.counts[:2].tolist() == [0, 1]
     row = log.segments[0]
     assert (row["t"], row["t_end"], row["mode"], row["sigma"], row["kind"]) == (state.t, after.t, phase.mode, sigma, HOLD)
     assert (row["opening"], row["xi"], row["way"]) == (rate, 0.0, 0.0)
@@ -96,10 +97,10 @@ def test_rest_is_written_as_an_event_and_lasts_to_the_end_of_time(th, stable):
     phase = Phase(contact_phase.ROLL, state, False, 0, 0.0, 5, 0.75, 0, -1)
     limits = limits_of(state, 8.0, math.nan, 0)
     after = contact_phase.still_step(body_of(), phase, state, limits, log, scratch)
-    assert (after.mode, after.what, after.status) == (contact_phase.ROLL, contact_phase.STILL, Status.AT_REST)
+    assert (after.mode, after.what, after.status) == (contact_phase.ROLL, Ending.REST, Status.AT_REST)
     assert after.state == state._replace(t=8.0, t_low=0.0)
     assert (after.bounce, after.begins) == (0.75, False)
-    assert log.written[:2].tolist() == [1, 1]
+    assert log.counts[:2].tolist() == [1, 1]
     event, row = log.events[0], log.segments[0]
     assert (event["kind"], event["t"], event["stable"], event["gain"]) == (Event.REST, 3.0, stable, 0.0)
     assert (event["before_mode"], event["after_mode"]) == (contact_phase.ROLL, contact_phase.ROLL)
@@ -116,12 +117,12 @@ def test_after_slip_without_rotation_comes_what_the_mode_rule_says(sigma, gamma)
     limits = limits_of(phase.state, 50.0, math.nan, 0)
     log, scratch = log_of()
     after = contact_phase.still_step(body, phase, phase.state, limits, log, scratch)
-    assert (after.mode, after.what, after.status, after.bounce) == (contact_phase.ROLL, contact_phase.STOP, -1, 0.75)
+    assert (after.mode, after.what, after.status, after.bounce) == (contact_phase.ROLL, Ending.SLIP_END, -1, 0.75)
     assert after.begins
     assert after.state.t == pytest.approx(6.0, rel=1e-15)
     assert log.events[:1][["kind", "before_mode", "after_mode"]].tolist() == [(Event.STICK, phase.mode, contact_phase.ROLL)]
     over = contact_phase.still_step(body, phase, phase.state, limits._replace(t_end=4.0), *log_of())
-    assert (over.mode, over.what, over.status) == (phase.mode, contact_phase.LIMIT, Status.COMPLETED)
+    assert (over.mode, over.what, over.status) == (phase.mode, Ending.TIME_LIMIT, Status.COMPLETED)
 
 
 @pytest.mark.parametrize("slope", [0.0, *(0.05 * k for k in range(-17, 18) if k)])

@@ -10,13 +10,13 @@ import pytest
 from numpy.polynomial import chebyshev
 
 import hophoop as hh
-from hophoop.numerics.constants import NODES
-from hophoop.numerics.roots import NOT_FOUND
-from hophoop.panels.panel import A, B
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
-from hophoop.rigid.panel_events import fall_of
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.roots import NOT_FOUND
+from hophoop.kernel.panels.panel import A, B
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
+from hophoop.kernel.rigid.panel_events import fall_of
 from newton_euler import accelerations
 
 SCRATCH = new_scratch()

@@ -12,14 +12,14 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop._native import compiled
-from hophoop.numerics import double_angles, double_double
-from hophoop.panels.anchor import separatrix, separatrix_value, slip_hilltop
-from hophoop.physics.body import Event
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.kernel import run
+from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics import double_angles, double_double
+from hophoop.kernel.panels.anchor import separatrix, separatrix_value, slip_hilltop
+from hophoop.kernel.physics.body import Event
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.run import run
 from oracles import elliptic
 from oracles.cases import rolling
 

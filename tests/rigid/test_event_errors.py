@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
-from hophoop.rigid import errors
+from hophoop.kernel.native import forced
+from hophoop.kernel.rigid import errors
 
 ROUNDING = 4e-16
 RING = hh.Hoop(eccentricity=0.0, inertia_ratio=1.0)  # with radius, mass and gravity 1, all units are 1

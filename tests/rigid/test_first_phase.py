@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.physics.body import Event, Mode, Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state, with_velocities
-from hophoop.rigid import flight_phase
-from hophoop.rigid.kernel import run
-from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state, with_velocities
+from hophoop.kernel.rigid import flight_phase
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.rigid.run import run
 
 NOWHERE = -1  # the mode before a start on the plane
 

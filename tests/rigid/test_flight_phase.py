@@ -9,17 +9,17 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.panels.panel import FLY
-from hophoop.physics.body import Event, Mode, Status
-from hophoop.physics.energy import kinetic_energies, potential_energies
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log
-from hophoop.rigid import flight_phase
-from hophoop.rigid.limits import STOP_AT_TAKEOFF, limits_of
-from hophoop.rigid.panel_events import FULL_ANGLE, LIMIT, STOP
-from hophoop.rigid.phase import entered
+from hophoop.kernel.panels.panel import FLY
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.energy import kinetic_energies, potential_energies
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log
+from hophoop.kernel.rigid import flight_phase
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, limits_of
+from hophoop.kernel.rigid.phase import entered
 
 
 def body_of(gamma=0.75, **plane):
@@ -44,8 +44,8 @@ def fly(body, state, given, zeros=0):
     log, scratch = tables()
     opening = 0.0 if zeros == 3 else body.eps * state.om**2 * math.cos(state.th) - body.gn
     what, after = flight_phase.fly(body, state, opening, zeros, given, log)
-    assert scratch.written[1] == 1
-    return what, after, log.events[: scratch.written[0]], log.segments[0]
+    assert scratch.counts[SEGMENTS] == 1
+    return what, after, log.events[: scratch.counts[EVENTS]], log.segments[0]
 
 
 def thrown(body, state, tau):
@@ -71,14 +71,14 @@ def check_end(body, state, after, tau):
 def test_a_flight_ends_in_time_or_by_its_angle_or_on_the_plane(om, slope):
     body, state = body_of(slope=slope), state_of(y=0.5, vt=0.25, vn=1.0, om=om, time=2.0)
     what, after, apexes, _ = fly(body, state, limits(state, 2.75))
-    assert (what, after.t, after.t_low) == (LIMIT, 2.75, 0.0)
+    assert (what, after.t, after.t_low) == (Ending.TIME_LIMIT, 2.75, 0.0)
     check_end(body, state, after, 0.75)
     what, after, _, _ = fly(body, state, limits(state, 9.0, 0.25))
-    assert (what, after.turns, after.th) == (FULL_ANGLE, 0.0, 0.5 + math.copysign(0.25, om))
+    assert (what, after.turns, after.th) == (Ending.ANGLE_LIMIT, 0.0, 0.5 + math.copysign(0.25, om))
     check_end(body, state, after, 0.25 / abs(om))
-    assert fly(body, state, limits(state, 2.0 + 0.2 / abs(om), 0.25))[0] == LIMIT
+    assert fly(body, state, limits(state, 2.0 + 0.2 / abs(om), 0.25))[0] == Ending.TIME_LIMIT
     what, after, apexes, segment = fly(body, state, limits(state, 9.0, 100.0))
-    assert what == STOP
+    assert what == Ending.LANDING
     assert after.y == 0.0
     assert after.vn < 0.0
     check_end(body, state, after, after.t - 2.0)
@@ -96,7 +96,7 @@ def test_a_flight_ends_in_time_or_by_its_angle_or_on_the_plane(om, slope):
 def test_without_rotation_a_span_ends_nothing():
     state = state_of(y=0.5)
     what, after, apexes, _ = fly(body_of(), state, limits(state, 9.0, 0.25))
-    assert (what, len(apexes)) == (STOP, 0)
+    assert (what, len(apexes)) == (Ending.LANDING, 0)
     assert after.t == pytest.approx(1.0, rel=1e-15)  # g t²/2 of R/2
 
 
@@ -107,7 +107,7 @@ def test_a_flight_that_begins_beyond_the_span_takes_no_time(om):
     given = limits(start, 9.0, 0.25)
     state = start._replace(th=0.5 + math.copysign(0.25 + 1e-15, om))
     what, after, _, _ = fly(body_of(), state, given)
-    assert (what, after.t, after.y) == (FULL_ANGLE, 0.0, 0.5)
+    assert (what, after.t, after.y) == (Ending.ANGLE_LIMIT, 0.0, 0.5)
 
 
 @pytest.mark.parametrize("rise", [0.0, 1e-20])
@@ -115,7 +115,7 @@ def test_a_hop_of_nothing_lands_where_it_begins_and_never_upwards(rise):
     """Where rounding leaves no opening gap after a lift-off, the rim is on the plane at once."""
     state = state_of(vn=rise, time=1.0)
     what, after, apexes, _ = fly(body_of(), state, limits(state), 3)
-    assert (what, after.t, after.y, after.vn, after.th) == (STOP, 1.0, 0.0, 0.0, 0.5)
+    assert (what, after.t, after.y, after.vn, after.th) == (Ending.LANDING, 1.0, 0.0, 0.0, 0.5)
     assert len(apexes) == 0
 
 
@@ -132,7 +132,7 @@ def test_a_flight_whose_angle_time_cannot_tell_keeps_its_energy(om, way):
     for angle in (0.5, 1.0, 2.0):
         state = state_of(way * angle, y=2.0, vt=way * 1e4, vn=1e6 + body.eps * om * math.sin(angle), om=way * om)
         what, after, apexes, _ = fly(body, state, limits(state, 1e12))
-        assert (what, after.y) == (STOP, 0.0)
+        assert (what, after.y) == (Ending.LANDING, 0.0)
         assert after.vn <= 0.0
         assert len(apexes) == 1 or om == 1e10  # with two numbers of time a turn, it need not be seen
         begin, end = (
@@ -164,9 +164,9 @@ def test_at_the_angle_at_which_the_rim_approaches_the_centre_of_gravity_stays(an
 def step(state, stop, restitution=0.0):
     body = body_of(restitution=restitution)
     log, scratch = tables()
-    phase = entered(body, int(Mode.FLIGHT), state, 0.125, STOP, scratch)
+    phase = entered(body, int(Mode.FLIGHT), state, 0.125, Ending.LANDING, scratch)
     after = flight_phase.flight_step(body, phase, limits(state, 9.0, stop=stop), log, scratch)
-    return after, log.events["kind"][: scratch.written[0]].tolist()
+    return after, log.events["kind"][: scratch.counts[EVENTS]].tolist()
 
 
 @pytest.mark.parametrize("time", [0.0, 1e-9, 0.5, 1.5])
@@ -185,5 +185,5 @@ def test_a_landing_gives_the_bounce_that_the_next_is_compared_with(restitution):
     after, kinds = step(state_of(y=0.5), 0, restitution)
     assert kinds == [Event.IMPACT]
     assert after.bounce == after.state.vn == pytest.approx(restitution)  # it comes with √(2 g R/2)
-    assert after.what == STOP
+    assert after.what == Ending.LANDING
     assert after.begins

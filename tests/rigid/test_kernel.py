@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.physics.body import Event, Mode, Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log
-from hophoop.rigid import kernel
-from hophoop.rigid.panel_choice import START_LEVEL
-from hophoop.rigid.panel_events import ON, STOP
-from hophoop.rigid.phase import GOING, Phase
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.records.layout import EVENT, EVENTS, PANEL_LIMIT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log
+from hophoop.kernel.rigid import run as kernel
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.panel_choice import START_LEVEL
+from hophoop.kernel.rigid.phase import GOING, Phase
 
 NOWHERE = -1  # the mode before a start on the plane
 
@@ -34,7 +34,7 @@ def begin(body, state):
     """(first phase, events as (kind, mode before, mode after))."""
     events, scratch = np.zeros(20, EVENT), new_scratch()
     phase = kernel.begin(body, state, new_log(events, np.empty(0, SEGMENT), scratch), scratch)
-    return phase, [tuple(map(int, row)) for row in events[["kind", "before_mode", "after_mode"]][: scratch.written[0]]]
+    return phase, [tuple(map(int, row)) for row in events[["kind", "before_mode", "after_mode"]][: scratch.counts[EVENTS]]]
 
 
 @pytest.mark.parametrize(
@@ -55,7 +55,7 @@ def test_of_a_massless_hoop_that_does_not_roll_nothing_is_said(given, before, mo
     phase, events = begin(body_of(1.0), state)
     assert events == [(Event.START, before, mode)]
     assert (phase.mode, phase.state, phase.begins, phase.bounce) == (mode, state, False, 0.0)
-    assert (phase.what, phase.status) == (ON, Status.UNDETERMINED)
+    assert (phase.what, phase.status) == (Ending.CONTINUES, Status.UNDETERMINED)
 
 
 @pytest.mark.parametrize(
@@ -77,7 +77,7 @@ def test_a_massless_hoop_rolls_or_skims_from_the_start(angle, om, mode, status):
     phase, events = begin(body_of(1.0), state)
     skim = [(Event.SKIM, Mode.ROLL, Mode.SKIM)] if mode == Mode.SKIM else []
     assert events == [(Event.START, NOWHERE, Mode.ROLL), *skim]
-    assert phase == Phase(mode, state, status == GOING, 1, 0.0, START_LEVEL, 0.0, ON, status)
+    assert phase == Phase(mode, state, status == GOING, 1, 0.0, START_LEVEL, 0.0, Ending.CONTINUES, status)
 
 
 @pytest.mark.parametrize("height", [1e-300, 1e-260])
@@ -94,7 +94,13 @@ def test_a_thrown_hoop_flies_at_first(given):
     state = state_of(0.5, om=1.0, **given)
     phase, events = begin(body_of(), state)
     assert events == [(Event.START, Mode.FLIGHT, Mode.FLIGHT)]
-    assert (phase.mode, phase.state, phase.bounce, phase.what, phase.status) == (Mode.FLIGHT, state, 0.0, ON, GOING)
+    assert (phase.mode, phase.state, phase.bounce, phase.what, phase.status) == (
+        Mode.FLIGHT,
+        state,
+        0.0,
+        Ending.CONTINUES,
+        GOING,
+    )
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5])
@@ -104,7 +110,7 @@ def test_a_hoop_thrown_at_the_plane_strikes_it_at_once(restitution):
     assert [kind for kind, _, _ in events] == [Event.START, Event.IMPACT]
     assert phase.state.impact_n > 0.0
     assert phase.bounce == phase.state.vn == pytest.approx(restitution * 0.5)
-    assert phase.what == STOP
+    assert phase.what == Ending.LANDING
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
@@ -124,14 +130,14 @@ def test_a_hoop_on_the_plane_begins_in_the_mode_that_the_rule_gives(given, mode)
     """At the top θ̇² ε > g throws the rim up: 9 · 0.75 of g."""
     phase, events = begin(body_of(), state_of(0.0, **given))
     assert events == [(Event.START, NOWHERE, mode)]
-    assert (phase.mode, phase.begins, phase.bounce, phase.what, phase.status) == (mode, True, 0.0, ON, GOING)
+    assert (phase.mode, phase.begins, phase.bounce, phase.what, phase.status) == (mode, True, 0.0, Ending.CONTINUES, GOING)
 
 
 def run(events=100, segments=1000, t_end=4.0, panels=None, script=None):
     """(status, events, segments) of a hoop that rolls, slips, hops and lands."""
     tables, scratch = (np.zeros(events, EVENT), np.zeros(segments, SEGMENT)), new_scratch()
     if panels is not None:
-        scratch.written[3] = panels
+        scratch.counts[PANEL_LIMIT] = panels
     script = tables[0][:0] if script is None else script
     found = kernel.run(body_of(), state_of(0.0, om=3.1 / math.sqrt(9.81)), t_end, math.nan, 0, *tables, scratch, script)
     return found, tables[0], tables[1]

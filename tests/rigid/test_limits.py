@@ -7,8 +7,8 @@ import math
 import pytest
 from mpmath import mp, mpf
 
-from hophoop.records.state import start_state
-from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, angle_left, at_span, limits_of
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, angle_left, at_span, limits_of
 
 EXACT_TURN = 2.0 * math.pi
 

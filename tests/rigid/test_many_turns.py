@@ -11,11 +11,11 @@ import pytest
 
 import hophoop as hh
 from bits_tools import event_rows
-from hophoop._native import forced
-from hophoop.numerics.double_double import PI, nearest_whole, turns_and_rest
-from hophoop.panels.landing import from_top
-from hophoop.records.state import start_state
-from hophoop.rigid import kernel
+from hophoop.kernel.native import forced
+from hophoop.kernel.numerics.double_double import PI, nearest_whole, turns_and_rest
+from hophoop.kernel.panels.landing import from_top
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid import run as kernel
 
 # Each runs away on a steep slope. The compiled kernel counted whole turns in 64 bits: time ran backward at the last flight.
 AWAY = [

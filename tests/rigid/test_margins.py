@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.physics.body import Mode
-from hophoop.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.rigid.margins import MARGINS, margins_of
 from newton_euler import BODIES, STATES, accelerations, responses
 
 

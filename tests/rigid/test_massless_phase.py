@@ -10,17 +10,17 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.panels.panel import FLY, SKIMMING
-from hophoop.physics.body import Event, Mode, Status
-from hophoop.physics.modes import UNDECIDED
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log
-from hophoop.rigid import massless_phase
-from hophoop.rigid.limits import limits_of
-from hophoop.rigid.panel_events import LIMIT, STOP
-from hophoop.rigid.phase import GOING, entered
+from hophoop.kernel.panels.panel import FLY, SKIMMING
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.modes import UNDECIDED
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log
+from hophoop.kernel.rigid import massless_phase
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.rigid.phase import GOING, entered
 
 
 def body_of(mu=0.5, restitution=0.0, gravity=9.81):
@@ -41,7 +41,7 @@ def let_go(body, state):
     """(mode, state, events)."""
     log, scratch = tables()
     mode, after = massless_phase.let_go(body, state, log)
-    return mode, after, log.events[: scratch.written[0]]
+    return mode, after, log.events[: scratch.counts[EVENTS]]
 
 
 @pytest.mark.parametrize("angle", [0.5, 2.0, 3.0, -0.5, -2.0, -3.0])
@@ -83,7 +83,7 @@ def skim(body, state, t_end):
     """(whether it strikes, state, v_n of the load, segment)."""
     log, scratch = tables()
     strikes, after, vn = massless_phase.skim(body, state, t_end, log)
-    assert scratch.written[:2].tolist() == [0, 1]
+    assert scratch.counts[:2].tolist() == [0, 1]
     return strikes, after, vn, log.segments[0]
 
 
@@ -159,10 +159,10 @@ def test_without_gravity_a_load_at_rest_never_strikes():
 
 def step(body, state, t_end=99.0):
     log, scratch = tables()
-    phase = entered(body, int(Mode.SKIM), state, 0.125, STOP, scratch)
+    phase = entered(body, int(Mode.SKIM), state, 0.125, Ending.LOAD_STRIKE, scratch)
     given = limits_of(state, t_end, math.nan, 0)
     after = massless_phase.skim_step(body, phase, given, log, scratch)
-    return phase, after, log.events[: scratch.written[0]], log.segments[: scratch.written[1]]
+    return phase, after, log.events[: scratch.counts[EVENTS]], log.segments[: scratch.counts[SEGMENTS]]
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -192,7 +192,7 @@ def test_the_blow_is_that_of_a_particle_with_friction(side, restitution, mu, spe
     losses = [after.state.friction, after.state.impact_n, after.state.impact_t]
     assert losses == pytest.approx([0.25, 0.5 + 0.5 * v_n**2, 0.75 + 0.5 * (speed**2 - left**2)], rel=1e-13)
     assert (after.state.vt, after.state.vn, after.state.om) == (blow["slip"], 0.0, 0.0)
-    assert (after.mode, after.what, after.bounce) == (mode, STOP, 0.125)
+    assert (after.mode, after.what, after.bounce) == (mode, Ending.LOAD_STRIKE, 0.125)
     assert (after.status, after.begins) == ((Status.UNDETERMINED, False) if restitution else (GOING, True))
     if restitution:
         end = segments[1]
@@ -203,5 +203,5 @@ def test_the_blow_is_that_of_a_particle_with_friction(side, restitution, mu, spe
 
 def test_a_fall_that_is_not_over_ends_the_motion():
     phase, after, events, segments = step(body_of(), state_of(2.0), 0.5)
-    assert (after.mode, after.state.t, after.what, after.status) == (Mode.SKIM, 0.5, LIMIT, Status.COMPLETED)
+    assert (after.mode, after.state.t, after.what, after.status) == (Mode.SKIM, 0.5, Ending.TIME_LIMIT, Status.COMPLETED)
     assert (len(events), len(segments), after.bounce) == (0, 1, phase.bounce)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 from hophoop.precise import solve
 from random_scenarios import draw_beside_a_border, scenario_of
 

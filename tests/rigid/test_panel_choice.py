@@ -11,11 +11,12 @@ from scipy.optimize import brentq
 
 import hophoop as hh
 from contact_tools import sines_of
-from hophoop.panels.anchor import FREE, ROLLING, SLIPPING
-from hophoop.panels.panel import ARRIVE, LEAVE, LINEAR, Begin, leaving_panel, linear_panel
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid import panel_choice
+from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, Begin, leaving_panel, linear_panel
+from hophoop.kernel.records.layout import PANELS
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid import panel_choice
 from newton_euler import accelerations
 
 RESOLVED = 2e-13
@@ -323,7 +324,7 @@ def chosen(body, sigma, state, level):
     """(panel, totals, level of the next one, how many were tried)."""
     scratch = new_scratch()
     panel, totals, after = panel_choice.choose_panel(body, sigma, state, *sines_of(state), level, scratch)
-    return panel, totals, after, scratch.written[2]
+    return panel, totals, after, scratch.counts[PANELS]
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])

@@ -11,14 +11,14 @@ from scipy.optimize import brentq, minimize_scalar
 
 import hophoop as hh
 from contact_tools import sines_of
-from hophoop.numerics.constants import NODES
-from hophoop.numerics.roots import NOT_FOUND
-from hophoop.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid import panel_choice, panel_events
-from hophoop.rigid.limits import limits_of
-from hophoop.rigid.phase import opening_of
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.roots import NOT_FOUND
+from hophoop.kernel.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid import panel_choice, panel_events
+from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.rigid.phase import opening_of
 from newton_euler import accelerations
 
 SCRATCH = new_scratch()

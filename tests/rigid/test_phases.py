@@ -7,7 +7,7 @@ import pytest
 
 import hophoop as hh
 from hophoop import article
-from hophoop._native import forced
+from hophoop.kernel.native import forced
 from random_scenarios import draw
 
 
@@ -114,7 +114,7 @@ def test_phases_before_those_of_more_digits_are_explained(speed):
 def test_a_motion_without_doubts_is_not_computed_twice(monkeypatch):
     scenario = hh.Scenario(duration=2.0)
     assert math.isinf(hh.simulate(scenario).doubt)
-    monkeypatch.setattr("hophoop.explanation.script_of", None)
+    monkeypatch.setattr("hophoop.simulation.phases.script_of", None)
     assert [phase.mode for phase in hh.phases(scenario)] == list("RKRSHR")
 
 

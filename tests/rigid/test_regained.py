@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.panels.anchor import SLIPPING, Anchor, frictionless_value
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log
-from hophoop.rigid import contact_phase
-from hophoop.rigid.limits import limits_of
-from hophoop.rigid.panel_events import LIMIT
-from hophoop.rigid.phase import Phase
+from hophoop.kernel.panels.anchor import SLIPPING, Anchor, frictionless_value
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log
+from hophoop.kernel.rigid import contact_phase
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.rigid.phase import Phase
 
 
 @pytest.mark.parametrize("om", [0.25, -0.25])
@@ -44,7 +44,7 @@ def test_what_is_conserved_sets_a_lost_rate_of_turning_right(off, regains, sigma
     limits = limits_of(state, 0.125, math.nan, 0)
     what, after, _ = contact_phase.advance_contact(body, phase, False, limits, log, new_scratch())
     first = log.segments[0]
-    assert (what, after.t, first["t"]) == (LIMIT, 0.125, 0.0)
+    assert (what, after.t, first["t"]) == (Ending.TIME_LIMIT, 0.125, 0.0)
     assert first["omega"] == (pytest.approx(right, rel=1e-15) if regains else lost)
     assert first["u"] == pytest.approx(right**2, rel=1e-14)
     along = [at.vt + at.om * (1.0 + 0.75 * math.cos(at.th)) for at in (state, after)]

@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop.physics.resistance import most_resistance, stiffness_slipping
+from hophoop.kernel.physics.resistance import most_resistance, stiffness_slipping
 from hophoop.precise.agreement import compare
 from oracle_program import simulate
 from oracles import resistance

@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._native import forced
-from hophoop.numerics.constants import NODES
-from hophoop.panels.panel import FLY, HOLD, SKIMMING
-from hophoop.physics.body import Mode
-from hophoop.records.layout import SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.rigid.sampling import COLUMNS, contact_force, find_segment, place_on_panel, sample
+from hophoop.kernel.native import forced
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.records.layout import SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.kernel.rigid.sampling import contact_force, find_segment, place_on_panel, sample
 from newton_euler import accelerations
 from random_scenarios import draw, scenario_of
 

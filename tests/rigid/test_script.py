@@ -9,17 +9,18 @@ import pytest
 
 import hophoop as hh
 from bits_tools import kept_scenarios
-from hophoop.panels.anchor import FREE, ROLLING
-from hophoop.panels.panel import FLY, HOLD
-from hophoop.physics.body import Event, Mode
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log, note
-from hophoop.rigid import script as scripts
-from hophoop.rigid.kernel import run
-from hophoop.rigid.sampling import COLUMNS, sample
-from hophoop.simulation import segments_of_script
+from hophoop.kernel.panels.anchor import FREE, ROLLING
+from hophoop.kernel.panels.panel import FLY, HOLD
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log, note
+from hophoop.kernel.rigid import script as scripts
+from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.sampling import sample
+from hophoop.simulation.simulate import segments_of_script
 
 # (hoop, plane, start in units of R and √(g R), duration)
 MOTIONS = {
@@ -106,7 +107,7 @@ def filled(body, mode, state, until, until_low=0.0):
     segments, scratch = np.zeros(50, SEGMENT), new_scratch()
     log = new_log(np.zeros(0, EVENT), segments, scratch)
     scripts.fill_phase(body, mode, state, until, until_low, log, scratch)
-    return segments[: scratch.written[1]]
+    return segments[: scratch.counts[SEGMENTS]]
 
 
 def numbers_of(row, *names):
@@ -173,7 +174,7 @@ def repeated(body, state, kinds, mode, times):
     script["t"] = times
     log = new_log(np.zeros(20, EVENT), np.zeros(0, SEGMENT), scratch)
     phase = scripts.repeat(body, script, log, scratch)
-    return phase, scratch.written[0]
+    return phase, scratch.counts[EVENTS]
 
 
 def test_a_script_that_ends_inside_of_a_phase_goes_on_there():

@@ -9,13 +9,13 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.physics.body import Event, Mode, Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.kernel import run
-from hophoop.rigid.limits import angle_left, limits_of
-from hophoop.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.limits import angle_left, limits_of
+from hophoop.kernel.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.rigid.run import run
 
 
 def body_of(mu, restitution=0.0):

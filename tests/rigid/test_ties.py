@@ -12,9 +12,9 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop import arbitration
 from hophoop.maps import points
 from hophoop.scenario import Scenario
+from hophoop.simulation import exact_start as arbitration
 
 
 def scenario(speed, mu=1.0, gamma=0.75, duration=3.0, **plane):
@@ -145,7 +145,7 @@ def test_no_decision_without_need(monkeypatch):
     def refuse(*_):
         raise AssertionError("asked")
 
-    monkeypatch.setattr("hophoop.simulation.script_until", refuse)
+    monkeypatch.setattr("hophoop.simulation.simulate.script_until", refuse)
     for speed in (0.0, 0.1, 2.0, 2.8, 3.1, 4.0):
         hh.simulate(scenario(speed))
         hh.simulate(scenario(speed, mu=0.3))

@@ -9,16 +9,16 @@ import pytest
 from scipy.optimize import brentq
 
 import hophoop as hh
-from hophoop._native import forced
-from hophoop.physics.body import Event, Mode
-from hophoop.physics.impact import impact
-from hophoop.physics.modes import UNDECIDED
-from hophoop.physics.painleve import slip_coefficients
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.records.writing import new_log, quiet
-from hophoop.rigid.transitions import close_bounces, collide, leave_cone, pass_singular, settle
+from hophoop.kernel.native import forced
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.impact import impact
+from hophoop.kernel.physics.modes import UNDECIDED
+from hophoop.kernel.physics.painleve import slip_coefficients
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import new_log, quiet
+from hophoop.kernel.rigid.transitions import close_bounces, collide, leave_cone, pass_singular, settle
 
 ALL_MODES = (Mode.ROLL, Mode.SPIN, Mode.SKID)
 
@@ -191,7 +191,7 @@ def written(function, *arguments):
     scratch = new_scratch()
     log = new_log(np.zeros(20, EVENT), np.zeros(0, SEGMENT), scratch)
     found = function(*arguments, log, scratch)
-    return found, log.events[: scratch.written[0]], scratch.doubt.tolist()
+    return found, log.events[: scratch.counts[EVENTS]], scratch.doubt.tolist()
 
 
 def hoop_of(eps, kap, **plane):

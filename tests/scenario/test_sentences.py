@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._errors import plain, shortened
+from hophoop._support.errors import plain, shortened
 from hophoop.scenario import InputError, parameter
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.formats import MOST_BYTES

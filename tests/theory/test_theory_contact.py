@@ -12,7 +12,7 @@ from scipy import optimize
 
 import hophoop as hh
 from hophoop import theory
-from hophoop.physics.contact import free_acceleration, slip_stiffness
+from hophoop.kernel.physics.contact import free_acceleration, slip_stiffness
 from hophoop.scenario import to_body
 from oracles import mechanics
 from oracles.cases import case_of

@@ -13,7 +13,7 @@ from hophoop.lab import film, motion_map, regions
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
 from hophoop.plots.curves import curve, phases, shown_words
-from hophoop.poses import poses_of
+from hophoop.results.poses import poses_of
 from hophoop.vocabulary import classes, colors, words
 
 ROOT = Path(__file__).parents[2]
@@ -114,7 +114,7 @@ def test_a_phase_has_one_word_in_motions_and_maps():
 
 
 def test_every_kind_of_event_and_status_has_its_words():
-    from hophoop.physics.body import EVENT_NAMES, Status
+    from hophoop.kernel.physics.body import EVENT_NAMES, Status
 
     assert tuple(words.EVENTS) == EVENT_NAMES
     assert tuple(words.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
@@ -186,7 +186,7 @@ def test_a_map_answers_to_the_former_name():
 
 def test_one_spelling():
     former = re.compile("utilisation", re.IGNORECASE)
-    allowed = {"src/hophoop/maps/quantities.py", "docs/maps.md", "tests/vocabulary/test_vocabulary.py", "CHANGELOG.md"}
+    allowed = {"src/hophoop/maps/grid/quantities.py", "docs/maps.md", "tests/vocabulary/test_vocabulary.py", "CHANGELOG.md"}
     allowed.add("src/hophoop/lab/static/lab.js")  # the page's words in French
     found = {
         path.relative_to(ROOT).as_posix()

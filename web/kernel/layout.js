@@ -1,6 +1,6 @@
 // What the module takes and gives, as Python writes it beside the module.
 
-import layout from "../../src/hophoop/module/layout.json" with { type: "json" };
+import layout from "../../src/hophoop/lab/wasm/layout.json" with { type: "json" };
 
 export { layout };
 

@@ -17,8 +17,8 @@ from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.scene3d import Film3D
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 SIZE: Final = (960, 540)
 USUAL: Final = Timing()

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 
 Bytes = NDArray[np.uint8]
 Points = NDArray[np.float64]

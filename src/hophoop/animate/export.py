@@ -17,9 +17,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from hophoop._extras import need
-from hophoop._files import replacing, require_folder_of
-from hophoop._stopping import child, temporary_folder
+from hophoop._support.extras import need
+from hophoop._support.files import replacing, require_folder_of
+from hophoop._support.stopping import child, temporary_folder
 from hophoop.animate.canvas import Bytes
 from hophoop.scenario import InputError
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from hophoop._stopping import temporary_folder
+from hophoop._support.stopping import temporary_folder
 from hophoop.animate.canvas import Bytes
 from hophoop.animate.export import Progress, check_film, format_of, write
 from hophoop.animate.frames import Timing
@@ -16,7 +16,7 @@ from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.scene3d import Film3D
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 # 4 hundredths of a second a picture: a gif cannot say 1/30 s
 GIF_FPS = 25.0

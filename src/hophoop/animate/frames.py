@@ -9,11 +9,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from hophoop.physics.body import EVENT_NAMES
-from hophoop.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.kernel.physics.body import EVENT_NAMES
+from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 STEPS = ("time", "angle")
 USUAL_RATE = 60.0

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from hophoop.animate.shapes3d import HEAVY, LOAD, TUBE, torus, torus_faces
-from hophoop.poses import Floats, to_world
+from hophoop.results.poses import Floats, to_world
 
 FLOAT, UNSIGNED = 5126, 5125
 ARRAY, ELEMENTS = 34962, 34963

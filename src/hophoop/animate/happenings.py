@@ -10,8 +10,8 @@ import numpy as np
 from hophoop.animate.canvas import Canvas, Points
 from hophoop.animate.themes import Theme
 from hophoop.plots.marks import MARKED, clusters
-from hophoop.poses import Floats, to_world
-from hophoop.trajectory import Trajectory
+from hophoop.results.poses import Floats, to_world
+from hophoop.simulation.trajectory import Trajectory
 
 KINDS = ("takeoff", "impact", "jam", "painleve_inconsistent", "painleve_indeterminate")
 FLASH = 0.5  # how long a ring spreads [s of film]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from hophoop.animate.themes import theme_of
 from hophoop.scenario import InputError, describe
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 CAMERAS = ("follow", "hold")
 CAMERAS_3D = ("chase", "side", "orbit", "hold")

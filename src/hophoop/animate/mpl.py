@@ -31,8 +31,8 @@ from hophoop.animate.words import (
     shades_of,
     speed_words,
 )
-from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
-from hophoop.trajectory import Trajectory
+from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, to_world
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
 PIECES = 96  # of the ring, a colour each

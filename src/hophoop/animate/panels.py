@@ -11,9 +11,9 @@ import numpy as np
 from hophoop.animate.canvas import Bytes, Canvas, Rectangle
 from hophoop.animate.themes import Theme
 from hophoop.plots.curves import curve
-from hophoop.poses import Floats, Poses
-from hophoop.results import ArraySample
-from hophoop.trajectory import Trajectory
+from hophoop.results.poses import Floats, Poses
+from hophoop.results.records import ArraySample
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
 # How much of a curve shows where the film has not yet been

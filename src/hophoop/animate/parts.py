@@ -8,7 +8,7 @@ import numpy as np
 
 from hophoop.animate.canvas import Canvas, Points
 from hophoop.animate.themes import Theme
-from hophoop.poses import part_side
+from hophoop.results.poses import part_side
 from hophoop.scenario import Disk, Hoop, PointMass, Ring, Rod
 
 LOAD = 0.085  # of a point mass, in radii of the hoop

@@ -12,7 +12,7 @@ import numpy as np
 from hophoop.animate.look import nice
 from hophoop.animate.shapes3d import LANE, mix, place_3d
 from hophoop.animate.themes import Theme
-from hophoop.poses import to_world
+from hophoop.results.poses import to_world
 
 FAR = 60.0  # how far the plane goes on, in radii
 MOST_MARKS, MOST_NUMBERS = 2000, 400

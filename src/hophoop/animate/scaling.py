@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from hophoop.animate.frames import Clock
-from hophoop.poses import Floats
-from hophoop.trajectory import Trajectory
+from hophoop.results.poses import Floats
+from hophoop.simulation.trajectory import Trajectory
 
 AROUND = 0.6  # how far before and after a picture the scale looks [s of film]
 LONGEST = 4.0  # arrows of full length: what grows without bound, as in a jam, leaves the picture and goes no further

@@ -11,7 +11,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.animate.canvas import Bytes, Canvas
 from hophoop.animate.frames import Extent, Timing, Trace, clock, ended, extent, follow, trace
 from hophoop.animate.happenings import Happening, draw_happenings, happenings, say_happenings
@@ -49,9 +49,9 @@ from hophoop.animate.words import (
     shades_of,
     speed_words,
 )
-from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
+from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
 SMOOTH = 4  # samples a pixel

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from hophoop.poses import Floats, to_world
+from hophoop.results.poses import Floats, to_world
 
 STATIONS, SECTIONS = 120, 20  # of the torus
 TUBE, LOAD, HEAVY = 0.05, 0.1, 0.05  # radii of the torus's tube and of the spheres, over the rim's

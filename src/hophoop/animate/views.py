@@ -9,7 +9,7 @@ import numpy as np
 
 from hophoop.animate.canvas import Points, Rectangle
 from hophoop.animate.frames import Extent, follow
-from hophoop.poses import Floats, to_world
+from hophoop.results.poses import Floats, to_world
 
 # In radii: what a view shows under the plane, above a hoop on it, and before and behind it.
 BELOW, ABOVE, BESIDE = 0.55, 0.4, 1.35

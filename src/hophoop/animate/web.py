@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from hophoop._files import replacing
+from hophoop._support.files import replacing
 from hophoop.animate.frames import Clock, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
 from hophoop.animate.happenings import happenings
@@ -21,9 +21,9 @@ from hophoop.animate.scaling import LONGEST, force_levels
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
 from hophoop.animate.words import shades_of
-from hophoop.poses import Floats, load_distance, poses_of
+from hophoop.results.poses import Floats, load_distance, poses_of
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, PARTICIPLES
 

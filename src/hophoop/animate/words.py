@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.animate.canvas import Canvas, Rectangle
 from hophoop.animate.layout import COLUMNS, KEY_FONT, LABEL_FONT, PACE_FONT, STATE_FONT, Layout
 from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
-from hophoop.poses import Floats, Poses
+from hophoop.results.poses import Floats, Poses
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import PARTICIPLES
 

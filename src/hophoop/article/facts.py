@@ -9,7 +9,7 @@ from hophoop import theory
 from hophoop.article.runs import Runs, largest
 from hophoop.article.statement import Statement
 from hophoop.scenario import Hoop, Plane, PointMass, Ring, Start
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 
 SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for the comments' question
 

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hophoop import plots, theory
-from hophoop._extras import need
+from hophoop._support.extras import need
+from hophoop.article import compliant_figures as compliant
 from hophoop.article.runs import LONG, Runs
 from hophoop.article.scenarios import title
-from hophoop.plots import compliant
 from hophoop.plots.style import finish
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from string import Template
 
-import hophoop
+from hophoop._version import __version__
 from hophoop.article.facts import facts
 from hophoop.article.figures import FIGURES, ArticleFigure
 from hophoop.article.formulas import FORMULAS
@@ -23,7 +23,7 @@ from hophoop.article.scenarios import scenarios
 from hophoop.article.statement import VERDICTS, Statement
 from hophoop.article.typeset import typeset
 from hophoop.plots.curves import phases
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import FLIGHT, ROLL, SKID, SPIN
 
@@ -254,7 +254,7 @@ def _film(name: str, caption: str, there: Mapping[str, Path], folder: Path) -> s
 def _footer() -> str:
     return (
         f"<footer><p>After Henrik Sönnerlind, <a href='{ARTICLE_URL}'><cite>The Physics of a Hopping Hoop</cite></a> (2023); "
-        f"figures and words are our own. Made by hophoop {escape(hophoop.__version__)} on {date.today().isoformat()} with "
+        f"figures and words are our own. Made by hophoop {escape(__version__)} on {date.today().isoformat()} with "
         "<code>hophoop reproduce</code>. The numbers behind the table, in full precision, are in "
         "<a href='statements.json'>statements.json</a>; the figures in <code>figures/</code>.</p></footer>"
     )

@@ -12,11 +12,11 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-import hophoop
-from hophoop._extras import MissingExtra, need
-from hophoop._files import replacing
-from hophoop._processes import python_beside
-from hophoop._stopping import heeded, remove, temporary, undoing
+from hophoop._support.extras import MissingExtra, need
+from hophoop._support.files import replacing
+from hophoop._support.processes import python_beside
+from hophoop._support.stopping import heeded, remove, temporary, undoing
+from hophoop._version import __version__
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, drawn
 from hophoop.article.runs import Runs
@@ -226,7 +226,7 @@ def _checked(runs: Runs, progress: Progress) -> tuple[Statement, ...]:
 def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:
     data: dict[str, Any] = {
         "schema": "hophoop-article/1",
-        "version": hophoop.__version__,
+        "version": __version__,
         "statements": [one.to_dict() for one in checked],
     }
     with replacing(folder / "statements.json") as path:

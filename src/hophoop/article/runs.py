@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from hophoop.article.scenarios import scenarios
 from hophoop.plots.curves import curve
-from hophoop.results import ArraySample
+from hophoop.results.records import ArraySample
 from hophoop.scenario import Hoop, Plane, Start
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 # Long enough for the slow end of the slipping motion to show its law.
 LONG = 3000.0

@@ -13,8 +13,8 @@ from hophoop.article.runs import LONG, Runs, crossings, largest
 from hophoop.article.slow_end import slow_end
 from hophoop.article.statement import WITHIN_READING, Check, Statement, agreement, difference
 from hophoop.scenario import Hoop, Plane, Scenario, Start
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 
 def slips(runs: Runs) -> Statement:

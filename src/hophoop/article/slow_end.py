@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop import theory
-from hophoop.physics.contact import inertia_at_height, load_height, slip_stiffness
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_stiffness
 from hophoop.scenario import Hoop, Plane, to_body
 
 HALF_WIDTH, DEGREE = 0.2, 24  # of the polynomial through h about θ*: rounding is left

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 
 DISPLAYED = re.compile(r"\\\[(.+?)\\\]", re.DOTALL)
 INLINE = re.compile(r"\\\((.+?)\\\)", re.DOTALL)

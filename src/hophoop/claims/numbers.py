@@ -10,8 +10,8 @@ from hophoop import theory
 from hophoop.article.scenarios import GAMMA, scenarios
 from hophoop.maps import catalogue
 from hophoop.scenario import Disk, Hoop, Plane, Start
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 HOOP, PLANE = Hoop.ideal(GAMMA), Plane(mu=1.0)
 WITHOUT_LIMIT = Plane(mu=math.inf)

@@ -16,9 +16,9 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from hophoop._errors import InputError, plain
-from hophoop._extras import MissingExtra
-from hophoop._stopping import Stopping, heeded
+from hophoop._support.errors import InputError, plain
+from hophoop._support.extras import MissingExtra
+from hophoop._support.stopping import Stopping, heeded
 
 # In the order in which --help shows them.
 COMMANDS = (

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hophoop._errors import InputError
+from hophoop._support.errors import InputError
 
 if TYPE_CHECKING:
     from rich.console import Console

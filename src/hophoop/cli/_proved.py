@@ -21,7 +21,7 @@ ALL = "all"
 
 def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None, out: Path | None, json: bool) -> None:
     """Prove a window of parameters box by box; the share that is proved, and of which sequences."""
-    import hophoop
+    from hophoop._version import __version__
     from hophoop.cli._output import named_options
     from hophoop.prove import prove_map
 
@@ -30,7 +30,7 @@ def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None
         found = prove_map(scenario, ranges, depth, seconds)
     result = {
         "schema": "hophoop-boxes/1",
-        "version": hophoop.__version__,
+        "version": __version__,
         "scenario": scenario.to_dict(),
         "ranges": {path: list(ends) for path, ends in ranges.items()},
         **found.to_dict(),
@@ -74,7 +74,7 @@ def _of_boxes(found: ProvedMap) -> Table:
 
 def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bool) -> None:
     """Prove critical speeds and thresholds; status 1 where one of those asked for is not proved."""
-    import hophoop
+    from hophoop._version import __version__
     from hophoop.cli import NO_ANSWER, say
     from hophoop.prove.thresholds import KEYS, decided
     from hophoop.scenario import InputError
@@ -86,7 +86,7 @@ def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bo
     numbers, reasons = decided(scenario, digits, wanted)
     result = {
         "schema": "hophoop-thresholds/1",
-        "version": hophoop.__version__,
+        "version": __version__,
         "scenario": scenario.to_dict(),
         "thresholds": [_as_json(number) for number in numbers],
     }
@@ -115,13 +115,13 @@ def _as_json(number: ProvedNumber) -> dict[str, str]:
 
 def statements(out: Path | None, json: bool) -> None:
     """Prove the article's statements that are inequalities or sequences; status 1 where one is not proved."""
-    import hophoop
+    from hophoop._version import __version__
     from hophoop.cli import NO_ANSWER
     from hophoop.prove import statements as proved
 
     found: list[ProvedStatement] = proved()
     rows = [{"key": one.key, "statement": one.statement, "proved": one.proved} for one in found]
-    _give({"schema": "hophoop-statements/1", "version": hophoop.__version__, "statements": rows}, out, json)
+    _give({"schema": "hophoop-statements/1", "version": __version__, "statements": rows}, out, json)
     if not json:
         table = _table(("", "statement"))
         for one in found:
@@ -135,7 +135,7 @@ def statements(out: Path | None, json: bool) -> None:
 def _give(result: dict[str, Any], out: Path | None, json: bool) -> None:
     """Write and print what was found as JSON, as asked."""
     if out is not None:
-        from hophoop._files import replacing
+        from hophoop._support.files import replacing
 
         with replacing(out) as file:
             file.write_text(json_text.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")

@@ -8,15 +8,15 @@ from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from hophoop.cli._output import console_of, fitted
-from hophoop.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells
+from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from hophoop.explanation import Margins, PhaseRecord
-    from hophoop.results import EventErrors
-    from hophoop.trajectory import Trajectory
+    from hophoop.results.records import EventErrors
+    from hophoop.simulation.phases import Margins, PhaseRecord
+    from hophoop.simulation.trajectory import Trajectory
 
 Row = TypeVar("Row")
 

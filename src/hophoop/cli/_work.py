@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from hophoop.scenario import Scenario
-    from hophoop.trajectory import Trajectory
+    from hophoop.simulation.trajectory import Trajectory
 
 Result = TypeVar("Result")
 
@@ -25,8 +25,8 @@ def work_ahead(scenario: Scenario) -> str | None:
     """A sentence on the steps that a compliant motion needs, from those of its first part; None where they are few."""
     if scenario.contact.model != "compliant":
         return None
-    from hophoop.compliant.kernel import MAX_STEPS
-    from hophoop.simulation import simulate
+    from hophoop.kernel.compliant.run import MAX_STEPS
+    from hophoop.simulation.simulate import simulate
 
     first = simulate(scenario.replace("duration", max(PART * scenario.duration, 1e-9)))
     steps = len(first.tables["segments"])
@@ -42,7 +42,7 @@ def work_ahead(scenario: Scenario) -> str | None:
 
 def with_progress(scenario: Scenario, console: Console) -> Trajectory:
     """The motion; one with compliant contact that takes more than a second shows a bar on a terminal."""
-    from hophoop.simulation import simulate_watched
+    from hophoop.simulation.simulate import simulate_watched
 
     if scenario.contact.model != "compliant":
         return simulate_watched(scenario)

@@ -107,10 +107,10 @@ def animate(
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Film a motion, or some to compare: real time, ring coloured by speed, traces, forces to scale."""
-    from hophoop._extras import need
+    from hophoop._support.extras import need
     from hophoop.cli import NO_ANSWER, say
     from hophoop.scenario import InputError, Scenario
-    from hophoop.simulation import simulate
+    from hophoop.simulation.simulate import simulate
 
     match = re.fullmatch(r"(\d+)[x×](\d+)", size)
     if match is None:

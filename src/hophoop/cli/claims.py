@@ -69,11 +69,11 @@ def claims(
 
 
 def _as_json(found: Sequence[Finding]) -> dict[str, object]:
-    import hophoop
+    from hophoop._version import __version__
 
     return {
         "schema": "hophoop-claims/1",
-        "version": hophoop.__version__,
+        "version": __version__,
         "holds": all(one.holds for one in found),
         "claims": [one.to_dict() for one in found],
     }

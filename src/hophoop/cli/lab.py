@@ -78,7 +78,7 @@ def open_fit(
     names: Sequence[str] = (),
 ) -> None:
     """Open the lab with a fit's scenario, and its film under the hoop."""
-    from hophoop._stopping import temporary_folder
+    from hophoop._support.stopping import temporary_folder
     from hophoop.animate.export import bar
     from hophoop.lab.app import serve
 

@@ -10,7 +10,7 @@ from typer.core import TyperCommand
 
 
 def _quantity_names() -> list[str]:
-    from hophoop.maps.quantities import QUANTITIES
+    from hophoop.maps.grid.quantities import QUANTITIES
 
     return list(QUANTITIES)
 
@@ -26,7 +26,7 @@ class MapCommand(TyperCommand):
 
 
 def _listed() -> str:
-    from hophoop.maps.quantities import QUANTITIES
+    from hophoop.maps.grid.quantities import QUANTITIES
 
     wide = max(len(name) for name in QUANTITIES) + 2
     lines = [
@@ -66,12 +66,12 @@ def map(
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
-    from hophoop._files import replacing
-    from hophoop._stopping import say_when_stopped
+    from hophoop._support.files import replacing
+    from hophoop._support.stopping import say_when_stopped
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
-    from hophoop.maps.axes import parse_axis
-    from hophoop.maps.memory import check_memory
-    from hophoop.maps.sweeping import sweep
+    from hophoop.maps.grid.axes import parse_axis
+    from hophoop.maps.grid.memory import check_memory
+    from hophoop.maps.grid.sweeping import sweep
     from hophoop.scenario import InputError, Scenario
 
     if out is None and plot is None:
@@ -126,7 +126,7 @@ def map(
 
 def _stopped(out: Path | None) -> str:
     """What a stop is told by."""
-    from hophoop.maps.sweeping import place_of
+    from hophoop.maps.grid.sweeping import place_of
 
     place = None if out is None else place_of(out)
     kept = f"; what is done is kept in {place}, and --resume goes on" if place is not None and place.exists() else ""

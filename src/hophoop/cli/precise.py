@@ -10,7 +10,7 @@ import typer
 
 from hophoop.cli._output import console_of
 from hophoop.cli._tables import say_left_out, table_of, unanswered
-from hophoop.event_table import change_of
+from hophoop.results.event_table import change_of
 from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
@@ -24,9 +24,9 @@ Row = TypeVar("Row")
 
 def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, everything: bool) -> None:
     """Solve in many digits; print or write it, or compare the kernel's motion with it."""
-    from hophoop._files import replacing
+    from hophoop._support.files import replacing
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.simulation import simulate
+    from hophoop.simulation.simulate import simulate
 
     precise = simulate(scenario, digits=digits)
     if check:

@@ -11,13 +11,13 @@ import typer
 from typer.core import TyperCommand
 
 from hophoop.cli._options import with_scenario
-from hophoop.event_table import FIRST_ROWS, LAST_ROWS
+from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
-    from hophoop.explanation import PhaseRecord
-    from hophoop.results import EventErrors
+    from hophoop.results.records import EventErrors
     from hophoop.scenario import Scenario
-    from hophoop.trajectory import Trajectory
+    from hophoop.simulation.phases import PhaseRecord
+    from hophoop.simulation.trajectory import Trajectory
 
 OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
@@ -197,7 +197,7 @@ def run(
     ] = None,
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
-    from hophoop._fingerprint import DIGITS, is_fingerprint
+    from hophoop._support.fingerprint import DIGITS, is_fingerprint
     from hophoop.cli import NO_ANSWER, _tables, say
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
     from hophoop.scenario import InputError
@@ -275,7 +275,7 @@ def _compare_fingerprints(motion: Trajectory, expected: str, aside: bool) -> boo
 
 
 def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
-    from hophoop.explanation import phases
+    from hophoop.simulation.phases import phases
 
     return phases(scenario)
 
@@ -297,7 +297,7 @@ def _errors(motion: Trajectory) -> EventErrors:
     from rich.console import Console
 
     from hophoop.cli._work import watched
-    from hophoop.trajectory import event_errors_watched
+    from hophoop.simulation.trajectory import event_errors_watched
 
     return watched(lambda reached: event_errors_watched(motion, reached), Console(stderr=True), "errors")
 

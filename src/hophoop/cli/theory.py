@@ -45,7 +45,7 @@ def theory(
 
 def as_json(scenario: Any, rows: Sequence[Quantity]) -> dict[str, Any]:
     """The rows as JSON: numbers in SI units, "inf" where there is no bound, null where there is no value."""
-    import hophoop
+    from hophoop._version import __version__
 
     def plain(value: float | None) -> float | str | None:
         if value is None or math.isnan(value):
@@ -54,7 +54,7 @@ def as_json(scenario: Any, rows: Sequence[Quantity]) -> dict[str, Any]:
 
     return {
         "schema": "hophoop-theory/1",
-        "version": hophoop.__version__,
+        "version": __version__,
         "scenario": scenario.to_dict(),
         "theory": {row.key: plain(row.value) for row in rows},
         "notes": {row.key: row.note for row in rows if row.note},

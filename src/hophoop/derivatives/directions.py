@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.circular import sine_and_cosine
 
 # A scenario's numbers, in SI units, and in the same order how each changes with a parameter.
 NUMBERS = (

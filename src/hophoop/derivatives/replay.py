@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._native import apart
-from hophoop.derivatives.conditions import (
+from hophoop.derivatives.events.conditions import (
     fail,
     fail_all,
     go_with_jam,
@@ -18,7 +17,9 @@ from hophoop.derivatives.conditions import (
     meet_time,
     part_at_rest,
 )
-from hophoop.derivatives.impact import NONE, SIDED, impact_change, pulled_back
+from hophoop.derivatives.events.impact import NONE, SIDED, impact_change, pulled_back
+from hophoop.derivatives.events.massless import follow_strike, skim_rates
+from hophoop.derivatives.events.start_in_contact import let_fall, stop_throw
 from hophoop.derivatives.layout import (
     BEFORE_OM,
     BEFORE_VN,
@@ -40,20 +41,19 @@ from hophoop.derivatives.layout import (
     Reason,
     Y,
 )
-from hophoop.derivatives.lifted import let_fall, stop_throw
-from hophoop.derivatives.massless import follow_strike, skim_rates
-from hophoop.derivatives.moving import accelerations, motion_against, resisted_motion, skims_plane
-from hophoop.derivatives.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
-from hophoop.numerics.circular import sine
-from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.panels.panel import FLY, HOLD, LINEAR, SKIMMING
-from hophoop.physics.body import Event, Mode
-from hophoop.physics.contact import free_acceleration
-from hophoop.physics.impact import impact
-from hophoop.physics.modes import slip_direction
-from hophoop.physics.resistance import forces_rolling
-from hophoop.records.state import with_velocities
-from hophoop.records.writing import state_of
+from hophoop.derivatives.pieces.flight_and_rest import accelerations, motion_against, resisted_motion, skims_plane
+from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
+from hophoop.kernel.native import apart
+from hophoop.kernel.numerics.circular import sine
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, SKIMMING
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.physics.impact import impact
+from hophoop.kernel.physics.modes import slip_direction
+from hophoop.kernel.physics.resistance import forces_rolling
+from hophoop.kernel.records.state import with_velocities
+from hophoop.kernel.records.writing import state_of
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF, IMPACT, TURN, APEX = (

@@ -9,8 +9,7 @@ from dataclasses import dataclass, field, replace
 from datetime import date
 from typing import Any, NamedTuple
 
-import hophoop
-from hophoop._native import forced
+from hophoop._version import __version__
 from hophoop.engines.limits import Limit, limit_of
 from hophoop.engines.measures import Measures
 from hophoop.engines.recording import Recording
@@ -20,6 +19,7 @@ from hophoop.engines.scores import Scores, score
 from hophoop.engines.task import SPACING, States
 from hophoop.engines.truth import Truth, truths
 from hophoop.engines.worker import Worker, run_here
+from hophoop.kernel.native import forced
 from hophoop.scenario import InputError
 
 COMMON_STEP, FINE_STEP = 0.001, 0.0001
@@ -150,7 +150,7 @@ class Comparison:
         return {
             "benchmark": BENCHMARK,
             "made": self.made,
-            "hophoop": hophoop.__version__,
+            "hophoop": __version__,
             "machine": {
                 "python": platform.python_version(),
                 "system": platform.system(),

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from hophoop._stopping import child
+from hophoop._support.stopping import child
 from hophoop.engines.recording import Recording, read_csv
 from hophoop.engines.task import Task
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.engines.comparing import COMMON_STEP, LADDER_SCENARIO, Comparison, Row
 from hophoop.engines.measures import exact_record
 from hophoop.engines.scenarios import bench_scenarios

@@ -10,8 +10,8 @@ import numpy as np
 from hophoop.engines.phases import FREE, SHORT, Phase, normal_force, phases, slip_velocity, thinned
 from hophoop.engines.scenarios import BenchScenario
 from hophoop.engines.task import SPACING, Floats, States, Task, task_of
-from hophoop.physics.body import Body
-from hophoop.physics.energy import kinetic_energies, potential_energies
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.energy import kinetic_energies, potential_energies
 
 BACK = 0.010  # s of contact before a take-off from which it is found
 BEFORE, AFTER = 0.005, 0.020  # s around a landing
@@ -267,7 +267,7 @@ def exact_record(bench: BenchScenario, spacing: float = SPACING) -> States:
     -------
     record : States
     """
-    from hophoop.simulation import simulate
+    from hophoop.simulation.simulate import simulate
 
     motion = simulate(bench.scenario)
     t = np.arange(0.0, motion.duration + 0.5 * spacing, spacing)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from hophoop.engines.phases import WINDOW, normal_force, phases, slip_velocity, thinned
 from hophoop.engines.task import States, Task
-from hophoop.results import ArraySample, Sample
+from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario import Scenario
 
 

@@ -11,16 +11,16 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, cast
 
-import hophoop
-from hophoop._extras import need
-from hophoop._files import replacing
+from hophoop._support.extras import need
+from hophoop._support.files import replacing
+from hophoop._version import __version__
 from hophoop.engines import figures
 from hophoop.engines.comparing import COMMON_STEP, LADDER_SCENARIO, Comparison
 from hophoop.engines.recorded import Recorded
 from hophoop.engines.scenarios import BENCHMARK, bench_scenarios
 from hophoop.engines.tables import cells, compact, heads, markdown, scenario_rows, settings_words, summary
 from hophoop.engines.task import task_of
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 
 STYLE = """
 main { max-width: 1500px; }
@@ -60,7 +60,7 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
     """
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder / "scores.json", _json(comparison.to_dict()))
-    made = f"\n*{BENCHMARK}, made {comparison.made} with hophoop {hophoop.__version__}.*\n"
+    made = f"\n*{BENCHMARK}, made {comparison.made} with hophoop {__version__}.*\n"
     _write(folder / "summary.md", markdown(*compact(*summary(comparison))) + made)
     pictures = {}
     plot = need("matplotlib.pyplot", "plots")
@@ -163,7 +163,7 @@ def _page(comparison: Comparison, pictures: dict[str, str], film: Path | None) -
         )
     machine = comparison.to_dict()["machine"]
     parts.append(
-        f"</dl></section><footer>{BENCHMARK}, made {comparison.made} with hophoop {hophoop.__version__}, Python "
+        f"</dl></section><footer>{BENCHMARK}, made {comparison.made} with hophoop {__version__}, Python "
         f"{machine['python']}, {machine['system']} {machine['processor']}, {machine['cores']} cores. All numbers: "
         "<a href='scores.json'>scores.json</a>.</footer></main></body></html>"
     )

@@ -11,7 +11,7 @@ from contextlib import ExitStack
 from multiprocessing.connection import Connection
 from typing import Any
 
-from hophoop._stopping import ignored_by_children, undoing
+from hophoop._support.stopping import ignored_by_children, undoing
 from hophoop.engines.adapters.npm import npm_folder
 from hophoop.engines.external import run_command
 from hophoop.engines.phases import thinned

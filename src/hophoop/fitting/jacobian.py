@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.carrying import carry
+from hophoop.derivatives.results.propagation import carry
 from hophoop.fitting.parameters import PATHS
 from hophoop.fitting.problem import Problem
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from hophoop.fitting.guess import gathered
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import Solution
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 

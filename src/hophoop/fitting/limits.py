@@ -20,7 +20,7 @@ from hophoop.fitting.solving import (
     solve,
     spread_of,
 )
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 AGREES = 4.0  # rise of the sum of squares up to which the data agree with an end of a range: two standard deviations
 NEAR = 9.0  # the same up to which the end is near: three

@@ -16,7 +16,7 @@ from hophoop.fitting.problem import Prior, Problem, defaults, problem_of
 from hophoop.fitting.result import rounded
 from hophoop.fitting.solving import Choice, Solution, slopes, unseen
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 from hophoop.tracking import Track
 from hophoop.tracking.table import track_of
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from hophoop.fitting.channels import Channel, channels_of
 from hophoop.fitting.parameters import STARTS
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
-from hophoop.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-import hophoop
-from hophoop._files import replacing
+from hophoop._support.files import replacing
+from hophoop._version import __version__
 from hophoop.fitting.guess import rates_of
 from hophoop.fitting.result import GIVEN, Fit
 from hophoop.tracking import overlay
@@ -184,7 +184,7 @@ def _page(fit: Fit, film: str | None) -> str:
         for key, (times, measured, computed) in both.items():
             curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
             parts.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
-    parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
+    parts.append(f"<footer>hophoop {__version__}</footer></body></html>")
     return "".join(parts)
 
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import hophoop
-from hophoop._files import replacing
+from hophoop._support.files import replacing
+from hophoop._version import __version__
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import WORDS
 from hophoop.fitting.parameters import PARAMETERS
@@ -21,9 +21,9 @@ from hophoop.fitting.posterior import Posterior, posterior_from_dict
 from hophoop.fitting.problem import Prior, Problem, problem_of
 from hophoop.fitting.solving import Choice
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
 from hophoop.tracking.table import track_from_dict
-from hophoop.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 
@@ -230,7 +230,7 @@ class Fit:
         """
         return {
             "schema": SCHEMA,
-            "version": hophoop.__version__,
+            "version": __version__,
             "values": self.values,
             "errors": {name: self.error(name) for name in self.free},
             "free": list(self.free),

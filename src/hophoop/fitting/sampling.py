@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.fitting.channels import Lasting
 from hophoop.fitting.covariance import memories
 from hophoop.fitting.guess import gathered

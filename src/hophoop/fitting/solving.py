@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.fitting.covariance import covariance_of
 from hophoop.fitting.guess import SPREADS, Candidate, gathered
 from hophoop.fitting.jacobian import exact_slopes

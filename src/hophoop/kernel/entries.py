@@ -11,11 +11,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.physics.body import Body
-from hophoop.physics.compliant import Compliance
-from hophoop.records.layout import EVENT, SEGMENT, Tables
-from hophoop.records.scratch import Scratch
-from hophoop.records.state import State
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.compliant import Compliance
+from hophoop.kernel.records.layout import EVENT, SEGMENT, Tables
+from hophoop.kernel.records.scratch import Scratch
+from hophoop.kernel.records.state import State
 
 
 class Array(NamedTuple):
@@ -46,35 +46,35 @@ _THEORY = "hophoop.theory.kernels."
 # Each group is compiled by a process of its own, and again only where a source that it is made of has changed.
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "motions": {
-        "hophoop.rigid.kernel.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
-        "hophoop.rigid.kernel.run_cell": (Tables, EVENTS),
-        "hophoop.maps.kernel.evaluate_block": (
+        "hophoop.kernel.rigid.run.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
+        "hophoop.kernel.rigid.run.run_cell": (Tables, EVENTS),
+        "hophoop.maps.grid.kernel.evaluate_block": (
             TABLE, int, int, float, int, bool, int, EVENTS, TABLE, Array(np.dtype(np.int32), 2), Array(np.dtype(np.uint64), 2),
         ),
         _THEORY + "critical.hop_speed": (Body, float),
     },
     "compliant": {
-        "hophoop.compliant.kernel.run_into": (
+        "hophoop.kernel.compliant.run.run_into": (
             Body, Compliance, ROW, bool, float, float, int, EVENTS, SEGMENTS, ROW, TABLE,
         ),
-        "hophoop.compliant.sampling.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
+        "hophoop.kernel.compliant.sampling.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
     },
     "derivatives": {
-        "hophoop.derivatives.ending.go_through": (
+        "hophoop.derivatives.events.ending.go_through": (
             Body, EVENTS, SEGMENTS, TABLE, TABLE, float, float, bool, CUBE, CUBE, COUNTS, COUNTS, Scratch, TABLE,
         ),
-        "hophoop.derivatives.sampling.sample_changes": (
+        "hophoop.derivatives.pieces.sampling.sample_changes": (
             Body, SEGMENTS, CUBE, TABLE, ROW, ROW, bool, TABLE, CUBE, Scratch, TABLE,
         ),
-        "hophoop.derivatives.needs.need_at_rest": (Body, float),
-        "hophoop.derivatives.needs.needs_on_panel": (Body, SEGMENTS, int, Scratch, ROW, ROW, ROW),
-        "hophoop.derivatives.needs.peak_on_panel": (Body, SEGMENTS, int, float, float, Scratch),
-        "hophoop.derivatives.needs.use_changes": (Body, float, float, float, TABLE, TABLE, ROW, ROW),
+        "hophoop.derivatives.pieces.required_friction.need_at_rest": (Body, float),
+        "hophoop.derivatives.pieces.required_friction.needs_on_panel": (Body, SEGMENTS, int, Scratch, ROW, ROW, ROW),
+        "hophoop.derivatives.pieces.required_friction.peak_on_panel": (Body, SEGMENTS, int, float, float, Scratch),
+        "hophoop.derivatives.pieces.required_friction.use_changes": (Body, float, float, float, TABLE, TABLE, ROW, ROW),
     },
     "answers": {
-        "hophoop.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
-        "hophoop.records.times.kernel_times": (ROW, float, ROW, float, ROW),
-        "hophoop.physics.friction.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
+        "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
+        "hophoop.kernel.records.times.kernel_times": (ROW, float, ROW, float, ROW),
+        "hophoop.kernel.physics.friction.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
         _THEORY + "critical.slip_speeds": (TABLE, ROW),
         _THEORY + "painleve.border": (Body, float, bool),
         _THEORY + "painleve.minima": (TABLE, TABLE),

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 
 need("numba", "jit")
 
@@ -28,7 +28,7 @@ def jitted(kernel: Callable[..., Any]) -> Any:
     Parameters
     ----------
     kernel : function
-        Such as `hophoop.rigid.kernel.run`.
+        Such as `hophoop.kernel.rigid.run.run`.
 
     Returns
     -------
@@ -37,7 +37,7 @@ def jitted(kernel: Callable[..., Any]) -> Any:
 
     Examples
     --------
-    >>> from hophoop.numerics.circular import sine_and_cosine
+    >>> from hophoop.kernel.numerics.circular import sine_and_cosine
     >>> jitted(sine_and_cosine)(0.0)
     (0.0, 1.0)
     """

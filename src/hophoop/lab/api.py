@@ -22,8 +22,8 @@ from fastapi.routing import APIRoute, APIRouter
 from pydantic import AfterValidator
 from starlette.requests import ClientDisconnect
 
-import hophoop
-from hophoop._extras import MissingExtra
+from hophoop._support.extras import MissingExtra
+from hophoop._version import __version__
 from hophoop.lab import calls, files, page, replies, requests
 from hophoop.lab.guard import HEAD, Guard
 from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
@@ -71,7 +71,7 @@ def create_app(
 
     app = FastAPI(
         title="hophoop lab",
-        version=hophoop.__version__,
+        version=__version__,
         description="Exact motion of a loaded hoop on a plane. Equal requests have equal ETags.",
         docs_url=None,
         redoc_url=None,
@@ -327,7 +327,7 @@ async def download(
 @router.get("/healthz", summary="Whether the server answers")
 async def health() -> replies.Health:
     """The version that answers."""
-    return replies.Health(status="ok", version=hophoop.__version__)
+    return replies.Health(status="ok", version=__version__)
 
 
 def _tags(header: str) -> set[str]:

@@ -12,11 +12,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 from urllib.request import urlopen
 
-from hophoop._extras import need
-from hophoop._stopping import forget
+from hophoop._support.extras import need
+from hophoop._support.stopping import forget
 from hophoop.lab.limits import USUAL
 from hophoop.scenario import Compliant, InputError, Scenario
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 
 if TYPE_CHECKING:
     from hophoop.fitting import Backdrop

@@ -20,8 +20,8 @@ from hophoop.lab.regions import regions
 from hophoop.lab.setup import setup
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 LIGHT_SAMPLES, LIGHT_TURNS = 2000, 2000.0  # more than these is not answered at once
 

@@ -7,11 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from hophoop._stopping import temporary_folder
+from hophoop._support.stopping import temporary_folder
 from hophoop.io import write_csv
 from hophoop.lab.limits import Limits, TooMuch, within
 from hophoop.scenario import Scenario
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 
 SAMPLES_PER_SECOND = 200
 FILM_SIZE, FILM_RATE = (960, 540), 25

@@ -10,7 +10,7 @@ import numpy as np
 from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
-from hophoop.trajectory import Floats, Trajectory
+from hophoop.simulation.trajectory import Floats, Trajectory
 from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_words
 
 DRAWN = (
@@ -141,7 +141,8 @@ def _automatic(scenario: Scenario) -> dict[str, float]:
     contact = scenario.contact
     if not isinstance(contact, Compliant):
         return {}
-    from hophoop.compliant.parameters import chosen_in_si, to_compliance
+    from hophoop.kernel.compliant.parameters import chosen_in_si
+    from hophoop.simulation.compliant import to_compliance
 
     _, chosen, _, _ = to_compliance(scenario)
     second = time_unit(scenario.hoop, scenario.plane)

@@ -13,7 +13,7 @@ from pydantic_core import PydanticCustomError
 from hophoop import maps
 from hophoop.lab.controls import range_of
 from hophoop.lab.limits import Limits, TooMuch, turns_of, within
-from hophoop.maps.evaluate import CHUNK_CELLS
+from hophoop.maps.grid.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.scenario.paths import contradiction

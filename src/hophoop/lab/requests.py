@@ -11,7 +11,7 @@ from typing import Annotated, Any, TypeVar
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-import hophoop
+from hophoop._version import __version__
 from hophoop.lab import files
 from hophoop.lab.limits import Limits, TooMuch
 from hophoop.lab.motion_map import MAP_QUANTITIES, Axis
@@ -233,5 +233,5 @@ def tag_of(call: str, scenario: Scenario | None, options: Mapping[str, Any]) -> 
     tag : str
     """
     query = None if scenario is None else scenario.to_query()
-    text = json.dumps([hophoop.__version__, call, query, options], sort_keys=True)
+    text = json.dumps([__version__, call, query, options], sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()[:32]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import hophoop
+from hophoop._version import __version__
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.lab.controls import controls
 from hophoop.lab.motion_map import MAP_QUANTITIES
 from hophoop.lab.presets import presets
-from hophoop.physics.body import MODE_LETTERS
 from hophoop.vocabulary import colors
 
 
@@ -21,7 +21,7 @@ def setup() -> dict[str, Any]:
         `version`, `controls`, `map_quantities`, `presets` and `colors`.
     """
     return {
-        "version": hophoop.__version__,
+        "version": __version__,
         "controls": controls(),
         "map_quantities": [[name, words] for name, (words, _) in MAP_QUANTITIES.items()],
         "presets": [

@@ -11,9 +11,9 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
-import hophoop
-from hophoop._files import replacing
-from hophoop.module.stamp import DERIVATIVES, MODULE, built
+from hophoop._support.files import replacing
+from hophoop._version import __version__
+from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE, built
 from hophoop.scenario import InputError
 
 # Nothing may come from, or go, anywhere else. What a frame may hold it only takes as a header, not from the page itself.
@@ -35,7 +35,7 @@ def static_bytes(name: str) -> bytes:
 @cache
 def packed_module(name: str = MODULE) -> bytes:
     """A module, compressed by gzip, for what travels with a notebook."""
-    return gzip.compress((files("hophoop.module") / name).read_bytes(), 9, mtime=0)
+    return gzip.compress((files("hophoop.lab.wasm") / name).read_bytes(), 9, mtime=0)
 
 
 def site_files(docs: str = "") -> dict[str, bytes]:
@@ -53,7 +53,7 @@ def site_files(docs: str = "") -> dict[str, bytes]:
     """
     made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
     for name in (MODULE, DERIVATIVES):
-        made[f"static/{name}"] = (files("hophoop.module") / name).read_bytes()
+        made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
     for name in PAGES:
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
         page = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
@@ -143,6 +143,6 @@ def summary(folder: Path, written: list[Path]) -> str:
     """
     size = sum(path.stat().st_size for path in written)
     return (
-        f"{folder}: hophoop {hophoop.__version__}, {len(written)} files, {size / 1e6:.1f} MB. Any web host can serve them; "
+        f"{folder}: hophoop {__version__}, {len(written)} files, {size / 1e6:.1f} MB. Any web host can serve them; "
         f"to try them here: python -m http.server --directory {folder}"
     )

@@ -16,8 +16,9 @@ from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
-from hophoop.derivatives.sensitivity import EDGE, SIDED
-from hophoop.export import SCHEMA
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
+from hophoop.kernel.physics.body import MODE_LETTERS, ImpactLaw
+from hophoop.kernel.records.layout import CELL
 from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
 from hophoop.lab.film import SHOWN
@@ -27,15 +28,14 @@ from hophoop.lab.presets import presets
 from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
-from hophoop.physics.body import MODE_LETTERS, ImpactLaw
-from hophoop.records.layout import CELL
+from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
 from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside, Range
 from hophoop.scenario.texts import TEXTS
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, words
 from hophoop.vocabulary.labels import VARIABLES
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY

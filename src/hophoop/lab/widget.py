@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hophoop._extras import MissingExtra, need
-from hophoop.module.stamp import DERIVATIVES
+from hophoop._support.extras import MissingExtra, need
+from hophoop.lab.wasm.stamp import DERIVATIVES
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation import simulate
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from anywidget import AnyWidget

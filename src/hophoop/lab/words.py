@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.physics.body import MODE_LETTERS
-from hophoop.results import EventRecord
-from hophoop.trajectory import Trajectory
+from hophoop.kernel.physics.body import MODE_LETTERS
+from hophoop.results.records import EventRecord
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.sentences import STORY, SUMMARY
 from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, SKIM, SPIN, STATUSES, VERBS, mode_word, plain
 

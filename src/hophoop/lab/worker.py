@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any, BinaryIO
 
-from hophoop._processes import python_beside
+from hophoop._support.processes import python_beside
 
 ANSWER, ERROR, FAILED, STOPPED, BEGINNING = "answer", "error", "failed", "stopped", "beginning"
 BEGINS = 4.0  # seconds that a process may need until it can report
@@ -228,7 +228,7 @@ def outcome(job: Job) -> tuple[str, Any]:
     said : (str, object)
         `ANSWER` with bytes, `ERROR` with an exception that the asker must be told, or `FAILED` with a traceback.
     """
-    from hophoop._extras import MissingExtra
+    from hophoop._support.extras import MissingExtra
     from hophoop.lab import calls, files
     from hophoop.scenario import InputError
 

@@ -3,15 +3,15 @@
 xarray and Zarr are in the extra ``maps``, Dask in ``cluster``; both are loaded when a map is made.
 """
 
-from hophoop.maps.axes import linear, logarithmic, scenario_at
-from hophoop.maps.border import Border, borders, boundary
+from hophoop.maps.boundaries.following import Border, borders, boundary
+from hophoop.maps.boundaries.refinement import Refined, refine
 from hophoop.maps.catalog import Entry, catalogue, catalogued
-from hophoop.maps.evaluate import points
+from hophoop.maps.grid.axes import linear, logarithmic, scenario_at
+from hophoop.maps.grid.evaluate import points
+from hophoop.maps.grid.quantities import QUANTITIES, SPANS, Quantity, words_of
+from hophoop.maps.grid.store import open_map
+from hophoop.maps.grid.sweeping import sweep
 from hophoop.maps.paradoxes import least_jam_speed, paradoxes
-from hophoop.maps.quantities import QUANTITIES, SPANS, Quantity, words_of
-from hophoop.maps.refinement import Refined, refine
-from hophoop.maps.store import open_map
-from hophoop.maps.sweeping import sweep
 
 __all__ = [
     "sweep",

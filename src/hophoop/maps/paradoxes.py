@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._extras import need
-from hophoop.maps.quantities import QUANTITIES
-from hophoop.maps.sweeping import sweep
-from hophoop.numerics.elementwise import cosine
+from hophoop._support.extras import need
+from hophoop.kernel.numerics.elementwise import cosine
+from hophoop.maps.grid.quantities import QUANTITIES
+from hophoop.maps.grid.sweeping import sweep
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory import jam_states, painleve_region
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.uncertainty import Uncertainty
+from hophoop.derivatives.results.uncertainty import Uncertainty
 from hophoop.plots.style import Against
-from hophoop.results import ArraySample
+from hophoop.results.records import ArraySample
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:

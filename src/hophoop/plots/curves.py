@@ -9,9 +9,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.results import ArraySample, Sample
+from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario.scenario import time_unit
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.words import coming_rotation, mode_word, mode_words
 
 # Samples a unit of time √(R/g); at the reference hoop some 470 a second.

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop import theory
-from hophoop._extras import need
+from hophoop._support.extras import need
+from hophoop.kernel.records.layout import CELL
 from hophoop.maps import Border, words_of
-from hophoop.maps.axes import ordered
-from hophoop.maps.cells import make_cells
+from hophoop.maps.grid.axes import ordered
+from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.style import ON_COLOR, SMALL, new_axes
-from hophoop.records.layout import CELL
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.classes import class_color

@@ -10,16 +10,16 @@ import numpy as np
 from hophoop.plots.bands import draw_bands
 from hophoop.plots.curves import curve
 from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
-from hophoop.results import ArraySample
+from hophoop.results.records import ArraySample
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as axis_labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hophoop.derivatives.uncertainty import Uncertainty
+    from hophoop.derivatives.results.uncertainty import Uncertainty
 else:
     Axes = Any
 

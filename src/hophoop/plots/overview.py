@@ -5,15 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hophoop import portrait
-from hophoop._extras import need
-from hophoop._files import replacing
+from hophoop._support.extras import need
+from hophoop._support.files import replacing
 from hophoop.plots.curves import turning
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, velocities
 from hophoop.plots.path import path
 from hophoop.plots.style import Against
+from hophoop.results import notebook as portrait
 from hophoop.scenario import describe
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.plots.curves import curve, phases
 from hophoop.plots.style import new_axes
-from hophoop.poses import Floats, load_distance, poses_of, to_world
+from hophoop.results.poses import Floats, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop, InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hophoop import theory
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.plots.curves import curve, shown_words
 from hophoop.plots.marks import MARKED
 from hophoop.plots.naming import name_curves
 from hophoop.plots.style import degrees, new_axes
 from hophoop.scenario import Hoop, InputError, Plane
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as labels_of
 from hophoop.vocabulary.words import FLIGHT, MODES, ROLL, SKID, SKIM, SPIN, mode_words

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.plots.curves import curve
 from hophoop.plots.path import _ground
 from hophoop.plots.style import ON_PAPER, new_axes
-from hophoop.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 from hophoop.vocabulary.words import FLIGHT
 

@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.plots.curves import Phase, phases, turning
 from hophoop.plots.marks import mark_events
 from hophoop.scenario import InputError
-from hophoop.trajectory import Trajectory
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from hophoop.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise.problem import Number, PreciseState
 from hophoop.precise.rules import UNDECIDED, can_roll, slip_mode
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise import massless
 from hophoop.precise.contact import Advance, advance
 from hophoop.precise.flight import fly

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
-from hophoop.physics.body import ImpactLaw
+from hophoop.kernel.physics.body import ImpactLaw
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop.physics.body import ImpactLaw, Mode
+from hophoop.kernel.physics.body import ImpactLaw, Mode
 from hophoop.precise.phases import expand
 from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.series import Judge, Series

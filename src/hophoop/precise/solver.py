@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.physics.body import Status
+from hophoop.kernel.physics.body import Status
 from hophoop.precise.contact import Stiff
 from hophoop.precise.motion import Record, Run
 from hophoop.precise.problem import Body, Number, PreciseState, Problem

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 
 Ball = Any  # a flint.arb
 Series = Any  # a flint.arb_series

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.physics.body import MODE_LETTERS, Mode
+from hophoop.kernel.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline, Late

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from hophoop.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Undecided, arb, sign
 from hophoop.prove.deadline import Deadline, Late

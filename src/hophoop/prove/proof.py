@@ -10,8 +10,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from hophoop._files import replacing
-from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
+from hophoop._support.files import replacing
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
 from hophoop.prove.checker.check import Verdict, checked

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop.physics.body import ImpactLaw, Mode
+from hophoop.kernel.physics.body import ImpactLaw, Mode
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
 from hophoop.prove.model import Model, State, Still
 

@@ -1,6 +1,6 @@
 """What a motion is made of: hoop, plane, start and contact, frozen and validated, with files and links."""
 
-from hophoop._errors import InputError
+from hophoop._support.errors import InputError
 from hophoop.scenario.describing import describe
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start, StartState
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod

@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from hophoop._errors import plain, shortened
+from hophoop._support.errors import plain, shortened
 from hophoop.scenario.sentences import refusal
 from hophoop.scenario.texts import TEXTS, say
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import IO, Any
 from urllib.parse import parse_qsl, urlencode
 
-from hophoop._errors import InputError, shortened
+from hophoop._support.errors import InputError, shortened
 from hophoop.scenario.sentences import parse_reason
 from hophoop.scenario.texts import say
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from pydantic import Discriminator, Tag, model_validator
 
-from hophoop.physics.mass import ideal_inertia
+from hophoop.kernel.physics.mass import ideal_inertia
 from hophoop.scenario.base import (
     Count,
     Fraction,

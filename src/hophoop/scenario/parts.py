@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Discriminator, model_validator
 
-from hophoop.physics import mass
+from hophoop.kernel.physics import mass
 from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
 from hophoop.scenario.ranges import inside, schema_of
 from hophoop.scenario.texts import say

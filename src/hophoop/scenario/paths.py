@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from pydantic import ValidationError
 
-from hophoop._errors import InputError
+from hophoop._support.errors import InputError
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod

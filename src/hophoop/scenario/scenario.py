@@ -10,11 +10,11 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, model_validator
 
-from hophoop._errors import InputError
-from hophoop.numerics.circular import sine_and_cosine
-from hophoop.physics.body import Body, ImpactLaw
-from hophoop.physics.compliant import STIFFNESS, sinking
-from hophoop.physics.resistance import most_resistance
+from hophoop._support.errors import InputError
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.physics.body import Body, ImpactLaw
+from hophoop.kernel.physics.compliant import STIFFNESS, sinking
+from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.scenario.base import Frozen, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
@@ -173,7 +173,7 @@ class Scenario(Frozen):
             text = json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
         else:
             raise InputError(f"{file} must end in .toml or .json.")
-        from hophoop._files import replacing
+        from hophoop._support.files import replacing
 
         with replacing(file) as fresh:
             fresh.write_text(text, encoding="utf-8")

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
-from hophoop._errors import InputError, shortened
+from hophoop._support.errors import InputError, shortened
 from hophoop.scenario.texts import TEXTS, say
 
 # Where a model's fields stand in a scenario.

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop.physics.body import Body
+from hophoop.kernel.physics.body import Body
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 
 Floats = NDArray[np.float64]

@@ -8,12 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._native import compiled
-from hophoop.physics.body import Body, Mode
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.kernel import run
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import Body, Mode
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.run import run
 from hophoop.scenario import InputError, Plane
 from hophoop.theory._columns import Columns, Hoops, Planes, body_from
 from hophoop.theory.kernels import critical as kernels

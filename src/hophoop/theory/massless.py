@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._native import compiled
+from hophoop.kernel.native import compiled
 from hophoop.scenario import Hoop, Plane
 from hophoop.theory._columns import Columns, Planes
 from hophoop.theory.kernels import rolling as kernels

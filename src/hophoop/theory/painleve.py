@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._native import compiled
+from hophoop.kernel.native import compiled
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory._columns import Columns, Hoops, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels

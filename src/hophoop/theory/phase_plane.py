@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._native import compiled
-from hophoop.physics.body import MODE_LETTERS
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.scenario import Plane
 from hophoop.theory._columns import Columns, Hoops, Planes
 from hophoop.theory.kernels import phase_plane as kernels

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from hophoop.numerics.elementwise import arcsine, cosine, sine, tangent
-from hophoop.physics.contact import rolling_inertia
-from hophoop.rigid.contact_phase import equilibrium_is_stable
+from hophoop.kernel.numerics.elementwise import arcsine, cosine, sine, tangent
+from hophoop.kernel.physics.contact import rolling_inertia
+from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory.kernels.arcs import TURN, first_hilltop, first_valley
 

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._native import compiled
-from hophoop.results import utilization_of
+from hophoop.kernel.native import compiled
+from hophoop.results.records import utilization_of
 from hophoop.scenario import Plane
 from hophoop.theory._columns import Columns, Floats, Hoops, Planes
 from hophoop.theory.kernels import rolling as kernels

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.tracking.circle import fit_circle
 
 Floats = NDArray[np.float64]

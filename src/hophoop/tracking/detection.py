@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.tracking.camera import Camera
 from hophoop.tracking.circle import Circle, circles_by_lot
 from hophoop.tracking.rays import RAYS, Rim, find_rim, profile

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import hophoop
-from hophoop._files import replacing
+from hophoop._support.files import replacing
+from hophoop._version import __version__
 from hophoop.scenario import InputError
 from hophoop.tracking.page import STYLE, Curve, plot
 from hophoop.tracking.table import FOUND, LOST, Track, View
@@ -221,5 +221,5 @@ def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> st
     )
     if np.isfinite(track.angle).any():
         parts.append(plot([Curve(track.t, np.degrees(track.angle), POINTS)], "angle (°)"))
-    parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
+    parts.append(f"<footer>hophoop {__version__}</footer></body></html>")
     return "".join(parts)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
+from hophoop._support.extras import need
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import Camera
 from hophoop.tracking.circle import Circle

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._files import replacing
+from hophoop._support.files import replacing
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import Camera
 

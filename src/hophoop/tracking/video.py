@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._extras import need
-from hophoop._files import replacing
+from hophoop._support.extras import need
+from hophoop._support.files import replacing
 from hophoop.scenario import InputError
 
 Bytes = NDArray[np.uint8]

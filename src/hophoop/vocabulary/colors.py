@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from hophoop._errors import InputError
+from hophoop._support.errors import InputError
 from hophoop.vocabulary import words
 
 # Okabe and Ito's eight

@@ -14,7 +14,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop._errors import InputError
+from hophoop._support.errors import InputError
 
 
 class _Word(StrEnum):

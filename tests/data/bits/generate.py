@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import bits_tools
 import hophoop as hh
 from hophoop.scenario import Plane, Rigid
-from hophoop.simulation import script_of
+from hophoop.simulation.rigid import script_of
 from random_scenarios import draw, draw_beside_a_border
 
 SEED = 20261125
@@ -78,7 +78,7 @@ def scenarios(kind: str, wanted: int) -> list[dict[str, Any]]:
         except ValueError:
             continue
         if kind != "compliant":
-            digits = len(script_of(scenario, Rigid(max_events=MOST_EVENTS))) > 0
+            digits = len(script_of(scenario.model_copy(update={"contact": Rigid(max_events=MOST_EVENTS)}))) > 0
             if digits != (kind == "digits"):
                 continue
         whole = scenario.to_dict()
@@ -103,7 +103,7 @@ def write_scenarios() -> None:
 def write_hashes() -> None:
     """Compute all motions here."""
     kept = bits_tools.kept_scenarios()
-    digits = [each.index for each in kept if each.kind != "compliant" and len(script_of(each.scenario, each.scenario.contact))]
+    digits = [each.index for each in kept if each.kind != "compliant" and len(script_of(each.scenario))]
     told = bits_tools.hashes_of([bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept], kept, digits)
     bits_tools.HASHES.write_text(bits_tools.hashes_text(told), encoding="utf-8")
     print("events", told["events"])

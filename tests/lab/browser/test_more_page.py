@@ -10,8 +10,8 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
-from hophoop.derivatives.quantities import hops_of
-from hophoop.derivatives.sensitivity import EDGE
+from hophoop.derivatives.results.quantities import hops_of
+from hophoop.derivatives.results.sensitivity import EDGE
 from lab_page_tools import picture, wait_for
 
 pytestmark = pytest.mark.long

@@ -169,7 +169,7 @@ def test_the_folder_may_stand_anywhere(folder: Path, browser, tmp_path):
 
 def test_chromium_gives_the_same_bits_as_wasmtime(visit):
     pytest.importorskip("wasmtime")
-    from hophoop.module.stamp import HERE, MODULE
+    from hophoop.lab.wasm.stamp import HERE, MODULE
     from module.host import Host
     from module.module_tools import cell_of, given_of
     from module.test_page_kernel import scenarios

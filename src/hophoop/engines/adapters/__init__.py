@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from hophoop import _extras
+from hophoop._support import extras as _extras
 
 
 def engine_module(name: str) -> Any:

@@ -8,7 +8,7 @@ import numpy as np
 
 from hophoop.engines.task import SPACING, States, Task
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
-from hophoop.simulation import simulate
+from hophoop.simulation.simulate import simulate
 
 PACKAGE = "hophoop"
 STEP = SPACING

@@ -20,13 +20,13 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from hophoop._native.library import HERE, TOLD
-from hophoop._native.sources import PACKAGE, files, stamp
 from hophoop.kernel.build.browser import MODULES, module_of, told_of
 from hophoop.kernel.build.link import TARGETS, linked, own_target
 from hophoop.kernel.entries import GROUPS
-from hophoop.module.stamp import HERE as MODULE_FOLDER
-from hophoop.module.stamp import LAYOUT, stamped
+from hophoop.kernel.native.library import HERE, TOLD
+from hophoop.kernel.native.sources import PACKAGE, files, stamp
+from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
+from hophoop.lab.wasm.stamp import LAYOUT, stamped
 
 TOOLS = ("numba", "llvmlite", "numpy", "ziglang")
 BROWSER = "browser"

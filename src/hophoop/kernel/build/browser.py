@@ -1,4 +1,4 @@
-"""The browser's modules: the entries of `hophoop.module` as WebAssembly, linked with the C library of WASI."""
+"""The browser's modules: the entries of `hophoop.lab.wasm` as WebAssembly, linked with the C library of WASI."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from hophoop.kernel.build.link import RUNTIME, anonymous, joined, optimised, zig
-from hophoop.module.layout import layout
-from hophoop.module.stamp import DERIVATIVES, MODULE, sources
+from hophoop.lab.wasm.layout import layout
+from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE, sources
 
 TRIPLE = "wasm32-unknown-unknown"
 STACK = 1 << 20  # bytes
@@ -66,7 +66,7 @@ def module_code(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> str:
     Parameters
     ----------
     entries : mapping
-        As `hophoop.module.entries.ENTRIES`.
+        As `hophoop.lab.wasm.entries.ENTRIES`.
 
     Returns
     -------
@@ -97,7 +97,7 @@ def linked(code: bytes, names: Iterable[str]) -> bytes:
 
 def module_of(name: str) -> bytes:
     """One of `MODULES`."""
-    from hophoop.module import entries
+    from hophoop.lab.wasm import entries
 
     chosen = getattr(entries, MODULES[name].entries)
     return anonymous(linked(retargeted(module_code(chosen), chosen), chosen))

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 HERE = Path(__file__).parent
-LEVEL, RUNTIME = HERE / "level.c", HERE.parents[1] / "module" / "nrt.c"  # which processor there is; what Numba's code asks for
+# which processor there is; what Numba's code asks for
+LEVEL, RUNTIME = HERE / "level.c", HERE.parents[1] / "lab" / "wasm" / "nrt.c"
 
 
 class Target(NamedTuple):

@@ -25,8 +25,8 @@ from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering, NopythonRewrites
 from numba.core.untyped_passes import InlineClosureLikes
 
-from hophoop._native.marks import mark_of, source_of
-from hophoop._native.sources import is_kernel
+from hophoop.kernel.native.marks import mark_of, source_of
+from hophoop.kernel.native.sources import is_kernel
 
 ARRAYS = {"empty", "zeros", "ones", "full", "array", "arange", "empty_like", "zeros_like"}  # what of NumPy makes an array
 

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources dfa31a65927de98276142897f2c84086 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources d4904f601e8b42ed711c85a9bd11248c */
 var Ol=Object.create;var ao=Object.defineProperty;var Cl=Object.getOwnPropertyDescriptor;var ql=Object.getOwnPropertyNames;var jl=Object.getPrototypeOf,Bl=Object.prototype.hasOwnProperty;var Wl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Fl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ql(e))!Bl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Cl(e,i))||n.enumerable});
 return s};var $l=(s,e,t)=>(t=s!=null?Ol(jl(s)):{},Fl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Wl(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(

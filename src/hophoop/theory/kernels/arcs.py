@@ -10,12 +10,12 @@ import math
 
 import numpy as np
 
-from hophoop.numerics.arcs import arcsine, arctangent2, hypotenuse
-from hophoop.numerics.circular import sine_and_cosine
-from hophoop.numerics.collocation import ORDER, coefficients
-from hophoop.numerics.constants import NODES, WEIGHTS
-from hophoop.physics.contact import rolling_acceleration
-from hophoop.physics.roll import rolling_u
+from hophoop.kernel.numerics.arcs import arcsine, arctangent2, hypotenuse
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.collocation import ORDER, coefficients
+from hophoop.kernel.numerics.constants import NODES, WEIGHTS
+from hophoop.kernel.physics.contact import rolling_acceleration
+from hophoop.kernel.physics.roll import rolling_u
 
 TURN = 2.0 * math.pi
 RESOLVED = 1e-13

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from hophoop.numerics.arcs import arctangent
-from hophoop.physics.body import Mode
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
-from hophoop.rigid.kernel import run
-from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.numerics.arcs import arctangent
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.rigid.run import run
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
 from hophoop.theory.kernels.phase_plane import lift_off

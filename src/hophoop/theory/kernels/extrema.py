@@ -7,13 +7,13 @@ falls through zero. An error δ there changes the value by δ² only, so the val
 
 from __future__ import annotations
 
-from hophoop.numerics.arcs import arctangent2
-from hophoop.numerics.circular import sine_and_cosine
-from hophoop.numerics.collocation import ORDER, coefficients
-from hophoop.numerics.constants import NODES
-from hophoop.numerics.roots import NOT_FOUND, first_fall_after
-from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
-from hophoop.physics.roll import rolling_u
+from hophoop.kernel.numerics.arcs import arctangent2
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.collocation import ORDER, coefficients
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall_after
+from hophoop.kernel.physics.contact import cone_weights, rolling_forces, rolling_inertia
+from hophoop.kernel.physics.roll import rolling_u
 from hophoop.theory.kernels.arcs import relative_tail
 
 # What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from hophoop.numerics.arcs import arccosine
-from hophoop.numerics.circular import sine_and_cosine
-from hophoop.physics.body import Body
-from hophoop.physics.contact import slip_stiffness
+from hophoop.kernel.numerics.arcs import arccosine
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.contact import slip_stiffness
 from hophoop.theory.kernels.rows import body_of
 
 

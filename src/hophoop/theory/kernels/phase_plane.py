@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from hophoop.numerics.circular import sine_and_cosine
-from hophoop.physics.body import MODE_LETTERS, Mode
-from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
-from hophoop.physics.modes import can_roll, next_mode
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.physics.body import MODE_LETTERS, Mode
+from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces
+from hophoop.kernel.physics.modes import can_roll, next_mode
 from hophoop.theory.kernels.rows import body_of
 
 ROLL, SKIM = int(Mode.ROLL), int(Mode.SKIM)

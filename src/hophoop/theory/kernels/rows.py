@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop.physics.body import Body
+from hophoop.kernel.physics.body import Body
 
 WIDTH = len(Body._fields)
 

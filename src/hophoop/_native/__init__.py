@@ -1,6 +1,0 @@
-"""The compiled kernels at run time: the marks of kernels, and the library that calls them, or the interpreter."""
-
-from hophoop._native.entry import compiled, forced, mode
-from hophoop._native.marks import apart, inline, interpreted_as
-
-__all__ = ["apart", "compiled", "forced", "inline", "interpreted_as", "mode"]

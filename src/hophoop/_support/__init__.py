@@ -1,0 +1,1 @@
+"""Files, checksums, extras, processes and signals: what every package may use."""

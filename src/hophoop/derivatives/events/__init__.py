@@ -1,0 +1,1 @@
+"""How events carry derivatives over: the conditions that set them off, impacts, what follows."""

@@ -1,0 +1,88 @@
+"""Derivatives of the massless hoop that skims, and of the blow of its load on the plane."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.derivatives.layout import (
+    BEFORE_OM,
+    BEFORE_VN,
+    BEFORE_VT,
+    IMPACT_N,
+    IMPACT_T,
+    MU_K,
+    OM,
+    P_N,
+    P_T,
+    TH,
+    VN,
+    VT,
+    T,
+    X,
+)
+from hophoop.kernel.native import apart
+from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
+from hophoop.kernel.physics.massless import strike
+
+
+def load_changes(begin, z, k):
+    """Changes of the load: (its height at the begin, its rate of sinking, its speed along the plane)."""
+    s, c = sine_and_cosine(begin.th)
+    dth = z[TH, k]
+    fallen = s * dth
+    sink = c * begin.om * dth + s * z[OM, k]
+    along = z[VT, k] + z[OM, k] * (1.0 + c) - begin.om * s * dth
+    return fallen, sink, along
+
+
+def skim_rates(body, state):
+    """(θ̈, v̇_t, v̇_n, 0) while the rim skims: the load falls freely, which gives θ̈ sin θ + θ̇² cos θ = g."""
+    s, c = sine_and_cosine(state.th)
+    turning = (body.gn - c * state.om * state.om) / s
+    return turning, state.om * state.om * s - turning * (1.0 + c), 0.0, 0.0
+
+
+@apart
+def follow_skim(body, begin, end, tau, z):
+    """Carry all directions over the time tau of skimming."""
+    s1, c1 = sine_and_cosine(end.th)
+    c0 = cosine(begin.th)
+    if tau <= 0.0:
+        return
+    for k in range(z.shape[1]):
+        fallen, sink, along = load_changes(begin, z, k)
+        dth = (fallen + sink * tau) / s1
+        dom = (sink - c1 * end.om * dth) / s1
+        z[X, k] += c0 * z[TH, k] + along * tau - c1 * dth
+        z[VT, k] = along - dom * (1.0 + c1) + end.om * s1 * dth
+        z[TH, k] = dth
+        z[OM, k] = dom
+
+
+@apart
+def follow_strike(body, begin, tau, changes, z, kept):
+    """Carry all directions from the begin of the skimming to just after the load has struck, at the time tau."""
+    s, c = sine_and_cosine(begin.th)
+    sink = s * begin.om + body.gn * tau
+    speed = begin.vt + begin.om * (1.0 + c)
+    after, _, _ = strike(body, speed, -sink)
+    for k in range(z.shape[1]):
+        fallen, dsink, dspeed = load_changes(begin, z, k)
+        dt = -(fallen + dsink * tau) / sink
+        dblow = dsink + body.gn * dt
+        z[T, k] += dt
+        z[X, k] += c * z[TH, k] + dspeed * tau + speed * dt
+        dafter = 0.0
+        if after != 0.0:
+            dafter = dspeed - math.copysign(1.0, speed) * (changes[MU_K, k] * sink + body.mu_k * dblow)
+        kept[BEFORE_OM, k] = math.nan
+        kept[BEFORE_VT, k] = dspeed
+        kept[BEFORE_VN, k] = -dblow
+        kept[P_N, k] = dblow
+        kept[P_T, k] = dafter - dspeed
+        z[IMPACT_N, k] += sink * dblow
+        z[IMPACT_T, k] += speed * dspeed - after * dafter
+        z[TH, k] = 0.0
+        z[OM, k] = 0.0
+        z[VT, k] = dafter
+        z[VN, k] = 0.0

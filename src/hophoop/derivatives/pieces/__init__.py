@@ -1,0 +1,1 @@
+"""How derivatives go along the pieces of a motion between events."""

@@ -1,0 +1,1 @@
+"""Derivatives of quantities of a motion, and what uncertain parameters make of them."""

@@ -1,0 +1,205 @@
+"""The greatest share of friction that a motion uses, and how it changes with parameters.
+
+Where slip takes part it is 1 and stays so. In rolling the share has its greatest values inside phases, where to first order
+it does not matter that their places change, and at the ends of phases, which the change goes along with.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.derivatives.layout import BEFORE_OM, CARRIED, OM, T
+from hophoop.derivatives.pieces.required_friction import need_at_rest, needs_on_panel, peak_on_panel, use_changes
+from hophoop.derivatives.pieces.sampling import sample_changes
+from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.kernel.panels.panel import HOLD
+from hophoop.kernel.physics.body import Body, Event, Mode
+from hophoop.kernel.records.scratch import thread_scratch
+
+Floats = NDArray[np.float64]
+ROLL = int(Mode.ROLL)
+SLIPS = (int(Mode.SPIN), int(Mode.SKID))
+TIED = 1e-9  # beside 1: greatest values that differ by less are one
+
+
+class Peak(NamedTuple):
+    """A place at which rolling needs more friction than beside it; `event` is −1 for one inside a phase."""
+
+    need: float
+    event: int
+    before: bool
+    t: float
+    rho: float
+
+
+def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, scratch: Any) -> list[Peak]:
+    """The peaks of the rolling phase that begins with an event.
+
+    Parameters
+    ----------
+    body : Body
+    events, segments : ndarray of records.EVENT, records.SEGMENT
+    index : int
+        Of the event.
+    scratch : records.Scratch
+
+    Returns
+    -------
+    peaks : list of Peak
+    """
+    begin, end = events["t"][index], events["t"][index + 1]
+    numbers = np.flatnonzero((segments["t"] >= begin) & (segments["t"] < end)).tolist()
+    first = segments[numbers[0]]
+    if first["kind"] == HOLD:
+        need, rho = compiled(need_at_rest)(body, float(first["theta"]))
+        times = [begin + part * (end - begin) for part in (0.0, 0.3, 0.5, 0.8, 1.0)]
+        return [Peak(float(need), -1, False, t, float(rho)) for t in times]
+    room = np.empty((3, ORDER + 2))
+    found = []
+    outer = -1.0  # the slope where the piece before has ended
+    for number in numbers:
+        row = segments[number]
+        rho = float(row["way"] * body.resist)
+        count = compiled(needs_on_panel)(body, segments, number, scratch, *room)
+        places, needs, slopes = room[:, :count]
+        if number == numbers[0] and not slopes[0] > 0.0:
+            found.append(Peak(float(needs[0]), index, False, begin, rho))
+        elif outer > 0.0 and not slopes[0] > 0.0:
+            found.append(Peak(float(needs[0]), -1, False, float(row["t"]), rho))
+        for k in np.flatnonzero((slopes[:-1] > 0.0) & ~(slopes[1:] > 0.0)).tolist():
+            need, t = compiled(peak_on_panel)(body, segments, number, float(places[k]), float(places[k + 1]), scratch)
+            found.append(Peak(float(need), -1, False, float(t), rho))
+        outer = slopes[-1]
+    if outer > 0.0:
+        found.append(Peak(float(needs[-1]), index + 1, True, end, rho))
+    return found
+
+
+def settled_by(body: Body, events: np.ndarray) -> tuple[float, int]:
+    """The greatest use where it is known without looking into phases, and the event from which on it is; else −1.
+
+    Parameters
+    ----------
+    body : Body
+    events : ndarray of records.EVENT
+
+    Returns
+    -------
+    use : float
+    event : int
+    """
+    bounded = 0.0 < body.mu_s < math.inf
+    kinds, before, after, times = (events[name].tolist() for name in ("kind", "before_mode", "after_mode", "t"))
+    for k, kind in enumerate(kinds):
+        if kind == Event.SLIP_START or (kind == Event.TAKEOFF and before[k] == ROLL):
+            return float(bounded), k
+    lasting = [k for k in range(len(kinds) - 1) if times[k + 1] > times[k]]
+    for k in lasting:
+        if after[k] in SLIPS and body.mu_k > 0.0:
+            return 1.0, k
+    rolling = [k for k in lasting if after[k] == ROLL]
+    if not rolling:
+        return math.nan, 0
+    return 0.0, -1 if bounded else rolling[0]
+
+
+def greatest_peaks(body: Body, events: np.ndarray, segments: np.ndarray, scratch: Any) -> list[Peak]:
+    """The places at which a motion that only rolls needs most friction: one, but for ties.
+
+    Parameters
+    ----------
+    body : Body
+    events, segments : ndarray of records.EVENT, records.SEGMENT
+    scratch : records.Scratch
+
+    Returns
+    -------
+    peaks : list of Peak
+    """
+    found = [
+        peak
+        for k in range(len(events) - 1)
+        if events["after_mode"][k] == ROLL and events["t"][k + 1] > events["t"][k]
+        for peak in peaks_of(body, events, segments, k, scratch)
+    ]
+    most = max(peak.need for peak in found)
+    return [peak for peak in found if peak.need >= most - TIED * max(most, body.mu_s)]
+
+
+def greatest_use(body: Body, events: np.ndarray, segments: np.ndarray) -> float:
+    """The greatest share of friction that a motion uses.
+
+    Parameters
+    ----------
+    body : Body
+    events, segments : ndarray of records.EVENT, records.SEGMENT
+
+    Returns
+    -------
+    use : float
+        nan where nothing touches, or slips without friction alone.
+    """
+    use, event = settled_by(body, events)
+    if event >= 0:
+        return use
+    most = max(peak.need for peak in greatest_peaks(body, events, segments, thread_scratch()))
+    return min(most / body.mu_s, 1.0)
+
+
+def use_rates(
+    body: Body, motion: tuple[np.ndarray, np.ndarray], carried: tuple[Floats, Floats], changes: Floats, peak: Peak, room: Any
+) -> tuple[Floats, Floats]:
+    """How the share of friction that a peak uses changes, towards larger and towards smaller parameters.
+
+    Parameters
+    ----------
+    body : Body
+    motion : tuple of ndarray
+        Events and segments.
+    carried : tuple of ndarray
+        Their changes.
+    changes : ndarray, shape (PARAMETERS, n)
+    peak : Peak
+    room : tuple
+        Scratch and local rows.
+
+    Returns
+    -------
+    larger, smaller : ndarray, shape (n,)
+    """
+    events, segments = motion
+    if peak.event >= 0:
+        row = events[peak.event]
+        z = carried[0][peak.event][:CARRIED].copy()
+        th, om = row["theta"] + row["theta_low"], row["before_omega"] if peak.before else row["omega"]
+        if peak.before:
+            z[OM] = carried[0][peak.event][BEFORE_OM]
+    else:
+        states, rates = np.empty((1, 6)), np.empty((1, *carried[1].shape[1:]))
+        still = np.zeros(changes.shape[1])
+        compiled(sample_changes)(body, segments, carried[1], changes, still, np.array([peak.t]), False, states, rates, *room)
+        z, th, om = rates[0], states[0, 2], states[0, 3]
+    larger, smaller = np.empty((2, changes.shape[1]))
+    compiled(use_changes)(body, float(th), float(om), peak.rho, z, changes, larger, smaller)
+    return larger, smaller
+
+
+def no_change(carried: Floats, event: int) -> Floats:
+    """Zero, or nan where an event has no derivatives.
+
+    Parameters
+    ----------
+    carried : ndarray, shape (events, KEPT, n)
+    event : int
+
+    Returns
+    -------
+    rates : ndarray, shape (n,)
+    """
+    result: Floats = 0.0 * carried[event, T]
+    return result

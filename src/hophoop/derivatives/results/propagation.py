@@ -1,0 +1,364 @@
+"""A motion with the derivatives that its replay carries, read in SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.derivatives.events.ending import go_through
+from hophoop.derivatives.layout import (
+    BEFORE_OM,
+    BEFORE_VN,
+    BEFORE_VT,
+    CARRIED,
+    IMPACT_N,
+    IMPACT_T,
+    KEPT,
+    OM,
+    P_N,
+    P_T,
+    RESISTED,
+    TH,
+    VN,
+    VT,
+    Reason,
+    T,
+    X,
+    Y,
+)
+from hophoop.derivatives.parameters import Directions, Floats, directions_of
+from hophoop.derivatives.pieces.energies import COLUMNS, ENERGIES, energy_rates
+from hophoop.derivatives.pieces.sampling import sample_changes
+from hophoop.derivatives.results.friction_utilization import greatest_peaks, greatest_use, no_change, settled_by, use_rates
+from hophoop.derivatives.workspace import ROWS
+from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch, thread_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.run import run
+from hophoop.results.records import Motion
+from hophoop.scenario import InputError
+from hophoop.scenario.scenario import time_unit
+
+# Exponents of the units of length, time and mass.
+LENGTH, TIME, ANGLE, SPEED, TURNING = (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, -1, 0), (0, -1, 0)
+MOMENTUM, ENERGY = (1, -1, 1), (2, -2, 1)
+# What can be asked of an event: column of the record, row of its derivatives, unit.
+DIRECT = {
+    "t": ("t", T, TIME),
+    "x": ("x", X, LENGTH),
+    "height": ("height", Y, LENGTH),
+    "angle": ("angle", TH, ANGLE),
+    "omega": ("omega", OM, TURNING),
+    "slip": ("slip", VT, SPEED),
+    "vy": ("vy", VN, SPEED),
+    "before.omega": ("before_omega", BEFORE_OM, TURNING),
+    "before.slip": ("before_slip", BEFORE_VT, SPEED),
+    "before.vy": ("before_vy", BEFORE_VN, SPEED),
+    "impulse_normal": ("impulse_normal", P_N, MOMENTUM),
+    "impulse_tangential": ("impulse_tangential", P_T, MOMENTUM),
+    "impact_normal": ("impact_normal", IMPACT_N, ENERGY),
+    "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
+    "rolling_resistance": ("rolling_resistance", RESISTED, ENERGY),
+}
+SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
+FIELDS = (*DIRECT, *SUMS, *ENERGIES)
+SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOMENTUM: "N s", ENERGY: "J"}
+UNITS = tuple(SI)
+EXPONENTS = np.array(UNITS)
+UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
+
+
+def sizes_and_rates(scales: Any, units: Any) -> tuple[Any, Any]:
+    """Sizes of UNITS, and their logarithmic rates in each direction, from those of length, time and mass."""
+    sizes = np.array([
+        scales.length, scales.time, 1.0, scales.speed, scales.rate, scales.impulse, scales.energy,
+    ])  # fmt: skip
+    by_units = np.empty((len(UNITS), units.shape[1]))
+    for i in range(len(UNITS)):
+        powers = EXPONENTS[i]
+        for k in range(units.shape[1]):
+            by_units[i, k] = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
+    return sizes, by_units
+
+
+BORDER, CONTACT = int(Reason.BORDER), int(Reason.CONTACT)
+
+
+def unit_of(field: str) -> str:
+    """SI unit of what can be asked of an event or a time.
+
+    Parameters
+    ----------
+    field : str
+        One of FIELDS.
+
+    Returns
+    -------
+    unit : str
+    """
+    if field in ENERGIES:
+        return SI[ENERGY]
+    return SI[SPEED] if field in SUMS else SI[DIRECT[field][2]]
+
+
+@dataclass(frozen=True)
+class Rated:
+    """A number, or some, in SI units, with its derivatives in all directions; `smaller` holds the other side, if given."""
+
+    value: Any
+    rates: Floats
+    smaller: Floats | None = None
+
+    def __add__(self, other: Rated) -> Rated:
+        return Rated(self.value + other.value, self.rates + other.rates)
+
+    def __sub__(self, other: Rated) -> Rated:
+        return Rated(self.value - other.value, self.rates - other.rates)
+
+    def __neg__(self) -> Rated:
+        return Rated(-self.value, -self.rates)
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A motion, some directions, and what the replay says of them; made by `carry`.
+
+    Attributes
+    ----------
+    motion : Motion
+    directions : Directions
+    at_events : ndarray, shape (events, KEPT, n)
+    at_segments : ndarray, shape (segments, CARRIED, n)
+        In kernel units.
+    reasons, failed : ndarray of int, shape (n,)
+        Why there is no derivative, and from which event on.
+    """
+
+    motion: Motion
+    directions: Directions
+    at_events: Floats
+    at_segments: Floats
+    reasons: NDArray[np.int64]
+    failed: NDArray[np.int64]
+
+    @property
+    def one_sided(self) -> list[int]:
+        """The directions that may have another derivative towards smaller parameters."""
+        return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason in (BORDER, CONTACT)]
+
+    def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
+        """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
+        size, by_units = (each[UNITS.index(exponents)] for each in self._units)
+        steeper = value * by_units if np.ndim(value) == 0 else value[..., None] * by_units
+        return Rated(size * value, size * (rates + steeper))
+
+    def at_event(self, index: int, field: str) -> Rated:
+        """A number of an event.
+
+        Parameters
+        ----------
+        index : int
+        field : str
+            One of FIELDS.
+
+        Returns
+        -------
+        rated : Rated
+        """
+        if field in DIRECT:
+            values, rates = self._at_events
+            place = DIRECT[field][1]
+            return Rated(float(values[index, place]), rates[index, place])
+        row = self.motion.tables["events"][index]
+        kept = self.at_events[index]
+        if field in SUMS:
+            (one, place, _), (other, beside, _) = (DIRECT[name] for name in SUMS[field])
+            return self.in_si(float(row[one] + row[other]), kept[place] + kept[beside], SPEED)
+        state = _state_of(row)
+        if field == "friction":
+            return self.in_si(float(row["friction"]), self._friction(state, kept), ENERGY)
+        return self.in_si(*self._energy(field, state, kept), ENERGY)
+
+    def at_times(self, times: Floats, fields: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
+        """Numbers of the state at some times.
+
+        Parameters
+        ----------
+        times : ndarray, shape (m,)
+            [s].
+        fields : sequence of str
+            Of FIELDS those that are not of an event alone.
+        left : bool, default False
+            At an event: just before it.
+
+        Returns
+        -------
+        rated : dict of str to (ndarray, ndarray)
+            Values, shape (m,), and derivatives, shape (m, n), by field.
+        """
+        motion = self.motion
+        segments = motion.tables["segments"]
+        count = self.at_segments.shape[2]
+        states = np.empty((times.size, 6))
+        out = np.empty((times.size, CARRIED, count))
+        clock = -self.directions.units[1]
+        compiled(sample_changes)(
+            motion.scenario.to_body(), segments, self.at_segments, self.directions.changes, clock,
+            motion.units.kernel_times(segments, times), left, states, out, thread_scratch(), _local(),
+        )  # fmt: skip
+        sample = motion.at(times, "left" if left else "right")
+        result: dict[str, tuple[Floats, Floats]] = {}
+        for field in fields:
+            values = np.asarray(getattr(sample, field), float)
+            if field == "friction":
+                found = (values / motion.units.energy, self._friction(states, out), ENERGY)
+            elif field in ENERGIES:
+                found = (*self._energy(field, states, out), ENERGY)
+            elif field == "vx":
+                found = (states[:, 3] + states[:, 4], out[:, OM] + out[:, VT], SPEED)
+            else:
+                _, row, exponents = DIRECT[field]
+                size = 1.0 if exponents == ANGLE else motion.units.of(field)
+                found = (values / size, out[:, row], exponents)
+            result[field] = (values, self.in_si(*found).rates)
+        return result
+
+    def friction_use(self) -> Rated:
+        """The greatest share of friction that the motion uses.
+
+        Returns
+        -------
+        rated : Rated
+            With both sides, which differ where two places need the most.
+        """
+        body, events, segments = self._body, self.motion.tables["events"], self.motion.tables["segments"]
+        use, event = settled_by(body, events)
+        if event >= 0:
+            return Rated(use, no_change(self.at_events, event) + 0.0 * use)
+        scratch = thread_scratch()
+        peaks = greatest_peaks(body, events, segments, scratch)
+        carried, room = (self.at_events, self.at_segments), (scratch, _local())
+        rates = [use_rates(body, (events, segments), carried, self.directions.changes, peak, room) for peak in peaks]
+        larger, smaller = (np.array(side) for side in zip(*rates, strict=True))
+        return Rated(greatest_use(body, events, segments), larger.max(axis=0), smaller.min(axis=0))
+
+    @cached_property
+    def _at_events(self) -> tuple[Floats, Floats]:
+        """All that is kept of all events, in SI units: values and derivatives."""
+        events = self.motion.tables["events"]
+        sizes, by_units = self._units
+        values = np.empty(self.at_events.shape[:2])
+        for column, place, _ in DIRECT.values():
+            values[:, place] = events[column]
+        of_row = sizes[UNIT_OF_ROW]
+        return of_row * values, of_row[:, None] * (self.at_events + values[..., None] * by_units[UNIT_OF_ROW])
+
+    def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[Any, Floats]:
+        """Kinetic, potential or both, of the state at one time or many."""
+        return energy_rates(field, self._body, state, rates, self.directions.changes)
+
+    def _friction(self, state: Floats, rates: Floats) -> Floats:
+        """Of what slip has lost: what has gone of the energy, less what impacts and rolling resistance have taken."""
+        lost: Floats = self._begin - self._energy("total", state, rates)[1]
+        return lost - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :] - rates[..., RESISTED, :]
+
+    @cached_property
+    def _body(self) -> Body:
+        return self.motion.scenario.to_body()
+
+    @cached_property
+    def _begin(self) -> Floats:
+        """Of the energy at the start."""
+        return self._energy("total", _state_of(self.motion.tables["events"][0]), self.at_events[0])[1]
+
+    @cached_property
+    def _units(self) -> tuple[Floats, Floats]:
+        """Sizes of UNITS and their logarithmic rates."""
+        unit = self.motion.units
+        found: tuple[Floats, Floats] = sizes_and_rates(unit.scales, self.directions.units)
+        return found
+
+
+def _state_of(row: np.void) -> Floats:
+    state = np.array([row[name] for name in COLUMNS])
+    state[2] += row["theta_low"]
+    return state
+
+
+def _local() -> Floats:
+    return np.zeros((ROWS, ORDER))
+
+
+def doubtful_from(motion: Motion) -> float:
+    """From which time on double precision cannot tell what follows: a graze, or the border of two classes.
+
+    Parameters
+    ----------
+    motion : Motion
+        With rigid contact.
+
+    Returns
+    -------
+    t : float
+        In kernel units [√(R/g)]; inf where everything is certain.
+    """
+    scenario = motion.scenario
+    row = motion.tables["events"][0]
+    start = start_state(*(float(row[name]) for name in ("x", "height", "angle", "slip", "vy", "omega")))
+    events = np.empty(len(motion.tables["events"]) + 8, EVENT)
+    scratch = new_scratch()
+    second = time_unit(scenario.hoop, scenario.plane)
+    compiled(run)(
+        scenario.to_body(), start, scenario.duration / second, math.nan, 0, events, np.empty(0, SEGMENT), scratch,
+        np.empty(0, EVENT),
+    )  # fmt: skip
+    return math.inf if math.isnan(scratch.doubt[0]) else float(scratch.doubt[0])
+
+
+def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> Carried:
+    """Go through a motion again with its derivatives with respect to some parameters.
+
+    Parameters
+    ----------
+    motion : Motion
+        With rigid contact.
+    paths : sequence of str
+    sign : float, default 1
+        −1 for how it changes when the parameters become smaller, told as if they became larger [1].
+    edges : bool, default False
+        Keep also how states change with a restitution that is 0 and becomes larger, behind a landing, and with a rim that is
+        lifted or thrown from a start in contact.
+
+    Returns
+    -------
+    carried : Carried
+
+    Raises
+    ------
+    ValueError
+        If the contact is compliant or a path is no parameter.
+    """
+    scenario = motion.scenario
+    if scenario.contact.model != "rigid":
+        raise InputError("Derivatives need rigid contact: contact.model = 'compliant' has none.")
+    given = directions_of(scenario, paths)
+    events, segments = motion.tables["events"], motion.tables["segments"]
+    count = len(paths)
+    at_events = np.zeros((len(events), KEPT, count))
+    at_segments = np.zeros((len(segments), CARRIED, count))
+    reasons, failed = np.zeros(count, np.int64), np.full(count, -1, np.int64)
+    duration = scenario.duration / motion.units.time
+    compiled(go_through)(
+        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration, motion.kernel_doubt, edges,
+        at_events, at_segments, reasons, failed, thread_scratch(), _local(),
+    )  # fmt: skip
+    return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)

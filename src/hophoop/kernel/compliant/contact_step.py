@@ -1,0 +1,211 @@
+"""A step in contact: as long as the error allows, to the first change of regime or the lift-off."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop.kernel.compliant.events import FRICTION_CHANGE, GUARDS, NONE, first_exit, guard, remaining, sign_change
+from hophoop.kernel.compliant.motion import rates
+from hophoop.kernel.compliant.phase import FLIGHT, Phase, begun, ended, keep, mode_of, note, tried, within_turn
+from hophoop.kernel.compliant.records import DYNAMIC, HOLD, OM, SIZE, STEP, TH, VN, VT, Y, Z
+from hophoop.kernel.compliant.step import FAILED, attempt, make_poly, poly_value, predict
+from hophoop.kernel.compliant.tableau import STAGES
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.exponentials import power
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.compliant import (
+    BRISTLE,
+    TANH,
+    bristle_rate,
+    creep_speed,
+    friction_force,
+    normal_force,
+    resisting_couple,
+)
+from hophoop.kernel.physics.contact import delassus
+from hophoop.kernel.physics.roll import rest_curvature
+from hophoop.kernel.records.layout import EVENTS
+from hophoop.kernel.records.writing import has_room
+
+SLIP_START, STICK, TAKEOFF, TURN, REST = (np.int64(Event[name]) for name in ("SLIP_START", "STICK", "TAKEOFF", "TURN", "REST"))
+AHEAD = np.int64(1)
+AT_REST, UNDETERMINED = int(Status.AT_REST), int(Status.UNDETERMINED)
+
+SAFETY, SLOWER, FASTER = 0.9, 0.1, 6.0
+ORDER_OF_ERROR = STAGES + 1
+# A step as short as this means that the method has failed.
+SHORTEST = 1e-40
+# Velocities and accelerations (of order 1 in a motion) below which a stable equilibrium is called rest.
+STILL = 1e-11
+ROUNDED = 1e-13  # of the slip velocities of a step: what rounding leaves of v_t where it nearly vanishes
+
+
+def first_step(body, comp, regime, u, rtol):
+    """Length of a step that resolves the fastest transient of a contact that begins."""
+    s, c = sine_and_cosine(u[TH])
+    W_tt, W_nn, _ = delassus(body, s, c)
+    normal, normal_y, normal_vn = normal_force(comp, u[Y], u[VN])
+    friction_vt = friction_force(comp, regime, normal, u[Z], u[VT])[2]
+    speed = math.sqrt(max(-normal_y, comp.k) * W_nn) + abs(normal_vn) * W_nn + abs(friction_vt) * W_tt
+    if comp.friction == BRISTLE:
+        speed += math.sqrt(comp.k_t * W_tt)
+    speed += 1.0 + abs(u[OM])
+    if body.resist > 0.0:
+        speed += abs(resisting_couple(comp, body.resist, normal, u[OM])[2]) / body.kap
+    return 0.3 * power(rtol, 1.0 / ORDER_OF_ERROR) / speed
+
+
+def at_rest(body, comp, regime, u, work):
+    """(whether the hoop rests, whether stably)."""
+    speed = max(abs(u[VT]), abs(u[VN]), abs(u[OM]))
+    if speed > STILL:
+        return False, False
+    rates(body, comp, regime, u, work.trial)
+    speed = max(speed, abs(work.trial[VT]), abs(work.trial[VN]), abs(work.trial[OM]))
+    if speed > STILL:
+        return False, False
+    s, c = sine_and_cosine(u[TH])
+    bend = rest_curvature(body, s, c)
+    stable = bend > 0.0 or (body.eps == 0.0 and body.gt == 0.0)
+    return stable or speed < 1e-15, stable
+
+
+def arm(comp, regime, armed, work):
+    """Which guards can fall from here."""
+    u = work.state
+    for which in range(GUARDS):
+        value, floor = guard(comp, regime, which, u[Y], u[VT], u[VN], u[Z])
+        armed[which] = value > floor
+
+
+def come_to_rest(phase, t_end, stable, log, rows, work):
+    """(the end at rest, segments)."""
+    note(log, REST, phase.mode, phase.mode, phase.t, phase.turns, work.state)
+    if has_room(log):
+        log.events[log.counts[EVENTS] - 1]["stable"] = 1 if stable else 0
+    rows = keep(log, rows, phase, t_end, HOLD, 0.0, work)
+    return ended(phase, t_end, AT_REST), rows
+
+
+def shorten(body, comp, regime, which, s, length, rtol, work):
+    """Step again, to end where a guard falls, and until it does so to its floor: (length, whether all steps held)."""
+    for _ in range(6):
+        predict(work, 0.0, s)
+        if not attempt(body, comp, regime, work, work.state, s * length, rtol) < FAILED:
+            return 0.5 * s * length, False
+        length *= s
+        make_poly(work, work.state)
+        s = remaining(comp, regime, which, work.poly)
+        if s == 1.0:
+            break
+    return length, True
+
+
+def accept(phase, after, behind, length, log, rows, work):
+    """(the phase after a step, segments), with the turning point on the way."""
+    u = work.state
+    way = phase.way
+    rows = keep(log, rows, phase, after, STEP, length, work)
+    spin = poly_value(work.poly, OM, 1.0)
+    if way * spin < 0.0:
+        s = sign_change(work.poly, OM) if work.poly[OM, 0] * spin < 0.0 else 0.0
+        for m in range(SIZE):
+            work.start[m] = poly_value(work.poly, m, s)
+        work.start[OM] = 0.0
+        when = min(phase.t + s * length, after)  # which may be rounded the other way
+        note(log, TURN, phase.mode, phase.mode, when, phase.turns, work.start)
+    if spin != 0.0:
+        way = 1.0 if spin > 0.0 else -1.0
+    for m in range(SIZE):
+        u[m] += work.stages[STAGES - 1, m] if m < DYNAMIC else work.integrals[STAGES - 1, m - DYNAMIC]
+    turns, u[TH] = within_turn(phase.turns, u[TH])
+    return Phase(after, turns, behind, phase.mode, phase.regime, False, phase.h, length, way, phase.status), rows
+
+
+def meet_threshold(comp, regime, work):
+    """Put v_t where slip ends, if it is elsewhere by rounding.
+
+    v_t may have come from 10¹² slip speeds. What its last digits are would be friction beyond the cone.
+    """
+    u = work.state
+    value, floor = guard(comp, regime, FRICTION_CHANGE, u[Y], u[VT], u[VN], u[Z])
+    if comp.friction == TANH or abs(value) <= floor:
+        return
+    threshold = regime * creep_speed(comp)
+    if comp.friction == BRISTLE:
+        threshold = bristle_rate(comp, regime, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
+    size = 0.0
+    for j in range(STAGES + 1):
+        size += abs(work.poly[VT, j])
+    if abs(u[VT] - threshold) <= ROUNDED * size:
+        u[VT] = threshold
+
+
+def change(comp, phase, which, armed, log, work):
+    """The phase after a guard has fallen: another regime of the friction, or flight."""
+    u = work.state
+    if which != FRICTION_CHANGE:
+        note(log, TAKEOFF, phase.mode, FLIGHT, phase.t, phase.turns, u)
+        if comp.k * abs(u[Y]) < 1e-8:
+            u[Y] = 0.0
+        return begun(phase, phase.t, FLIGHT, phase.regime)
+    if phase.regime != 0:
+        regime = np.int64(0)
+        meet_threshold(comp, phase.regime, work)
+    elif comp.friction == BRISTLE:
+        regime = AHEAD if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -AHEAD
+    else:
+        regime = AHEAD if u[VT] > 0.0 else -AHEAD
+    mode = mode_of(regime)
+    note(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, phase.turns, u)
+    if comp.friction != TANH:
+        return begun(phase, phase.t, mode, regime)
+    arm(comp, regime, armed, work)  # smooth across its threshold
+    return Phase(phase.t, phase.turns, phase.behind, mode, regime, False, phase.h, phase.before, phase.way, phase.status)
+
+
+def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
+    """(the phase one step later, segments); after a step that failed the phase is the same, with a shorter one."""
+    u = work.state
+    regime = phase.regime
+    if phase.begins:
+        arm(comp, regime, armed, work)
+        phase = tried(phase, first_step(body, comp, regime, u, rtol), 0.0)
+        rests, stable = at_rest(body, comp, regime, u, work)
+        if rests:
+            return come_to_rest(phase, t_end, stable, log, rows, work)
+    h = phase.h
+    if h < SHORTEST:
+        return ended(phase, phase.t, UNDETERMINED), rows
+    left = t_end - phase.t
+    last = h >= 0.999 * left
+    length = left if last else h
+    predict(work, 1.0, length / phase.before if phase.before > 0.0 else 0.0)
+    error = attempt(body, comp, regime, work, u, length, rtol)
+    if error >= FAILED:
+        # Newton's iteration may have been sent astray by its first guess
+        return tried(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0), rows
+    factor = SAFETY * power(max(error, 1e-10), -1.0 / ORDER_OF_ERROR)
+    if error > 1.0:
+        return tried(phase, max(factor, SLOWER) * length, phase.before), rows
+    phase = tried(phase, min(factor, FASTER) * length, phase.before)
+    make_poly(work, u)
+    which, s = first_exit(comp, regime, work.poly, armed)
+    if which != NONE and s * length < SHORTEST:
+        return change(comp, phase, which, armed, log, work), rows
+    if which != NONE:
+        length, done = shorten(body, comp, regime, which, s, length, rtol, work)
+        if not done:
+            return tried(phase, length, 0.0), rows
+        last = False
+    after = t_end if last else phase.t + (length + phase.behind)
+    behind = phase.behind if length == 0.0 else (length + phase.behind) - (after - phase.t)
+    phase, rows = accept(phase, after, behind, length, log, rows, work)
+    if which != NONE:
+        return change(comp, phase, which, armed, log, work), rows
+    rests, stable = at_rest(body, comp, regime, u, work)
+    if rests:
+        return come_to_rest(phase, t_end, stable, log, rows, work)
+    return phase, rows

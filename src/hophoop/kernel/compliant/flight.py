@@ -1,0 +1,135 @@
+"""Flight between contacts, in closed form, also while the rim is still below the plane's level."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hophoop.kernel.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note, turned, within_turn
+from hophoop.kernel.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.collocation import ORDER, coefficients
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.double_double import turns_and_rest
+from hophoop.kernel.numerics.exponentials import exponential
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall
+from hophoop.kernel.panels.landing import first_landing
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force
+from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.physics.flight import flight_displacement, flight_gap
+
+APEX = np.int64(Event.APEX)
+EVENT_LIMIT = int(Status.EVENT_LIMIT)
+MOST_PANELS = 20_000  # looked at in one flight below the plane's level
+PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
+LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
+
+
+def fly_state(body, comp, begin, opening, tau, out):
+    """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Returns the turns made."""
+    s, c = sine_and_cosine(begin[TH])
+    out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
+    along, out[VT] = flight_displacement(body, begin[VT], begin[OM], s, c, tau)
+    out[X] = begin[X] + along
+    # of the same angle as in the gap, which may be of many turns
+    more, rest, low = turns_and_rest(begin[OM] * tau)
+    turns, out[TH] = within_turn(more, begin[TH] + (rest + low))
+    out[OM] = begin[OM]
+    out[Z] = 0.0
+    out[FRICTION] = begin[FRICTION]
+    out[RESISTED] = begin[RESISTED]
+    if comp.friction == BRISTLE and begin[Z] != 0.0:
+        # the free bristle relaxes; its spring's energy ends in its damper
+        out[Z] = begin[Z] * exponential(-comp.k_t / comp.c_t * tau)
+        out[FRICTION] += 0.5 * comp.k_t * (begin[Z] - out[Z]) * (begin[Z] + out[Z])
+    # so does that of the normal spring, which cannot follow the rim
+    before = min(begin[Y], 0.0)
+    after = min(out[Y], 0.0)
+    out[DAMPING] = begin[DAMPING] + 0.5 * comp.k * (before - after) * (before + after)
+    return turns
+
+
+def _regain(comp, y, vn):
+    """Negative of what must be positive for the contact to act again below the plane's level."""
+    if comp.law == KELVIN_VOIGT:
+        return comp.k * y + comp.c * vn
+    return comp.d * vn - 1.0
+
+
+def fly_below(body, comp, begin, opening, limit, work):
+    """(what, τ): a flight below the plane's level gets CLEAR of it, has LANDED again, or LASTS; GIVEN_UP after many turns."""
+    s, c = sine_and_cosine(begin[TH])
+    om = begin[OM]
+    start = 0.0
+    length = 4.0 * abs(begin[Y]) / max(begin[VN], 1e-300)
+    for _ in range(MOST_PANELS):
+        if not start < limit:
+            return LASTS, limit
+        length = min(length, limit - start)
+        if om != 0.0:
+            length = min(length, PHASE / abs(om))
+        for i in range(ORDER):
+            tau = start + 0.5 * length * (1.0 + NODES[i])
+            y, vn = flight_gap(body, s, c, om, begin[Y], begin[VN], opening, tau)
+            work.values[0, i] = -y
+            work.values[1, i] = _regain(comp, y, vn)
+        what = LASTS
+        best = NOT_FOUND
+        coefficients(work.values[0], work.series)
+        xi = first_fall(work.series, 0.0, work.stack)
+        if xi != NOT_FOUND:
+            best = xi
+            what = CLEAR
+        coefficients(work.values[1], work.series)
+        xi = first_fall(work.series, 0.0, work.stack)
+        if xi != NOT_FOUND and (best == NOT_FOUND or xi < best):
+            best = xi
+            what = LANDED
+        if what != LASTS:
+            return what, start + 0.5 * length * (1.0 + best)
+        start += length
+        length *= 2.0
+    return GIVEN_UP, start
+
+
+def fly_above(body, begin, opening, zeros, limit):
+    """(what, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
+    landing, apex, seen = first_landing(body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit)
+    if 0.0 <= landing <= limit:
+        return LANDED, landing, apex
+    return (GIVEN_UP if seen < limit else LASTS), seen, apex
+
+
+def flight_step(body, comp, phase, t_end, log, rows, work):
+    """(the phase after a flight, segments)."""
+    u = work.state
+    t = phase.t
+    s, c = sine_and_cosine(u[TH])
+    opening = free_acceleration(body, s, c, u[OM] * u[OM])[1]
+    apex = -1.0
+    if u[Y] < 0.0:
+        what, tau = fly_below(body, comp, u, opening, t_end - t, work)
+    elif u[Y] == 0.0 and u[VN] < 0.0:  # a start that lands at once
+        what, tau = LANDED, 0.0
+    else:
+        zeros = 0 if u[Y] > 0.0 else 1 if u[VN] > 0.0 else 2
+        what, tau, apex = fly_above(body, u, opening, zeros, t_end - t)
+    if 0.0 < apex < tau:
+        more = fly_state(body, comp, u, opening, apex, work.start)
+        work.start[VN] = 0.0
+        note(log, APEX, FLIGHT, FLIGHT, t + apex, phase.turns + more, work.start)
+    after = t_end if what == LASTS else t + tau
+    rows = keep(log, rows, phase, after, FLY, opening, work)
+    phase = turned(phase, fly_state(body, comp, u, opening, tau, work.start))
+    if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
+        work.start[Y] = 0.0
+    for m in range(SIZE):
+        u[m] = work.start[m]
+    if what == GIVEN_UP:
+        return ended(phase, after, EVENT_LIMIT), rows
+    if what != LANDED:
+        return begun(phase, after, FLIGHT, phase.regime), rows
+    regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
+    mode = mode_of(regime)
+    note(log, IMPACT, FLIGHT, mode, after, phase.turns, u)
+    return begun(phase, after, mode, regime), rows

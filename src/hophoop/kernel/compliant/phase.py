@@ -1,0 +1,131 @@
+"""What the loop over contacts and flights carries, and how it is written down."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop.kernel.compliant.records import (
+    FIRST,
+    FRICTION,
+    KIND,
+    LENGTH,
+    MODE,
+    OM,
+    REGIME,
+    RESISTED,
+    SIZE,
+    STEP,
+    T_END,
+    TH,
+    TURNS,
+    VN,
+    VT,
+    T,
+    X,
+    Y,
+    grown,
+)
+from hophoop.kernel.compliant.tableau import STAGES
+from hophoop.kernel.numerics.double_double import turns_and_rest
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.records.layout import EVENTS, SEGMENTS
+from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_resisted
+from hophoop.kernel.records.writing import has_room, quiet, write_event
+
+# As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
+ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
+IMPACT = np.int64(Event.IMPACT)
+GOING = -1  # stands for the status of a motion that has not ended
+
+
+class Phase(NamedTuple):
+    """Where a motion is; its state is in `work.state`."""
+
+    t: float
+    turns: float  # whole ones; the state has θ within the turn, with all its digits however far the hoop has rolled
+    behind: float  # what rounding has kept from t so far: steps may be shorter than its last digit
+    mode: int | np.int64
+    regime: int | np.int64  # of the friction
+    begins: bool  # a contact, or a regime of its friction, begins
+    h: float  # length of the next step
+    before: float  # length of the step whose dense output starts Newton's iteration, or 0
+    way: float  # sign of θ̇ when it was last not 0
+    status: int  # GOING, or how the motion ended
+
+
+def begun(phase, t, mode, regime):
+    """The phase that begins at a time."""
+    return Phase(t, phase.turns, phase.behind, mode, regime, True, phase.h, phase.before, phase.way, GOING)
+
+
+def tried(phase, h, before):
+    """The same phase, to be tried again with another step."""
+    return Phase(phase.t, phase.turns, phase.behind, phase.mode, phase.regime, False, h, before, phase.way, GOING)
+
+
+def ended(phase, t, status):
+    """The motion ends in this phase."""
+    return Phase(t, phase.turns, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.way, status)
+
+
+def within_turn(turns, th):
+    """(turns, θ) with θ counted in the turn it is in, once it is far from the present one."""
+    if abs(th) <= FARTHEST:
+        return turns, th
+    more, rest, low = turns_and_rest(th)
+    return turns + more, rest + low
+
+
+def turned(phase, turns):
+    """The same phase, so many turns further."""
+    return Phase(
+        phase.t, phase.turns + turns, phase.behind, phase.mode, phase.regime, phase.begins,
+        phase.h, phase.before, phase.way, phase.status,
+    )  # fmt: skip
+
+
+def mode_of(regime):
+    """The mode that a regime of the friction is called."""
+    if regime == 0:
+        return ROLL
+    return SKID if regime > 0 else SPIN
+
+
+def as_state(t, turns, u):
+    """The state as events are written."""
+    start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
+    there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns + turns, start.th, start.th_low)
+    return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
+
+
+def note(log, kind, before, after, t, turns, u):
+    """Append an event that changes no velocity."""
+    state = as_state(t, turns, u)
+    write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
+    if kind == IMPACT and has_room(log):
+        log.events[log.counts[EVENTS] - 1]["collision"] = 1
+
+
+def keep(log, rows, phase, t_end, kind, length, work):
+    """Append a segment; returns the array, which may be a longer copy."""
+    pieces = log.counts[SEGMENTS]
+    log.counts[SEGMENTS] = pieces + 1
+    rows = grown(rows, pieces)
+    row = rows[pieces]
+    row[T] = phase.t
+    row[T_END] = t_end
+    row[KIND] = kind
+    row[MODE] = phase.mode
+    row[REGIME] = phase.regime
+    row[TURNS] = phase.turns
+    row[LENGTH] = length
+    for m in range(SIZE):
+        for j in range(STAGES + 1):
+            at = FIRST + m * (STAGES + 1) + j
+            if kind == STEP:
+                row[at] = work.poly[m, j]
+            else:
+                row[at] = work.state[m] if j == 0 else 0.0
+    return rows

@@ -1,0 +1,221 @@
+"""One step of the implicit method: simplified Newton iteration, error estimate, dense output."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.compliant.elimination import divided, factor, factor_complex, product, scaled, solve, solve_complex
+from hophoop.kernel.compliant.motion import jacobian, powers, rates, stored
+from hophoop.kernel.compliant.records import DYNAMIC, MEASURED, OM, SIZE, VN, VT, X
+from hophoop.kernel.compliant.tableau import (
+    DEFECT,
+    ERROR,
+    FROM_PAIR,
+    FROM_REAL,
+    GAMMA,
+    LAMBDA,
+    NODES,
+    PAIRS,
+    POWERS,
+    STAGES,
+    TO_PAIR,
+    TO_REAL,
+    A,
+)
+from hophoop.kernel.numerics.powers import integer_power
+
+ITERATIONS = 10
+NEWTON = 1e-3  # of the tolerance: what Newton's iteration may leave
+LEDGER = 0.1  # of rtol: how much of the energy a step may leave out of the ledger
+ROUNDING = 4e-16  # of an energy, beside the speeds that it is a difference of
+FAILED = 1e300  # an error that no step may have
+
+
+def predict(work, begin, stretch):
+    """Start Newton's iteration from the polynomial in `work.poly`: its values at begin + stretch c_i."""
+    for m in range(DYNAMIC):
+        base = poly_value(work.poly, m, begin)
+        for i in range(STAGES):
+            work.stages[i, m] = poly_value(work.poly, m, begin + stretch * NODES[i]) - base
+
+
+def poly_value(poly, m, s):
+    """Variable m of the dense output."""
+    result = poly[m, STAGES]
+    for j in range(STAGES - 1, -1, -1):
+        result = result * s + poly[m, j]
+    return result
+
+
+def form_of(work):
+    """The stages in the eigenvectors of A⁻¹."""
+    for m in range(DYNAMIC):
+        total = 0.0
+        for i in range(STAGES):
+            total += TO_REAL[i] * work.stages[i, m]
+        work.real_form[m] = total
+        for k in range(PAIRS):
+            pair = 0.0j
+            for i in range(STAGES):
+                pair += scaled(TO_PAIR[k, i], work.stages[i, m])
+            work.pair_form[k, m] = pair
+
+
+def newton(body, comp, regime, work, start, h):
+    """Solve for the stages; True if the iteration converged."""
+    form_of(work)
+    before = 0.0
+    rate = 0.9
+    for iteration in range(ITERATIONS):
+        for i in range(STAGES):
+            for m in range(DYNAMIC):
+                work.trial[m] = start[m] + work.stages[i, m]
+            rates(body, comp, regime, work.trial, work.rates[i])
+        size = 0.0
+        for m in range(DYNAMIC):
+            total = 0.0
+            for i in range(STAGES):
+                total += TO_REAL[i] * work.rates[i, m]
+            work.real_side[m] = total - GAMMA / h * work.real_form[m]
+        solve(work.real, work.real_pivots, work.real_side)
+        for m in range(DYNAMIC):
+            work.real_form[m] += work.real_side[m]
+            part = work.real_side[m] / work.scale[m]
+            size += part * part
+        for k in range(PAIRS):
+            eigenvalue = divided(LAMBDA[k], h)
+            for m in range(DYNAMIC):
+                pair = 0.0j
+                for i in range(STAGES):
+                    pair += scaled(TO_PAIR[k, i], work.rates[i, m])
+                work.pair_side[m] = pair - product(eigenvalue, work.pair_form[k, m])
+            solve_complex(work.pairs[k], work.pair_pivots[k], work.pair_side)
+            for m in range(DYNAMIC):
+                work.pair_form[k, m] += work.pair_side[m]
+                shift = divided(work.pair_side[m], work.scale[m])
+                size += shift.real * shift.real + shift.imag * shift.imag
+        for i in range(STAGES):
+            for m in range(DYNAMIC):
+                total = FROM_REAL[i] * work.real_form[m]
+                for k in range(PAIRS):
+                    total += product(FROM_PAIR[i, k], work.pair_form[k, m]).real
+                work.stages[i, m] = total
+        size = math.sqrt(size / (STAGES * DYNAMIC))
+        if not size < 1e100:
+            return False
+        if iteration > 0:
+            rate = size / before if before > 0.0 else 0.0
+            if rate >= 1.0 and size > NEWTON:
+                return False
+            if rate < 1.0 and rate / (1.0 - rate) * size <= NEWTON:
+                return True
+            if rate < 1.0 and integer_power(rate, ITERATIONS - 1 - iteration) / (1.0 - rate) * size > NEWTON:
+                return False
+        if size <= 1e-2 * NEWTON:
+            return True
+        before = size
+    return False
+
+
+def scaled_square(work):
+    """Return the sum of squares of the right-hand side over the scales."""
+    total = 0.0
+    for m in range(DYNAMIC):
+        part = work.real_side[m] / work.scale[m]
+        total += part * part
+    return total
+
+
+def attempt(body, comp, regime, work, start, h, rtol):
+    """Try a step of length h from `start`, with `work.stages` as the first guess.
+
+    Leaves the stages, the integrals and the dense output in `work`; returns the error over the tolerance,
+    FAILED where Newton's iteration does not converge.
+    """
+    for m in range(SIZE):
+        work.scale[m] = rtol * (work.atol[m] + abs(start[m]))
+    jacobian(body, comp, regime, start, work.jacobian)
+    for i in range(DYNAMIC):
+        for j in range(DYNAMIC):
+            work.real[i, j] = -work.jacobian[i, j]
+            for k in range(PAIRS):
+                work.pairs[k, i, j] = -work.jacobian[i, j]
+        work.real[i, i] += GAMMA / h
+        for k in range(PAIRS):
+            work.pairs[k, i, i] += divided(LAMBDA[k], h)
+    if not factor(work.real, work.real_pivots):
+        return FAILED
+    for k in range(PAIRS):
+        if not factor_complex(work.pairs[k], work.pair_pivots[k]):
+            return FAILED
+    if not newton(body, comp, regime, work, start, h):
+        return FAILED
+    # the integrals, by the same collocation
+    for i in range(STAGES):
+        for m in range(DYNAMIC):
+            work.trial[m] = start[m] + work.stages[i, m]
+        powers(body, comp, regime, work.trial, work.powers[i], 0)
+    rates(body, comp, regime, start, work.start_rate)
+    powers(body, comp, regime, start, work.start_rate, DYNAMIC)
+    total = 0.0
+    for m in range(SIZE - DYNAMIC):
+        error = work.start_rate[DYNAMIC + m] / GAMMA
+        for i in range(STAGES):
+            error += DEFECT[i] * work.powers[i, m]
+            value = 0.0
+            for j in range(STAGES):
+                value += A[i, j] * work.powers[j, m]
+            work.integrals[i, m] = h * value
+        part = h * error / work.scale[DYNAMIC + m]
+        total += part * part
+    for m in range(DYNAMIC):
+        stages = 0.0
+        for i in range(STAGES):
+            stages += ERROR[i] * work.stages[i, m]
+        work.error[m] = stages * GAMMA / h
+        work.real_side[m] = work.start_rate[m] + work.error[m]
+    solve(work.real, work.real_pivots, work.real_side)
+    size = scaled_square(work)
+    if size + total > MEASURED:
+        # filtered once more, which stiff components need (Hairer & Wanner, IV.8)
+        for m in range(DYNAMIC):
+            work.trial[m] = start[m] + work.real_side[m]
+        rates(body, comp, regime, work.trial, work.real_side)
+        for m in range(DYNAMIC):
+            work.real_side[m] += work.error[m]
+        solve(work.real, work.real_pivots, work.real_side)
+        size = scaled_square(work)
+    result = math.sqrt((size + total) / MEASURED)
+    if not result < FAILED:
+        return FAILED
+    if result <= 1.0:  # of a light ring the estimate says too little
+        result = max(result, ledger_error(body, comp, work, start, rtol))
+    return result
+
+
+def ledger_error(body, comp, work, start, rtol):
+    """What the ledger does not close by over a step, over its tolerance."""
+    end = work.trial
+    for m in range(DYNAMIC):
+        end[m] = start[m] + work.stages[STAGES - 1, m]
+    lost = 0.0
+    for m in range(SIZE - DYNAMIC):
+        if m != X - DYNAMIC:
+            lost += work.integrals[STAGES - 1, m]
+    before, height = stored(body, comp, start)
+    after, higher = stored(body, comp, end)
+    gain = (after - before) + (higher - height) + lost - body.gt * work.integrals[STAGES - 1, X - DYNAMIC]
+    rounding = (abs(end[VT]) + abs(end[VN]) + abs(end[OM])) * math.sqrt(after)
+    return abs(gain) / (LEDGER * rtol * (1.0 + before + after) + ROUNDING * rounding)
+
+
+def make_poly(work, start):
+    """Write the dense output of the step in the stages to `work.poly`."""
+    for m in range(SIZE):
+        work.poly[m, 0] = start[m]
+        for j in range(STAGES):
+            total = 0.0
+            for i in range(STAGES):
+                increment = work.stages[i, m] if m < DYNAMIC else work.integrals[i, m - DYNAMIC]
+                total += POWERS[j, i] * increment
+            work.poly[m, j + 1] = total

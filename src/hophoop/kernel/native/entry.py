@@ -1,0 +1,119 @@
+"""Calls of kernels from Python: by the library of compiled kernels where it has them, else by the interpreter.
+
+Both give the same bits. The environment variable HOPHOOP_KERNELS says otherwise: `interpreted` runs the sources even where
+there is a library, `compiled` refuses to run without one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterator
+from functools import cached_property
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from hophoop._support.errors import InputError
+from hophoop.kernel.native.library import library, why_none
+
+MODES = ("auto", "compiled", "interpreted")
+
+
+def mode() -> str:
+    """What the environment asks for: auto, compiled or interpreted.
+
+    Raises
+    ------
+    ValueError
+        If HOPHOOP_KERNELS is something else.
+    """
+    wanted = os.environ.get("HOPHOOP_KERNELS") or "auto"
+    if wanted not in MODES:
+        raise InputError.of_field("HOPHOOP_KERNELS", wanted, f"one of {', '.join(MODES)}")
+    return wanted
+
+
+class Entry:
+    """A kernel as Python calls it."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self._call: Callable[..., Any] = self._choose
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self._call(*arguments)
+
+    def __repr__(self) -> str:
+        return f"<kernel {self.name}>"
+
+    def _choose(self, *arguments: Any) -> Any:
+        self._call = self._chosen()
+        return self._call(*arguments)
+
+    def _chosen(self) -> Callable[..., Any]:
+        wanted = mode()
+        if wanted == "interpreted":
+            return self._interpret
+        found = library(quiet=wanted == "compiled")
+        if found is not None:
+            return found.call(self.name)
+        if wanted == "compiled":
+            raise InputError(f"HOPHOOP_KERNELS = 'compiled': {why_none()}", field="HOPHOOP_KERNELS", value=wanted)
+        return self._interpret
+
+    def _interpret(self, *arguments: Any) -> Any:
+        with np.errstate(all="ignore"):
+            return self.kernel(*arguments)
+
+    @cached_property
+    def kernel(self) -> Callable[..., Any]:
+        """Its source, imported where it is interpreted."""
+        module, _, function = self.name.rpartition(".")
+        found: Callable[..., Any] = getattr(import_module(module), function)
+        return found
+
+
+_entries: dict[Callable[..., Any] | str, Entry] = {}
+
+
+def compiled(kernel: Callable[..., Any] | str) -> Callable[..., Any]:
+    """A kernel of `kernel.entries` as compiled code; interpreted where there is none.
+
+    Parameters
+    ----------
+    kernel : function or str
+        Or its name with that of its module, which then is not imported where there is a library.
+
+    Returns
+    -------
+    call : callable
+        Takes what the kernel takes.
+    """
+    found = _entries.get(kernel)
+    if found is None:
+        name = kernel if isinstance(kernel, str) else f"{kernel.__module__}.{kernel.__qualname__}"
+        found = _entries[kernel] = _entries.setdefault(name, Entry(name))
+    return found
+
+
+@contextlib.contextmanager
+def forced(wanted: str) -> Iterator[None]:
+    """Run all kernels as HOPHOOP_KERNELS says within; for tests and measurements."""
+    before = os.environ.get("HOPHOOP_KERNELS")
+    os.environ["HOPHOOP_KERNELS"] = wanted
+    _choose_again()
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ["HOPHOOP_KERNELS"]
+        else:
+            os.environ["HOPHOOP_KERNELS"] = before
+        _choose_again()
+
+
+def _choose_again() -> None:
+    for entry in list(_entries.values()):
+        entry._call = entry._choose

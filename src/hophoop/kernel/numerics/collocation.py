@@ -1,0 +1,337 @@
+"""Functions on a panel: 16 Gauss–Legendre nodes, integrals, series and interpolation.
+
+A smooth function on ξ ∈ [−1, 1] is known by its values at the nodes. `antiderivative` gives its
+integral from −1 to every node, `WEIGHTS` the integral over the panel (exact to degree 31), `coefficients`
+its Chebyshev series.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop.kernel.native import apart, inline, interpreted_as
+from hophoop.kernel.numerics.constants import ANTIDERIVATIVE_T, NODES, SERIES, WEIGHTS
+from hophoop.kernel.numerics.exponentials import exponential
+
+ORDER = len(NODES)
+PARTS = 0.5 * (1.0 + NODES)  # of the panel before a node
+
+# ANTIDERIVATIVE_T is transposed, so that products run as sums of columns, which vectorise without reassociation.
+# The integral from every node to the end of the panel.
+REMAINDER_T = np.ascontiguousarray(ANTIDERIVATIVE_T[::-1, ::-1])
+SERIES_T = np.ascontiguousarray(SERIES.T)
+TAIL = np.ascontiguousarray(SERIES[ORDER - 3 :])
+EXP_3, EXP_4, EXP_5, EXP_6, EXP_7, EXP_8, EXP_9, EXP_10 = (1.0 / math.factorial(k) for k in range(3, 11))
+EXP_11, EXP_12, EXP_13, EXP_14, EXP_15, EXP_16, EXP_17, EXP_18 = (1.0 / math.factorial(k) for k in range(11, 19))
+
+
+def _product_by_arrays(matrix_t, values, out):
+    terms = matrix_t * values[:ORDER, None]
+    pairs = terms[::2] + terms[1::2]
+    fours = pairs[::2] + pairs[1::2]
+    eights = fours[::2] + fours[1::2]
+    np.add(eights[0], eights[1], out=out[:ORDER])
+
+
+@interpreted_as(_product_by_arrays)
+@inline
+def product(matrix_t, values, out):
+    """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers.
+
+    Part of its callers, each of which has one matrix, known when it is compiled.
+    """
+    for j in range(0, ORDER, 8):
+        v0, v1, v2, v3 = values[j], values[j + 1], values[j + 2], values[j + 3]
+        v4, v5, v6, v7 = values[j + 4], values[j + 5], values[j + 6], values[j + 7]
+        for i in range(ORDER):
+            low = (matrix_t[j, i] * v0 + matrix_t[j + 1, i] * v1) + (matrix_t[j + 2, i] * v2 + matrix_t[j + 3, i] * v3)
+            high = (matrix_t[j + 4, i] * v4 + matrix_t[j + 5, i] * v5) + (matrix_t[j + 6, i] * v6 + matrix_t[j + 7, i] * v7)
+            out[i] = low + high if j == 0 else out[i] + (low + high)
+
+
+@inline
+def dot(a, b):
+    """Sum of products in a fixed order: four sums side by side, which do not wait for each other."""
+    r0 = 0.0
+    r1 = 0.0
+    r2 = 0.0
+    r3 = 0.0
+    for i in range(0, ORDER, 4):
+        r0 += a[i] * b[i]
+        r1 += a[i + 1] * b[i + 1]
+        r2 += a[i + 2] * b[i + 2]
+        r3 += a[i + 3] * b[i + 3]
+    return (r0 + r1) + (r2 + r3)
+
+
+@inline
+def extremes(values):
+    """Smallest and largest value, also four at a time."""
+    l0 = h0 = values[0]
+    l1 = h1 = values[1]
+    l2 = h2 = values[2]
+    l3 = h3 = values[3]
+    for i in range(4, ORDER, 4):
+        l0 = min(l0, values[i])
+        l1 = min(l1, values[i + 1])
+        l2 = min(l2, values[i + 2])
+        l3 = min(l3, values[i + 3])
+        h0 = max(h0, values[i])
+        h1 = max(h1, values[i + 1])
+        h2 = max(h2, values[i + 2])
+        h3 = max(h3, values[i + 3])
+    return min(min(l0, l1), min(l2, l3)), max(max(h0, h1), max(h2, h3))
+
+
+@inline
+def smallest(values):
+    """Smallest value, four at a time."""
+    l0 = values[0]
+    l1 = values[1]
+    l2 = values[2]
+    l3 = values[3]
+    for i in range(4, ORDER, 4):
+        l0 = min(l0, values[i])
+        l1 = min(l1, values[i + 1])
+        l2 = min(l2, values[i + 2])
+        l3 = min(l3, values[i + 3])
+    return min(min(l0, l1), min(l2, l3))
+
+
+def _exponentials_by_arrays(values, out):
+    if not max(0.0, np.fmax.reduce(np.abs(values))) <= 1.0:
+        for i in range(ORDER):
+            out[i] = exponential(values[i])
+        return
+    square = values * values
+    even = EXP_18 * square + EXP_16
+    odd = EXP_17 * square + EXP_15
+    for even_next, odd_next in (
+        (EXP_14, EXP_13),
+        (EXP_12, EXP_11),
+        (EXP_10, EXP_9),
+        (EXP_8, EXP_7),
+        (EXP_6, EXP_5),
+        (EXP_4, EXP_3),
+    ):
+        even = even * square + even_next
+        odd = odd * square + odd_next
+    out[:] = 1.0 + (values + (0.5 * square + square * (even * square + odd * values)))
+
+
+@inline
+def _small_exponential(x):
+    """exp(x) by the series up to 1, which the processor does for several nodes at a time."""
+    square = x * x
+    even = EXP_18
+    odd = EXP_17
+    even = even * square + EXP_16
+    odd = odd * square + EXP_15
+    even = even * square + EXP_14
+    odd = odd * square + EXP_13
+    even = even * square + EXP_12
+    odd = odd * square + EXP_11
+    even = even * square + EXP_10
+    odd = odd * square + EXP_9
+    even = even * square + EXP_8
+    odd = odd * square + EXP_7
+    even = even * square + EXP_6
+    odd = odd * square + EXP_5
+    even = even * square + EXP_4
+    odd = odd * square + EXP_3
+    # the first terms last, so that their rounding is all there is
+    return 1.0 + (x + (0.5 * square + square * (even * square + odd * x)))
+
+
+@inline
+def _largest(values):
+    largest = 0.0
+    for i in range(ORDER):
+        largest = max(largest, abs(values[i]))
+    return largest
+
+
+@interpreted_as(_exponentials_by_arrays)
+@inline
+def exponentials(values, out):
+    """out = exp(values)."""
+    if not _largest(values) <= 1.0:
+        for i in range(ORDER):
+            out[i] = exponential(values[i])
+        return
+    for i in range(ORDER):
+        out[i] = _small_exponential(values[i])
+
+
+def _divided_by_arrays(values, out, row):
+    _exponentials_by_arrays(values, out)
+    row[:ORDER] /= out[:ORDER]
+
+
+@interpreted_as(_divided_by_arrays)
+@inline
+def divided_by_exponentials(values, out, row):
+    """out = exp(values), and row divided by it: in one loop, so that the processor takes several nodes at a time here, too."""
+    if not _largest(values) <= 1.0:
+        for i in range(ORDER):
+            out[i] = exponential(values[i])
+            row[i] /= out[i]
+        return
+    for i in range(ORDER):
+        grown = _small_exponential(values[i])
+        out[i] = grown
+        row[i] /= grown
+
+
+@inline
+def total(values):
+    """Integral of the function over the panel, by Gauss."""
+    return dot(WEIGHTS, values)
+
+
+@apart
+def integrals(values, out):
+    """Integrals of the function from −1 to every node."""
+    product(ANTIDERIVATIVE_T, values, out)
+
+
+@apart
+def remainders(values, out):
+    """Integrals of the function from every node to 1."""
+    product(REMAINDER_T, values, out)
+
+
+@inline
+def antiderivative(values, out):
+    """Integrals of the function from −1 to every node; returns the one over the whole panel."""
+    integrals(values, out)
+    return total(values)
+
+
+@apart
+def coefficients(values, out):
+    """Chebyshev coefficients of the function with these values at the nodes."""
+    product(SERIES_T, values, out)
+
+
+def _tail_by_arrays(values, scale):
+    scale = max(scale, np.fmax.reduce(np.abs(values)))
+    a, b, c = np.add.accumulate(TAIL * values, axis=1)[:, -1]
+    ratio = max(abs(a), abs(b), abs(c)) / scale
+    return ratio if ratio < np.inf else np.inf
+
+
+@interpreted_as(_tail_by_arrays)
+@inline
+def tail(values, scale):
+    """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
+    a = 0.0
+    b = 0.0
+    c = 0.0
+    for i in range(ORDER):
+        value = values[i]
+        scale = max(scale, abs(value))
+        a += TAIL[0, i] * value
+        b += TAIL[1, i] * value
+        c += TAIL[2, i] * value
+    ratio = max(abs(a), abs(b), abs(c)) / scale
+    return ratio if ratio < np.inf else np.inf
+
+
+def series_value(series, xi):
+    """Clenshaw's sum of the Chebyshev series at ξ."""
+    b1 = 0.0
+    b2 = 0.0
+    double = 2.0 * xi
+    for k in range(ORDER - 1, 0, -1):
+        b1, b2 = double * b1 + (series[k] - b2), b1
+    return xi * b1 - b2 + series[0]
+
+
+@inline
+def end_values(series):
+    """The series at ξ = −1, 0 and 1: sums of every fourth coefficient, side by side."""
+    r0, r1, r2, r3 = series[0], series[1], series[2], series[3]
+    for k in range(4, ORDER, 4):
+        r0 += series[k]
+        r1 += series[k + 1]
+        r2 += series[k + 2]
+        r3 += series[k + 3]
+    even = r0 + r2
+    odd = r1 + r3
+    return even - odd, r0 - r2, even + odd
+
+
+@inline
+def left_value(series):
+    """The series at ξ = −1."""
+    return end_values(series)[0]
+
+
+def _lagrange_by_arrays(xi, out):
+    double = 2.0 * xi
+    chebyshev = [1.0, xi]
+    for _ in range(2, ORDER):
+        chebyshev.append(double * chebyshev[-1] - chebyshev[-2])
+    terms = SERIES * np.array(chebyshev)[:, None]
+    terms[0] = SERIES[0]
+    # from left to right, as the loop sums
+    out[:] = np.add.accumulate(terms)[-1]
+
+
+@interpreted_as(_lagrange_by_arrays)
+@inline
+def lagrange(xi, out):
+    """Weights that interpolate node values at ξ: the rows of `SERIES`, each times its T_k(ξ).
+
+    Seven rows a pass, so that the processor does several nodes at a time.
+    """
+    double = 2.0 * xi
+    t0 = 1.0
+    t1 = xi
+    for i in range(ORDER):
+        out[i] = SERIES[0, i] + xi * SERIES[1, i]
+    for k in range(2, ORDER, 7):
+        t2 = double * t1 - t0
+        t3 = double * t2 - t1
+        t4 = double * t3 - t2
+        t5 = double * t4 - t3
+        t6 = double * t5 - t4
+        t7 = double * t6 - t5
+        t8 = double * t7 - t6
+        for i in range(ORDER):
+            low = out[i] + t2 * SERIES[k, i] + t3 * SERIES[k + 1, i] + t4 * SERIES[k + 2, i]
+            out[i] = low + t5 * SERIES[k + 3, i] + t6 * SERIES[k + 4, i] + t7 * SERIES[k + 5, i] + t8 * SERIES[k + 6, i]
+        t0, t1 = t7, t8
+
+
+@inline
+def value_slope_bend(series, xi):
+    """The Chebyshev series, its first and its second derivative at ξ, by one pass of Clenshaw's recurrence.
+
+    The even part is a series in T_k(y), the odd one ξ times one in V_k(y), with y = 2 ξ² − 1: side by side they take half
+    the time. V_k has the recurrence of T_k, from 1 and 2 y − 1.
+    """
+    e1 = e2 = o1 = o2 = 0.0
+    de1 = de2 = do1 = do2 = 0.0
+    dde1 = dde2 = ddo1 = ddo2 = 0.0
+    double = 4.0 * xi * xi - 2.0
+    for k in range(ORDER - 2, 0, -2):
+        # summed so that a step waits for one product and one sum of the step before
+        dde1, dde2 = double * dde1 + (4.0 * de1 - dde2), dde1
+        ddo1, ddo2 = double * ddo1 + (4.0 * do1 - ddo2), ddo1
+        de1, de2 = double * de1 + (2.0 * e1 - de2), de1
+        do1, do2 = double * do1 + (2.0 * o1 - do2), do1
+        e1, e2 = double * e1 + (series[k] - e2), e1
+        o1, o2 = double * o1 + (series[k + 1] - o2), o1
+    even = 0.5 * double * e1 - e2 + series[0]
+    odd = double * o1 - o2 + (series[1] - o1)
+    even_slope = 0.5 * double * de1 - de2 + e1
+    odd_slope = double * do1 - do2 + (2.0 * o1 - do1)
+    even_bend = 0.5 * double * dde1 - dde2 + 2.0 * de1
+    odd_bend = double * ddo1 - ddo2 + (4.0 * do1 - ddo1)
+    slope = 4.0 * xi * (even_slope + xi * odd_slope) + odd
+    bend = 4.0 * (even_slope + 3.0 * xi * odd_slope) + 16.0 * xi * xi * (even_bend + xi * odd_bend)
+    return even + xi * odd, slope, bend

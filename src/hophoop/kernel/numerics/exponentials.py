@@ -1,0 +1,240 @@
+"""Exponentials, logarithms and powers whose bits are the same on every machine, made of + − × ÷ and integer operations.
+
+The exponent is k ln 2/64 and a rest r, and exp r = 1 + r + r²/2 + …, times a power of two from a table (Tang 1989). The
+table's values have 26 bits and a rest, so that the largest product is exact (Dekker). The other terms are below 2^−15 of the
+result, so that the errors of `exponential` are at most 0.5003 units in the last place, also where the result is subnormal.
+
+A logarithm is e ln 2 − log c + log(1 + r), where c is near 1/m and has 10 bits, so that r = m c − 1 is exact as two doubles
+(Tang 1990, with a table of 1/m). It has some 65 bits before it is rounded; a power has those of y log x.
+
+References: P. T. P. Tang, Table-driven implementation of the exponential function (1989) and of the logarithm function
+(1990) in IEEE floating-point arithmetic. J.-M. Muller, Elementary functions (3rd edition, 2016), chapter 6.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline, interpreted_as
+from hophoop.kernel.numerics.circular import INTEGER, INTEGER_WORD
+from hophoop.kernel.numerics.double_double import SPLITTER, multiply, quick_sum, two_product, two_sum
+from hophoop.kernel.numerics.elementary_constants import (
+    LN2_HIGH,
+    LN2_LOW,
+    LOG2_E_HIGH,
+    LOG2_E_LOW,
+    LOGARITHMS,
+    OCTAVE_1,
+    OCTAVE_2,
+    OCTAVE_INVERSE,
+    POWERS,
+)
+from hophoop.kernel.numerics.words import octave, power_of_two, scaled, word_of
+
+LEAST, MOST = -708.0, 709.0  # between them the result is a normal number
+LARGEST_EXPONENT = 709.782712893384  # of a double
+SMALLEST_EXPONENT = -745.1332191019412  # from here down exp x is rounded to zero
+E2, E3, E4, E5, E6 = 0.5, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0, 1.0 / 720.0
+L3, L4, L5, L6, L7, L8, L9, L10 = (-1.0 / 3.0, -0.25, -0.2, -1.0 / 6.0, -1.0 / 7.0, -0.125, -1.0 / 9.0, -0.1)
+L3, L5, L7, L9 = -L3, -L5, -L7, -L9
+FIRST = 90  # row of LOGARITHMS for m = 90/128
+ROOT_TWO = 1.4142135623730951
+COARSE = 3145728.0  # 1.5 · 2^21: added and taken away it leaves multiples of 2^−31
+SMALL_1P = 1e-9  # up to here log(1 + u) = u − u²/2
+LARGE_POWER = 1.8446744073709552e19  # 2^64
+
+
+@inline
+def growth_at(x, k, t1, t2):
+    """Return exp(x − k ln 2/64) (t1 + t2) as two doubles."""
+    a = x - k * OCTAVE_1
+    b = k * OCTAVE_2
+    r = a - b
+    part = SPLITTER * r
+    r1 = part - (part - r)
+    r2 = (r - r1) + ((a - r) - b)
+    z = r * r
+    curve = z * ((E2 + r * E3) + z * ((E4 + r * E5) + z * E6))
+    product = t1 * r1
+    total = t1 + product
+    error = product - (total - t1)
+    return total, error + (t2 + ((t1 * r2 + t2 * r) + (t1 + t2) * curve))
+
+
+@inline
+def growth(x):
+    """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
+    count = x * OCTAVE_INVERSE + INTEGER
+    whole = word_of(count) - INTEGER_WORD
+    j = whole & 63
+    high, rest = growth_at(x, count - INTEGER, float(POWERS[j, 0]), float(POWERS[j, 1]))
+    return whole >> 6, high, rest
+
+
+@apart
+def rounded(m, high, rest):
+    """Return 2^m (high + rest), 1 ≤ high + rest < 2, rounded once also where it is subnormal or too large."""
+    if m > 1022:
+        return (high + rest) * power_of_two(1022) * power_of_two(min(m - 1022, 1000))
+    if m >= -1022:
+        return (high + rest) * power_of_two(m)
+    if m < -1076:
+        return 0.0
+    # a number whose last bit is the last of the result
+    large = power_of_two(-1022 - m)
+    total = large + high
+    error = high - (total - large)
+    return scaled((total + (error + rest)) - large, m)
+
+
+@apart
+def _exponential_rare(x):
+    if x != x:
+        return x
+    if x > LARGEST_EXPONENT:
+        return math.inf
+    if x < SMALLEST_EXPONENT:
+        return 0.0
+    m, high, rest = growth(x)
+    return rounded(m, high, rest)
+
+
+_POWERS = [tuple(row) for row in POWERS.tolist()]
+
+
+def _exponential_by_floats(x):
+    x = float(x)
+    if not LEAST < x < MOST:
+        return _exponential_rare(x)
+    k = (x * OCTAVE_INVERSE + INTEGER) - INTEGER
+    a = x - k * OCTAVE_1
+    b = k * OCTAVE_2
+    r = a - b
+    part = SPLITTER * r
+    r1 = part - (part - r)
+    r2 = (r - r1) + ((a - r) - b)
+    z = r * r
+    curve = z * ((E2 + r * E3) + z * ((E4 + r * E5) + z * E6))
+    whole = int(k)
+    t1, t2 = _POWERS[whole & 63]
+    product = t1 * r1
+    total = t1 + product
+    error = product - (total - t1)
+    return math.ldexp(total + (error + (t2 + ((t1 * r2 + t2 * r) + (t1 + t2) * curve))), whole >> 6)
+
+
+@interpreted_as(_exponential_by_floats)
+@apart
+def exponential(x):
+    """Return exp x."""
+    if not LEAST < x < MOST:
+        return _exponential_rare(x)
+    m, high, rest = growth(x)
+    return (high + rest) * power_of_two(m)
+
+
+@inline
+def logarithm_at(power, m, inverse, high, low):
+    """Return log(2^power m) as two doubles; high + low is −log(inverse)."""
+    # r = m c − 1
+    m_high = (m + COARSE) - COARSE
+    r, r_low = two_sum(m_high * inverse - 1.0, (m - m_high) * inverse)
+    square, square_low = two_product(r, r)
+    series = ((L3 + r * L4) + square * (L5 + r * L6)) + square * square * ((L7 + r * L8) + square * (L9 + r * L10))
+    total, error = two_sum(power * LN2_HIGH + high, r)
+    total, more = two_sum(total, -0.5 * square)
+    rest = (power * LN2_LOW + low) + ((r_low - (r * r_low + 0.5 * square_low)) + r * square * series)
+    return quick_sum(total, (error + more) + rest)
+
+
+@apart
+def logarithm_parts(x):
+    """Return log x as two doubles with some 65 bits, of a finite x > 0."""
+    e, m = octave(x)
+    if m > ROOT_TWO:
+        m *= 0.5
+        e += 1
+    j = int(128.0 * m + 0.5) - FIRST
+    return logarithm_at(1.0 * e, m, float(LOGARITHMS[j, 0]), float(LOGARITHMS[j, 1]), float(LOGARITHMS[j, 2]))
+
+
+def logarithm(x):
+    """Return the natural logarithm of x."""
+    if not 0.0 < x < math.inf:
+        return _logarithm_rare(x)
+    high, low = logarithm_parts(x)
+    return high + low
+
+
+@inline
+def _logarithm_rare(x):
+    """Return the logarithm of what is no finite positive number."""
+    if x == 0.0:
+        return -math.inf
+    return x if x > 0.0 else math.nan
+
+
+def binary_logarithm(x):
+    """Return the logarithm of x to the base 2; exact for powers of two."""
+    if not 0.0 < x < math.inf:
+        return _logarithm_rare(x)
+    high, low = multiply(logarithm_parts(x), (LOG2_E_HIGH, LOG2_E_LOW))
+    return high + low
+
+
+def logarithm_1p(u):
+    """Return log(1 + u), with all digits also where u is small."""
+    if abs(u) < SMALL_1P:
+        return u - 0.5 * u * u if u != 0.0 else u
+    if not -1.0 < u < math.inf:
+        return _logarithm_rare(1.0 + u)
+    total, error = two_sum(1.0, u)
+    high, low = logarithm_parts(total)
+    return high + (low + error / total)
+
+
+@inline
+def _is_integer(y):
+    return abs(y) >= 4503599627370496.0 or 1.0 * math.floor(y) == y
+
+
+@inline
+def _is_odd(y):
+    return abs(y) < 9007199254740992.0 and _is_integer(y) and not _is_integer(0.5 * y)
+
+
+@inline
+def _power_rare(size, y):
+    """Return size^y where one of both is 0 or inf, or the result too large or small."""
+    if size == 1.0:
+        return 1.0
+    return math.inf if (size > 1.0) == (y > 0.0) else 0.0
+
+
+@apart
+def power(x, y):
+    """Return x^y; with the special values of C's pow. y of 0, 1, 2 and 1/2 is as exact as ×, and √."""
+    if y == 0.0 or x == 1.0:
+        return 1.0
+    if x != x or y != y:
+        return math.nan
+    if y == 1.0:
+        return 1.0 * x
+    if y == 2.0:
+        return x * x
+    if y == 0.5 and x >= 0.0:
+        return math.sqrt(abs(x))
+    size = abs(x)
+    sign = 1.0
+    if math.copysign(1.0, x) < 0.0:
+        if -math.inf < x < 0.0 and abs(y) < math.inf and not _is_integer(y):
+            return math.nan
+        if abs(y) < math.inf and _is_odd(y):
+            sign = -1.0
+    if not 0.0 < size < math.inf or abs(y) > LARGE_POWER:
+        return sign * _power_rare(size, y)
+    exponent, low = multiply(logarithm_parts(size), (y, 0.0))
+    if abs(exponent) > 750.0:
+        return sign * _power_rare(size, y)
+    m, high, rest = growth(exponent)
+    return sign * rounded(m, high, rest + high * low)

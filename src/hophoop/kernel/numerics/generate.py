@@ -1,0 +1,241 @@
+"""Generate the solver's tables in 60 digits and write `constants.py`: `python -m hophoop.kernel.numerics.generate`.
+
+Each entry is the double that is nearest to the exact value, so that no table depends on a BLAS, a C library or a processor.
+Only mpmath computes here; it has its own integer arithmetic. Nodes of a quadrature are rounded first, and what is
+tabulated at them belongs to the rounded nodes, at which the kernels evaluate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from mpmath import mp
+
+DIGITS = 60
+ORDER = 16  # Gauss–Legendre nodes of a panel
+WIDEST = "0.9"  # rad, the widest panel
+LEVELS = 96  # widths of panels, each narrower than the one before by √2
+STAGES = 5  # of Radau IIA
+ZERO = "1e-45"  # smaller entries are exactly 0 and only rounded otherwise
+PER_LINE = 5
+
+Matrix = Any  # mpmath has no types
+Table = float | list[Any]
+
+
+def nearest(values: Any) -> Table:
+    """Return the nearest doubles of a number, a complex number (as a pair) or nested lists of them."""
+    if isinstance(values, list):
+        return [nearest(value) for value in values]
+    if isinstance(values, mp.mpc):
+        return [nearest(values.real), nearest(values.imag)]
+    return 0.0 if abs(values) < mp.mpf(ZERO) else float(values)
+
+
+def rows(matrix: Matrix) -> list[list[Any]]:
+    """Return a matrix as a list of its rows."""
+    return [[matrix[i, j] for j in range(matrix.cols)] for i in range(matrix.rows)]
+
+
+def transposed(matrix: Matrix) -> list[list[Any]]:
+    """Return a matrix as a list of its columns."""
+    return rows(matrix.T)
+
+
+def tabulated(points: Sequence[Any], functions: Sequence[Callable[[Any], Any]]) -> Matrix:
+    """Return the values of functions (columns) at points (rows)."""
+    return mp.matrix([[function(point) for function in functions] for point in points])
+
+
+def chebyshev(k: int) -> Callable[[Any], Any]:
+    """Return the polynomial T_k."""
+    return lambda x: mp.chebyt(k, x)
+
+
+def chebyshev_integral(k: int) -> Callable[[Any], Any]:
+    """Return the integral of T_k from −1."""
+    if k == 0:
+        return lambda x: x + 1
+    if k == 1:
+        return lambda x: (x * x - 1) / 2
+
+    def primitive(x: Any) -> Any:
+        return (mp.chebyt(k + 1, x) / (k + 1) - mp.chebyt(k - 1, x) / (k - 1)) / 2
+
+    return lambda x: primitive(x) - primitive(mp.mpf(-1))
+
+
+def legendre(x: Any) -> Any:
+    """Return the Legendre polynomial whose zeros are the nodes."""
+    return mp.legendre(ORDER, x)
+
+
+def legendre_slope(x: Any) -> Any:
+    """Return its derivative."""
+    return ORDER * (x * mp.legendre(ORDER, x) - mp.legendre(ORDER - 1, x)) / (x * x - 1)
+
+
+def collocation() -> dict[str, Table]:
+    """Return nodes, weights, antiderivative and series of a panel, and the series of its halves."""
+    guesses = [mp.cos(mp.pi * (k - mp.mpf(1) / 4) / (ORDER + mp.mpf(1) / 2)) for k in range(ORDER, 0, -1)]
+    nodes = [mp.findroot(legendre, guess, solver="newton", df=legendre_slope) for guess in guesses]
+    slopes = [legendre_slope(x) for x in nodes]
+    weights = [2 / ((1 - x * x) * slope * slope) for x, slope in zip(nodes, slopes, strict=True)]
+    rounded = [mp.mpf(nearest(x)) for x in nodes]
+    series = tabulated(rounded, [chebyshev(k) for k in range(ORDER)]) ** -1
+    antiderivative = tabulated(rounded, [chebyshev_integral(k) for k in range(ORDER)]) * series
+    zeros = [mp.cos(mp.pi * (2 * k + 1) / (2 * ORDER)) for k in range(ORDER)]
+    to_series = tabulated(zeros, [chebyshev(k) for k in range(ORDER)]) ** -1
+
+    def half(place: int) -> Matrix:
+        return to_series * tabulated([(x + place) / 2 for x in zeros], [chebyshev(k) for k in range(ORDER)])
+
+    return {
+        "NODES": nearest(nodes),
+        "WEIGHTS": nearest(weights),
+        "ANTIDERIVATIVE_T": nearest(transposed(antiderivative)),
+        "SERIES": nearest(rows(series)),
+        "LEFT_T": nearest(transposed(half(-1))),
+        "RIGHT_T": nearest(transposed(half(1))),
+    }
+
+
+def panels(nodes: Sequence[float]) -> dict[str, Table]:
+    """Return the widths of panels, and sine and 1 − cosine of the angles to their nodes and ends."""
+    widths = [float(mp.mpf(WIDEST) * mp.mpf(2) ** (-mp.mpf(k) / 2)) for k in range(LEVELS)]
+    # the angles in doubles, as a kernel computes them for a panel that is narrower than these
+    offsets = [[mp.mpf(width * (1.0 + node) / 2.0) for node in nodes] for width in widths]
+
+    def versine(angle: Any) -> Any:
+        return 2 * mp.sin(angle / 2) ** 2
+
+    return {
+        "WIDTHS": list(widths),
+        "SINES": nearest([[mp.sin(offset) for offset in row] for row in offsets]),
+        "VERSINES": nearest([[versine(offset) for offset in row] for row in offsets]),
+        "FAR_SINES": nearest([mp.sin(mp.mpf(width)) for width in widths]),
+        "FAR_VERSINES": nearest([versine(mp.mpf(width)) for width in widths]),
+    }
+
+
+def radau_nodes() -> list[Any]:
+    """Return the zeros of the (s−1)th derivative of x^(s−1) (x−1)^s."""
+    coefficients = [mp.mpf(0)] * (STAGES - 1)
+    coefficients += [mp.binomial(STAGES, k) * (-1) ** (STAGES - k) for k in range(STAGES + 1)]
+    for _ in range(STAGES - 1):
+        coefficients = [k * value for k, value in enumerate(coefficients)][1:]
+    roots = mp.polyroots(coefficients[::-1], maxsteps=500, extraprec=4 * mp.prec)
+    return [*sorted(mp.re(root) for root in roots)[:-1], mp.mpf(1)]
+
+
+def eigenvectors(matrix: Matrix) -> tuple[list[Any], Matrix]:
+    """Return eigenvalues, and eigenvectors of length 1 with their largest component real and positive."""
+    values, vectors = mp.eig(matrix)
+    for k in range(len(values)):
+        column = [vectors[i, k] for i in range(len(values))]
+        length = mp.sqrt(sum(abs(value) ** 2 for value in column))
+        largest = max(column, key=abs)
+        for i, value in enumerate(column):
+            vectors[i, k] = value * mp.conj(largest) / (abs(largest) * length)
+    return values, vectors
+
+
+def radau() -> dict[str, Table]:
+    """Return the constants of Radau IIA with five stages, order 9 (Hairer & Wanner, IV.8)."""
+    nodes = radau_nodes()
+    stages = range(STAGES)
+    powers = mp.matrix([[node**q for node in nodes] for q in stages])
+    # Σ_j a_ij c_j^q = c_i^(q+1)/(q+1)
+    a = (powers**-1 * mp.matrix([[node ** (q + 1) / (q + 1) for node in nodes] for q in stages])).T
+    inverse = a**-1
+    # A⁻¹ has one real eigenvalue and two pairs; one of each pair is enough, the other is its conjugate
+    values, vectors = eigenvectors(inverse)
+    real = min(stages, key=lambda k: abs(mp.im(values[k])))
+    upper = sorted((k for k in stages if mp.im(values[k]) > 1e-6), key=lambda k: mp.re(values[k]))
+    back = vectors**-1
+    gamma = mp.re(values[real])
+    last = vectors[STAGES - 1, real]
+    # the solution of order 5 that also uses f at the start with weight 1/γ
+    moments = mp.matrix([-1 / gamma, *[0] * (STAGES - 1)])
+    defect = powers**-1 * moments
+    error = defect.T * inverse
+    dense = mp.matrix([[node ** (q + 1) for q in stages] for node in nodes]) ** -1
+    return {
+        "RADAU_NODES": nearest(nodes),
+        "RADAU_A": nearest(rows(a)),
+        "RADAU_A_INVERSE": nearest(rows(inverse)),
+        "RADAU_GAMMA": nearest(gamma),
+        "RADAU_LAMBDA": nearest([mp.mpc(values[k]) for k in upper]),
+        "RADAU_TO_REAL": nearest([mp.re(back[real, j] * last) for j in stages]),
+        "RADAU_FROM_REAL": nearest([mp.re(vectors[i, real] / last) for i in stages]),
+        "RADAU_TO_PAIR": nearest([[mp.mpc(back[k, j]) for j in stages] for k in upper]),
+        "RADAU_FROM_PAIR": nearest([[mp.mpc(2 * vectors[i, k]) for k in upper] for i in stages]),
+        "RADAU_DEFECT": nearest(list(defect)),
+        "RADAU_ERROR": nearest(list(error)),
+        "RADAU_POWERS": nearest(rows(dense)),
+    }
+
+
+def tables() -> dict[str, Table]:
+    """Return all tables by name: a float, or nested lists of floats."""
+    with mp.workdps(DIGITS):
+        found = collocation()
+        nodes = found["NODES"]
+        assert isinstance(nodes, list)
+        return found | panels(nodes) | radau()
+
+
+def flat(table: Table) -> list[float]:
+    """Return the entries of a table in order."""
+    return [table] if isinstance(table, float) else [entry for part in table for entry in flat(part)]
+
+
+def shape(table: Table) -> tuple[int, ...]:
+    """Return the lengths of a table along each dimension."""
+    return () if isinstance(table, float) else (len(table), *shape(table[0]))
+
+
+def source(found: dict[str, Table], about: str) -> str:
+    """Return the Python source of a module with these tables.
+
+    Parameters
+    ----------
+    found : dict
+        Name → table.
+    about : str
+        First line of the module's docstring.
+    """
+    lines = [
+        f'"""{about}"""',
+        "",
+        "import numpy as np",
+        "",
+        "",
+        "def _table(text: str, *shape: int) -> np.ndarray:",
+        "    return np.array([float.fromhex(entry) for entry in text.split()]).reshape(shape)",
+        "",
+    ]
+    for name, table in found.items():
+        if isinstance(table, float):
+            lines += ["", f'{name} = float.fromhex("{table.hex()}")']
+            continue
+        entries = [entry.hex() for entry in flat(table)]
+        text = [" ".join(entries[i : i + PER_LINE]) for i in range(0, len(entries), PER_LINE)]
+        size = ", ".join(str(length) for length in shape(table))
+        lines += ["", f'{name} = _table("""', *text, f'""", {size})']
+    return "\n".join(lines) + "\n"
+
+
+ABOUT = "Tables of the solver, each entry correctly rounded; written by `python -m hophoop.kernel.numerics.generate`."
+
+
+def main() -> None:
+    """Write the module of constants."""
+    target = Path(__file__).with_name("constants.py")
+    target.write_text(source(tables(), ABOUT), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()

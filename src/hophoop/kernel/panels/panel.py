@@ -1,0 +1,224 @@
+"""A piece of rolling or slipping: θ at the nodes of a panel, and what both modes share.
+
+Time follows from θ by quadrature, dt = dθ/θ̇. Where θ̇ → 0 that is singular, so a panel that ends (`ARRIVE`)
+or begins (`LEAVE`) at a turning point θ_m uses s with θ = θ_m ∓ s² and has dt/ds = 2/√(θ̇²/s²), which is smooth.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.collocation import ORDER, antiderivative
+from hophoop.kernel.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
+from hophoop.kernel.numerics.constants import SINES as FORWARD_SINES
+from hophoop.kernel.numerics.double_double import plus
+from hophoop.kernel.numerics.exponentials import power
+from hophoop.kernel.numerics.trigonometry import SMALL, sine_and_versine, small_turn_deficits, turn
+from hophoop.kernel.physics.roll import rest_curvature
+
+LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
+SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backwards and forwards
+HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
+
+
+@inline
+def width_of(level):
+    """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
+    if level < LEVELS:
+        return WIDTHS[level]
+    return WIDTHS[LEVELS - 1] * power(0.5, 0.5 * (level - (LEVELS - 1)))
+
+
+LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
+STRUCK = 1.0  # stands for ξ where skimming ends with the strike of the load
+# Rows of the scratch array of a panel: values at the nodes.
+SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
+RESIST, RESISTED = 15, 16  # power and work of the rolling resistance
+ROWS = 17
+RESOLVED = 2e-13  # size of the last three Chebyshev coefficients at which a panel is accepted; the next one is about 1e-15
+
+
+class Panel(NamedTuple):
+    """What is needed to compute everything on a panel again, to the last bit."""
+
+    sigma: int  # 0 roll, ±1 slip
+    kind: int  # LINEAR, ARRIVE or LEAVE
+    level: int  # of a LINEAR panel's width
+    way: float  # ±1, the sign of θ̇
+    ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point to come (ARRIVE), within the turn
+    ref_low: float  # what rounding keeps from it
+    sine: float  # sin θ and cos θ there
+    cosine: float
+    extent: float  # abs(Δθ) over the panel
+    arm: float  # slip: q and κ p_σ there; roll: −dV/dθ, less ρ g_n, and d²V/dθ² of the potential V
+    stiffness: float
+    u: float  # θ̇² at `ref`
+    vt: float  # slip velocity at the start
+
+
+class Totals(NamedTuple):
+    """Changes over a whole panel."""
+
+    tail: float  # size of the last Chebyshev coefficients, the panel's error measure
+    time: float
+    u: float  # θ̇² at the end; of an ARRIVE panel, which ends at rest, at the start
+    vt: float
+    loss: float
+    growth: float  # slip: of a difference of θ̇² between two motions, from `ref` to the far end
+    resisted: float  # energy lost to rolling resistance
+
+
+@inline
+def rows_are_known(work):
+    """Always true; a compiler that has seen it knows how far the rows are apart, and takes several nodes at a time."""
+    return work.shape[1] == ORDER
+
+
+@apart
+def fill_narrow(way, half, sines, versines, stretch):
+    """`fill_geometry` of panels narrower than the tables go."""
+    for i in range(ORDER):
+        offset = half * (1.0 + NODES[i])
+        sines[i] = way * offset
+        versines[i] = 0.5 * offset * offset
+        stretch[i] = half
+
+
+@inline
+def fill_geometry(panel, work):
+    """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
+    sines = work[A]
+    versines = work[B]
+    stretch = work[STRETCH]
+    if panel.kind == LINEAR:
+        way = panel.way
+        if panel.level >= LEVELS:
+            fill_narrow(way, 0.5 * panel.extent, sines, versines, stretch)
+            return
+        # one loop a row: each becomes a single move of memory, and what reads the row next need not wait for its parts
+        table = SINES[1 if way > 0.0 else 0, panel.level]
+        other = VERSINES[panel.level]
+        halves = HALVES[panel.level]
+        for i in range(ORDER):
+            sines[i] = table[i]
+        for i in range(ORDER):
+            versines[i] = other[i]
+        for i in range(ORDER):
+            stretch[i] = halves[i]
+        return
+    way = panel.way
+    mirrored = 1.0
+    if panel.kind == ARRIVE:
+        way = -way
+        mirrored = -1.0
+    for i in range(ORDER):
+        stretch[i] = panel.extent * (0.5 * (1.0 + mirrored * NODES[i]))
+    if panel.extent > SMALL:
+        for i in range(ORDER):
+            offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
+            s, versines[i] = sine_and_versine(offset)
+            sines[i] = way * s
+        return
+    for i in range(ORDER):
+        offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
+        deficit, _, versine = small_turn_deficits(offset)
+        sines[i] = way * (offset - deficit)
+        versines[i] = versine
+
+
+@inline
+def angle_at(panel, xi):
+    """θ − ref at ξ."""
+    if panel.kind == LINEAR:
+        return panel.way * panel.extent * 0.5 * (1.0 + xi)
+    if panel.kind == ARRIVE:
+        part = 0.5 * (1.0 - xi)
+        return -panel.way * panel.extent * part * part
+    part = 0.5 * (1.0 + xi)
+    return panel.way * panel.extent * part * part
+
+
+@inline
+def place_of(panel, offset):
+    """ξ where abs(θ − ref) = offset."""
+    if panel.kind == LINEAR:
+        return 2.0 * offset / panel.extent - 1.0
+    part = math.sqrt(offset / panel.extent)
+    return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
+
+
+class Begin(NamedTuple):
+    """Where a panel begins: what its functions are changes from."""
+
+    th: float
+    th_low: float
+    sine: float
+    cosine: float
+    arm: float
+    stiffness: float
+    u: float
+    vt: float
+
+
+@inline
+def linear_panel(sigma, level, way, begin):
+    """A panel of standard width."""
+    return Panel(
+        sigma, LINEAR, level, way, begin.th, begin.th_low, begin.sine, begin.cosine, width_of(level),
+        begin.arm, begin.stiffness, begin.u, begin.vt,
+    )  # fmt: skip
+
+
+@inline
+def no_panel(kind, sigma, way):
+    """What stands for the panel in a piece that needs none: FLY, HOLD or SKIMMING."""
+    return Panel(sigma, kind, 0, way, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@inline
+def leaving_panel(sigma, way, extent, begin):
+    """A panel that begins at rest."""
+    return Panel(
+        sigma, LEAVE, 0, way, begin.th, begin.th_low, begin.sine, begin.cosine, extent,
+        begin.arm, begin.stiffness, 0.0, begin.vt,
+    )  # fmt: skip
+
+
+def arriving_panel(body, before, ahead):
+    """A panel from the start of a linear one to a turning point at the angle `ahead` from there.
+
+    Its quantities at the turning point are changes from the start: evaluated afresh they would be off by
+    their rounding, which near p_σ = 0 is more than the panel is wide.
+    """
+    ds, dc = turn(before.sine, before.cosine, before.way * ahead)
+    s = before.sine + ds
+    if before.sigma == 0:
+        arm = before.arm + body.eps * (body.gn * ds + body.gt * dc)
+        stiffness = before.stiffness - rest_curvature(body, ds, dc)
+    else:
+        turned = body.eps * (ds + before.sigma * body.mu_k * dc)
+        arm = before.arm + turned
+        stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
+    ref, low = plus(before.ref, before.ref_low, before.way * ahead)
+    return Panel(before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt)
+
+
+@inline
+def chord(panel, xi):
+    """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
+    if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
+        return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
+    angle = angle_at(panel, xi)
+    return sine_and_versine(angle)
+
+
+@inline
+def fill_inside(panel, work):
+    """The rows TIME and LOSS of a solved panel, which only a place inside it needs."""
+    antiderivative(work[RATE], work[TIME])
+    if panel.sigma != 0:
+        antiderivative(work[POWER], work[LOSS])

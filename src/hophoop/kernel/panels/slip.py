@@ -1,0 +1,164 @@
+"""Slip: θ̇²(θ) from one linear ODE, the rest by quadrature (docs/model.md#slip-as-one-quadrature)."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.collocation import (
+    ORDER,
+    antiderivative,
+    divided_by_exponentials,
+    integrals,
+    remainders,
+    smallest,
+    tail,
+    total,
+)
+from hophoop.kernel.numerics.exponentials import exponential
+from hophoop.kernel.numerics.trigonometry import rotated
+from hophoop.kernel.panels.panel import (
+    ARM,
+    ARRIVE,
+    COSINE,
+    NORMAL,
+    POWER,
+    RATE,
+    RESIST,
+    RESOLVED,
+    SINE,
+    SLIP,
+    SLIP_RATE,
+    STIFFNESS,
+    STRETCH,
+    TIME,
+    A,
+    B,
+    Totals,
+    U,
+    fill_geometry,
+    rows_are_known,
+)
+from hophoop.kernel.physics.contact import contact_arms
+
+
+@inline
+def way_from_reference(panel):
+    """±1, the sign of the way of θ from `ref` to the far end of a panel."""
+    return -panel.way if panel.kind == ARRIVE else panel.way
+
+
+@inline
+def away_from_reference(panel, values, out):
+    """∫ values abs(dξ) from `ref` to each node; returns the integral from `ref` to the far end."""
+    if panel.kind == ARRIVE:
+        remainders(values, out)
+    else:
+        integrals(values, out)
+    return total(values)
+
+
+@inline
+def from_reference(panel, values, out):
+    """`away_from_reference`, signed along θ."""
+    whole = away_from_reference(panel, values, out)
+    way = way_from_reference(panel)
+    for i in range(ORDER):
+        out[i] *= way
+    return way * whole
+
+
+@apart
+def slip_resisted(body, work):
+    """Energy lost to rolling resistance on a solved slip panel; fills its power."""
+    for i in range(ORDER):
+        work[RESIST, i] = body.resist * work[NORMAL, i] * work[STRETCH, i]
+    return total(work[RESIST])
+
+
+@inline
+def solve_slip(body, panel, work):
+    """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
+
+    Where the panel reaches beyond a turning point only the row U is meaningful, and the tail is infinite.
+    """
+    if not rows_are_known(work):
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+    fill_geometry(panel, work)
+    sigma = panel.sigma
+    s0 = panel.sine
+    c0 = panel.cosine
+    eps = body.eps
+    sines = work[SINE]
+    cosines = work[COSINE]
+    stretch = work[STRETCH]
+    damping = work[A]
+    drive = work[B]
+    growth = work[NORMAL]
+    integral = work[TIME]
+    arms = work[ARM]
+    heights = work[POWER]  # until the power is known: of G above the plane
+    stiffnesses = work[STIFFNESS]
+    signed_mu = sigma * body.mu_k
+    height0 = contact_arms(body, s0, c0)[0]
+    arm0 = panel.arm
+    stiffness0 = panel.stiffness
+    way = way_from_reference(panel)
+    for i in range(ORDER):
+        # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
+        ds, dc = rotated(s0, c0, damping[i], drive[i])
+        s = s0 + ds
+        c = c0 + dc
+        turned = eps * (ds + signed_mu * dc)
+        arm = arm0 + turned
+        stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
+        share = 2.0 * arm / stiffness * stretch[i] * way
+        sines[i] = s
+        cosines[i] = c
+        arms[i] = arm
+        heights[i] = height0 + eps * dc
+        stiffnesses[i] = stiffness
+        damping[i] = -eps * c * share
+        drive[i] = body.gn * share
+    least = smallest(stiffnesses)
+    if not least > 0.0:
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+    size = tail(damping, 0.5)
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+    exponent = away_from_reference(panel, damping, integral)
+    divided_by_exponentials(integral, growth, drive)
+    driven = away_from_reference(panel, drive, integral)
+    us = work[U]
+    for i in range(ORDER):
+        us[i] = growth[i] * (panel.u + integral[i])
+    growth_far = exponential(exponent)
+    u_far = growth_far * (panel.u + driven)
+    if not (smallest(us) > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
+        return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
+    rates = work[RATE]
+    normals = work[NORMAL]
+    slip_rates = work[SLIP_RATE]
+    for i in range(ORDER):
+        u = us[i]
+        load = (body.gn - eps * cosines[i] * u) / stiffnesses[i]
+        friction_part = signed_mu * body.kap + heights[i] * arms[i]
+        rate = stretch[i] / math.sqrt(u)
+        rates[i] = rate
+        normals[i] = body.kap * load
+        slip_rates[i] = (body.gt + eps * sines[i] * u - load * friction_part) * rate
+    # near p_σ = 0 the rounding of f_n is all that the force shows; it is not asked to be smoother than that
+    weight = body.gn + panel.u
+    size = max(size, tail(rates, 0.0), tail(normals, max(weight, 2e-3 * body.kap * weight / least)))
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
+    time = total(rates)
+    slips = work[SLIP]
+    vt = panel.vt + antiderivative(slip_rates, slips)
+    power = work[POWER]
+    for i in range(ORDER):
+        slips[i] += panel.vt
+        # no abs(), so that it stays smooth beyond the end of the slip
+        power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
+    resisted = slip_resisted(body, work) if body.resist > 0.0 else 0.0
+    return Totals(size, time, u_far, vt, total(power), growth_far, resisted)

@@ -1,0 +1,64 @@
+"""Mass properties of a hoop: those of the ideal one, and what parts add up to (docs/model.md#the-body)."""
+
+from __future__ import annotations
+
+from hophoop.kernel.numerics.arcs import hypotenuse
+from hophoop.kernel.numerics.double_double import plus
+
+RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
+# Columns of a table of parts: what it is, its mass, two lengths, and how far its centre is from C on the line to the load.
+# The lengths are the inner and outer radius of a ring, the radius of a disk, the length of a rod.
+SHAPE, MASS, FIRST, SECOND, AT = range(5)
+
+
+def ideal_inertia(load_fraction):
+    """κ of a thin ring with a point load: 1 − γ², G being at ε = γ."""
+    return (1.0 - load_fraction) * (1.0 + load_fraction)
+
+
+def part_inertia(shape, mass, first, second):
+    """Moment of inertia about the part's own centre."""
+    if shape == RING:
+        return 0.5 * mass * (first * first + second * second)
+    if shape == DISK:
+        return 0.5 * mass * (first * first)
+    if shape == POINT_MASS:
+        return 0.0
+    return mass * (first * first) / 12.0
+
+
+def part_reach(shape, first, second, at):
+    """Distance of the part's farthest point from C."""
+    if shape == RING:
+        return second
+    if shape == DISK:
+        return abs(at) + first
+    if shape == POINT_MASS:
+        return abs(at)
+    if shape == RADIAL_ROD:
+        return abs(at) + 0.5 * first
+    return hypotenuse(at, 0.5 * first)
+
+
+def combined(radius, parts):
+    """(mass, ε, κ) of parts, each a row of the table; sums in two doubles.
+
+    Measured from the first part, so that parts all in one place give exactly that place and no inertia.
+    """
+    mass = 0.0
+    low = 0.0
+    for k in range(parts.shape[0]):
+        mass, low = plus(mass, low, parts[k, MASS])
+    first = parts[0, AT] / radius
+    moment = 0.0
+    low = 0.0
+    for k in range(parts.shape[0]):
+        moment, low = plus(moment, low, parts[k, MASS] * (parts[k, AT] / radius - first))
+    centre = first + moment / mass
+    inertia = 0.0
+    low = 0.0
+    for k in range(parts.shape[0]):
+        own = part_inertia(parts[k, SHAPE], parts[k, MASS], parts[k, FIRST], parts[k, SECOND])
+        arm = parts[k, AT] / radius - centre
+        inertia, low = plus(inertia, low, own / (radius * radius) + parts[k, MASS] * (arm * arm))
+    return mass, min(abs(centre), 1.0), inertia / mass

@@ -1,0 +1,155 @@
+"""The one rule that picks the next mode (docs/model.md#which-mode-follows), used at the start and after every event."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.contact import cone_weights, free_acceleration
+from hophoop.kernel.physics.jets import candidate_series, leading_sign
+from hophoop.kernel.physics.painleve import slip_coefficients
+from hophoop.kernel.physics.resistance import forces_rolling, motion_slipping, resistance_arm, stiffness_slipping
+
+ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
+# Answers beyond the modes: what rule 4 records before the motion goes on.
+INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
+
+ROUNDING = 2e-15  # of forces, beside gravity and centrifugal acceleration
+TIE = 1e-13  # below this, beside gravity and centrifugal acceleration, a quantity counts as zero
+
+
+def slip_mode(sigma):
+    """SKID for sliding ahead (v_t > 0), SPIN for over-rotating."""
+    return SKID if sigma > 0 else SPIN
+
+
+@inline
+def slip_direction(mode):
+    """σ = sign(v_t) of a slip mode, 0 of any other."""
+    if mode == SKID:
+        return 1
+    if mode == SPIN:
+        return -1
+    return 0
+
+
+@apart
+def opening_sign(body, th, om):
+    """Sign of f_n, or of its first derivative in free motion that is not zero."""
+    s, c = sine_and_cosine(th)
+    u = om * om
+    scale = body.gn + body.eps * u
+    f_n = free_acceleration(body, s, c, u)[1]
+    if abs(f_n) > TIE * scale:
+        return 1 if f_n > 0.0 else -1
+    first = -body.eps * s * om * u
+    if abs(first) > TIE * scale * abs(om):
+        return 1 if first > 0.0 else -1
+    second = -body.eps * c * u * u
+    if abs(second) > TIE * scale * u:
+        return 1 if second > 0.0 else -1
+    return 0
+
+
+@apart
+def can_roll(body, th, om):
+    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    s, c = sine_and_cosine(th)
+    u = om * om
+    friction, normal = forces_rolling(body, s, c, om)
+    a, b = cone_weights(body.mu_s)
+    tie = TIE * (body.gn + abs(body.gt) + u)
+    margin = a * normal - b * abs(friction)
+    # with little friction a small force decides, that a light ring is started by; beyond its rounding it is no tie
+    close = min(tie, TIE * (a * abs(normal) + b * abs(friction)) + ROUNDING * (body.gn + abs(body.gt) + u))
+    if normal > tie and margin > close:
+        return True
+    if normal < -tie or margin < -close:
+        return False
+    series_n, series_p, series_m, _ = candidate_series(body, th, om, 0)
+    scale = body.gn + abs(body.gt) + u
+    return leading_sign(series_n, scale) > 0 and leading_sign(series_p, scale) >= 0 and leading_sign(series_m, scale) >= 0
+
+
+@apart
+def can_start_slip(body, th, om, sigma):
+    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    s, c = sine_and_cosine(th)
+    u = om * om
+    scale = body.gn + abs(body.gt) + u
+    tie = TIE * scale
+    stiffness = stiffness_slipping(body, s, c, om, sigma)
+    if stiffness <= 0.0:
+        return False
+    # N = κ load / stiffness; as κ → 0 it is the load that has to be told from rounding
+    load = body.gn - body.eps * c * u
+    slip = motion_slipping(body, s, c, om, sigma)[2]
+    if load < -tie or sigma * slip < -tie:
+        return False
+    if load > tie and sigma * slip > tie:
+        return True
+    series_n, _, _, series_v = candidate_series(body, th, om, sigma)
+    return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0
+
+
+@apart
+def frictionless_mode(body, th, th_low, om):
+    """Mode from v_t = 0 without friction: the sign of the coming v_t, exact also beside a hilltop or a valley.
+
+    On the level v̇_t = s (...), so that its sign is that of sin θ and a factor that is far from zero there.
+    """
+    s, c = sine_cosine(th, th_low)
+    u = om * om
+    if body.gt == 0.0 and body.resist == 0.0:
+        bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + body.eps * s * body.eps * s))
+        drive = s * bend if s != 0.0 else om * c * bend
+    else:
+        drive = motion_slipping(body, s, c, om, 0)[2]
+    if drive == 0.0:
+        return ROLL
+    return slip_mode(1 if drive > 0.0 else -1)
+
+
+@apart
+def next_mode(body, th, th_low, om, vt):
+    """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
+
+    Returns a mode, or INCONSISTENT or INDETERMINATE where Painlevé's paradox stands in the way.
+    """
+    if vt == 0.0 and body.mu_s == 0.0 and opening_sign(body, th, om) < 0:
+        return frictionless_mode(body, th, th_low, om)
+    if vt == 0.0:
+        if can_roll(body, th, om):
+            return ROLL
+        if not math.isinf(body.mu_k):
+            for sigma in (-1, 1):
+                if can_start_slip(body, th, om, sigma):
+                    return slip_mode(sigma)
+        if opening_sign(body, th, om) >= 0:
+            return FLIGHT
+        if math.isinf(body.mu_k):
+            return UNDECIDED  # rolling would need to pull and free motion would enter the plane
+        # for f_n < 0 just one of roll and slip exists: rounding hides which
+        s, c = sine_and_cosine(th)
+        friction, normal = forces_rolling(body, s, c, om)
+        a, b = cone_weights(body.mu_s)
+        if a * normal >= b * abs(friction):
+            return ROLL
+        return slip_mode(-1 if friction > 0.0 else 1)
+    sigma = 1 if vt > 0.0 else -1
+    s, c = sine_and_cosine(th)
+    opening = opening_sign(body, th, om)
+    if math.isinf(body.mu_k):  # infinite friction stops any slip at once
+        return FLIGHT if opening >= 0 else INCONSISTENT
+    rho = resistance_arm(body, s, c, om, sigma)
+    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma, rho)
+    if stiffness > 0.0:
+        return slip_mode(sigma) if opening < 0 else FLIGHT
+    if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.strike):
+        return UNDECIDED  # an impact, which is without rolling resistance, would change nothing
+    if opening < 0:
+        return INCONSISTENT
+    return INDETERMINATE if stiffness < 0.0 else FLIGHT

@@ -1,0 +1,175 @@
+"""How events and segments are written, and read back as states."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.panels.anchor import NONE
+from hophoop.kernel.panels.panel import Panel
+from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS, SEGMENTS
+from hophoop.kernel.records.state import State, whole_angle
+
+
+class Log(NamedTuple):
+    """Where the events and segments of a motion are written."""
+
+    events: np.ndarray  # of records.EVENT
+    segments: np.ndarray  # of records.SEGMENT; of length 0 where none are wanted
+    counts: np.ndarray  # how many of each, −1 where the array was too short; and how many panels
+
+
+def new_log(events, segments, scratch):
+    """A log in which nothing is written."""
+    scratch.counts[EVENTS] = 0
+    scratch.counts[SEGMENTS] = 0
+    scratch.counts[PANELS] = 0
+    return Log(events, segments, scratch.counts)
+
+
+@inline
+def has_room(log):
+    """Whether the arrays have been long enough so far, and the panels are not used up."""
+    return log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0 and log.counts[PANELS] < log.counts[PANEL_LIMIT]
+
+
+@inline
+def count_panel(log):
+    """Count a step of a loop that must end; `choose_panel` counts the panels that it solves."""
+    log.counts[PANELS] += 1
+
+
+class Cause(NamedTuple):
+    """An event to be written once the mode after it is known: the mode and velocities before it, its impulse."""
+
+    kind: int
+    mode: int
+    vt: float
+    vn: float
+    om: float
+    p_n: float
+    p_t: float
+    gain: float
+    collision: int
+
+
+def quiet(kind, mode, state):
+    """A cause without a jump."""
+    return Cause(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
+
+
+@inline
+def next_row(counts, which, length):
+    """Where the next event (0) or segment (1) goes; −1 from then on where there is no room."""
+    count = counts[which]
+    if count < 0 or count >= length:
+        counts[which] = -1
+        return -1
+    counts[which] = count + 1
+    return count
+
+
+@inline
+def write_state(row, state):
+    """What events and segments hold of a state."""
+    row["t"] = state.t
+    row["t_low"] = state.t_low
+    row["x"] = state.x
+    row["x_low"] = state.x_low
+    row["height"] = state.y
+    row["angle"] = whole_angle(state)
+    row["turns"] = state.turns
+    row["theta"] = state.th
+    row["theta_low"] = state.th_low
+    row["vy"] = state.vn
+    row["omega"] = state.om
+    row["slip"] = state.vt
+    row["friction"] = state.friction
+    row["impact_normal"] = state.impact_n
+    row["impact_tangential"] = state.impact_t
+    row["rolling_resistance"] = state.resisted
+
+
+@apart
+def write_event(log, cause, mode, state, gain, stable):
+    """Append an event."""
+    count = next_row(log.counts, EVENTS, log.events.shape[0])
+    if count < 0:
+        return
+    row = log.events[count]
+    write_state(row, state)
+    row["kind"] = cause.kind
+    row["before_mode"] = cause.mode
+    row["after_mode"] = mode
+    row["vx"] = state.vt + state.om
+    row["before_vx"] = cause.vt + cause.om
+    row["before_vy"] = cause.vn
+    row["before_omega"] = cause.om
+    row["before_slip"] = cause.vt
+    row["impulse_normal"] = cause.p_n
+    row["impulse_tangential"] = cause.p_t
+    row["gain"] = gain
+    row["collision"] = cause.collision
+    row["stable"] = stable
+
+
+def note(log, kind, before, after, state):
+    """Append an event without a jump."""
+    write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
+
+
+@apart
+def copy_event(log, row):
+    """Append an event that is known."""
+    count = next_row(log.counts, EVENTS, log.events.shape[0])
+    if count >= 0:
+        log.events[count] = row
+
+
+@inline
+def write_segment(log, mode, panel, xi, opening, state, t_end):
+    """Append a segment that starts in `state`; an array of length 0 keeps none."""
+    if log.segments.shape[0] == 0:
+        return
+    count = next_row(log.counts, SEGMENTS, log.segments.shape[0])
+    if count < 0:
+        return
+    row = log.segments[count]
+    write_state(row, state)
+    row["t_end"] = t_end
+    row["mode"] = mode
+    row["kind"] = panel.kind
+    row["sigma"] = panel.sigma
+    row["level"] = panel.level
+    row["way"] = panel.way
+    row["ref"] = panel.ref
+    row["ref_low"] = panel.ref_low
+    row["sine"] = panel.sine
+    row["cosine"] = panel.cosine
+    row["extent"] = panel.extent
+    row["arm"] = panel.arm
+    row["stiffness"] = panel.stiffness
+    row["u"] = panel.u
+    row["xi"] = xi
+    row["opening"] = opening
+
+
+@apart
+def state_of(row):
+    """The state just after an event, or where a segment begins."""
+    return State(
+        row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["turns"], row["theta"], row["theta_low"],
+        row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"],
+        row["rolling_resistance"], NONE,
+    )  # fmt: skip
+
+
+@apart
+def panel_of(row):
+    """The panel of a segment of rolling or slip."""
+    return Panel(
+        row["sigma"], row["kind"], row["level"], row["way"], row["ref"], row["ref_low"], row["sine"], row["cosine"],
+        row["extent"], row["arm"], row["stiffness"], row["u"], row["slip"],
+    )  # fmt: skip

@@ -1,0 +1,406 @@
+"""Rolling and slipping, panel by panel, up to the first event inside a panel."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
+from hophoop.kernel.numerics.collocation import ORDER, antiderivative, dot, lagrange
+from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
+from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine, turn
+from hophoop.kernel.panels.anchor import (
+    NONE,
+    ROLLING,
+    SLIPPING,
+    Anchor,
+    offset_from,
+)
+from hophoop.kernel.panels.panel import (
+    ARRIVE,
+    HOLD,
+    LINEAR,
+    LOSS,
+    RESIST,
+    RESISTED,
+    RESOLVED,
+    SLIP,
+    TIME,
+    U,
+    angle_at,
+    chord,
+    fill_inside,
+    no_panel,
+)
+from hophoop.kernel.panels.roll import u_on_panel
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_stiffness
+from hophoop.kernel.physics.modes import next_mode, slip_direction
+from hophoop.kernel.physics.resistance import acceleration_in_contact, torque_at_rest
+from hophoop.kernel.physics.roll import rest_curvature
+from hophoop.kernel.physics.slip import slip_displacement
+from hophoop.kernel.records.state import (
+    FARTHEST,
+    State,
+    at_time,
+    later,
+    moved,
+    time_left,
+    with_anchor,
+    with_losses,
+    with_velocities,
+)
+from hophoop.kernel.records.writing import count_panel, has_room, note, quiet, write_event, write_segment
+from hophoop.kernel.rigid.doubts import note_doubt
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import STOP_AT_TURN, at_span
+from hophoop.kernel.rigid.massless_phase import let_go
+from hophoop.kernel.rigid.panel_choice import anchored, choose_panel, outlasts, shortened
+from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
+from hophoop.kernel.rigid.phase import ended, entered, gone_on, lifted, slipping
+from hophoop.kernel.rigid.transitions import leave_cone, pass_singular, settle
+
+ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
+STICK, TAKEOFF, TURN, REST = int(Event.STICK), int(Event.TAKEOFF), int(Event.TURN), int(Event.REST)
+SLIP_START = int(Event.SLIP_START)
+COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
+    int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
+)
+STILL_ACCELERATION = 1e-15
+LOST = 1e-9  # of θ̇² beside a hilltop: where it was further off than this, v_t was as well
+FORESEEN = 24  # the finest level of panels for which the next one is foreseen: beside p_σ = 0 their tails are rounding
+
+
+@apart
+def counted(body, state):
+    """The state with θ counted in the next turn, for one that is too far from the present one."""
+    way = 1.0 if state.th > 0.0 else -1.0
+    th, low = add((state.th, state.th_low), (-way * TWO_PI, -way * TWO_PI_LOW))
+    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
+    anchor = state.anchor
+    if anchor.kind == SLIPPING and body.mu_k == 0.0:
+        return after  # without friction the motion that comes to rest at one hilltop does so at each
+    if anchor.kind == ROLLING and anchor.bend > 0.0:  # the hilltop of the next turn, which is lower on a slope
+        excess = anchor.excess + 2.0 * way * TWO_PI * body.gt
+        return with_anchor(after, Anchor(ROLLING, excess, anchor.base, anchor.base_low, anchor.bend))
+    base, base_low = add((anchor.base, anchor.base_low), (-way * TWO_PI, -way * TWO_PI_LOW))
+    return with_anchor(after, Anchor(anchor.kind, anchor.excess, base, base_low, anchor.bend))
+
+
+@apart
+def is_still(body, sigma, state):
+    """Whether a hoop that does not turn stays: on a hilltop exactly, in a valley within the rounding of θ."""
+    anchor = state.anchor
+    if anchor.kind != 0 and anchor.bend > 0.0:
+        psi = offset_from(state.th, state.th_low, anchor.base, anchor.base_low)
+        # beside the top of the level by less than 1e-280 rad it takes 600 √(R/g) to be seen
+        return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
+    th = state.th
+    s, c = sine_and_cosine(th)
+    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
+    rounding = STILL_ACCELERATION * (1.0 + abs(th))
+    if firm > 0.0:
+        rounding *= 1.0 + body.eps * (body.gn + abs(body.gt)) / firm
+    return abs(acceleration_in_contact(body, s, c, 0.0, sigma)) <= rounding
+
+
+@inline
+def stays(body, sigma, state):
+    """Whether a hoop that does not turn goes on so."""
+    if body.kap == 0.0 and (sigma != 0 or cosine(state.th) <= -1.0):
+        return True  # the massless hoop with its load on the plane
+    return is_still(body, sigma, state)
+
+
+@inline
+def u_between(panel, xi, weights, values):
+    """θ̇² at ξ of a panel that has it at its nodes; beside a turning point by θ̇²/s², so that also a small θ̇ has its digits."""
+    if panel.kind == LINEAR:
+        return dot(weights, values)
+    end = 1.0 if panel.kind == ARRIVE else -1.0
+    result = 0.0
+    for i in range(ORDER):
+        result += weights[i] * (values[i] / ((end - NODES[i]) * (end - NODES[i])))
+    return result * ((end - xi) * (end - xi))
+
+
+@apart
+def resisted_inside(work, weights):
+    """Energy lost to rolling resistance up to a place inside a solved panel, given by its weights."""
+    antiderivative(work[RESIST], work[RESISTED])
+    return dot(weights, work[RESISTED])
+
+
+@inline
+def state_on_panel(body, panel, totals, state, xi, scratch):
+    """The state at ξ of a solved panel that began in `state`; inside the panel, its rows must be there (`fill_inside`)."""
+    work = scratch.work
+    if xi <= -1.0:
+        return state
+    offset = angle_at(panel, xi)
+    inside = xi < 1.0
+    sine, versine = chord(panel, xi)
+    if inside:
+        lagrange(xi, scratch.weights)
+        tau = dot(scratch.weights, work[TIME])
+        if panel.sigma == 0:
+            vt = 0.0
+            loss = 0.0
+            if body.resist > 0.0:
+                u = u_between(panel, xi, scratch.weights, work[U])
+            else:
+                u = u_on_panel(body, panel, sine, versine, offset)
+        else:
+            u = u_between(panel, xi, scratch.weights, work[U])
+            vt = dot(scratch.weights, work[SLIP])
+            loss = dot(scratch.weights, work[LOSS])
+        resisted = resisted_inside(work, scratch.weights) if body.resist > 0.0 else 0.0
+    else:
+        tau = totals.time
+        u = 0.0 if panel.kind == ARRIVE else totals.u
+        vt = totals.vt
+        loss = totals.loss
+        resisted = totals.resisted
+    tau = max(tau, 0.0)
+    om = panel.way * math.sqrt(max(u, 0.0))
+    if panel.sigma == 0:
+        along = offset - angle_at(panel, -1.0)
+    else:
+        s0 = panel.sine
+        c0 = panel.cosine
+        ds, dc = rotated(s0, c0, sine, versine)
+        if panel.kind == ARRIVE:  # from the start of the panel, not from its reference
+            back = turn(s0, c0, angle_at(panel, -1.0))
+            s0 += back[0]
+            c0 += back[1]
+            ds -= back[0]
+            dc -= back[1]
+        along = slip_displacement(body, panel.sigma, state.vt, state.om, s0, c0, ds, dc, tau)
+    t, t_low = later(state, tau)
+    x, x_low = plus(state.x, state.x_low, along)
+    th, th_low = plus(panel.ref, panel.ref_low, offset)
+    return State(
+        t, t_low, x, x_low, 0.0, state.turns, th, th_low, vt, 0.0, om,
+        state.friction + loss, state.impact_n, state.impact_t, state.resisted + resisted, state.anchor,
+    )  # fmt: skip
+
+
+@inline
+def carried(body, panel, totals, xi, after):
+    """The state after a slip panel, with what its anchor has become."""
+    anchor = after.anchor
+    if body.mu_k == 0.0:  # θ̇² − θ̇² of another motion goes as 1/(κ p)
+        s, _ = sine_cosine(after.th, after.th_low)
+        sine = panel.sine
+        if panel.kind == ARRIVE:
+            sine += turn(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
+        before = body.eps * sine
+        now = body.eps * s
+        growth = (body.kap + before * before) / (body.kap + now * now)
+    elif xi < 1.0:
+        return with_anchor(after, NONE)
+    else:
+        growth = 1.0 / totals.growth if panel.kind == ARRIVE else totals.growth
+    return with_anchor(after, Anchor(SLIPPING, anchor.excess * growth, anchor.base, anchor.base_low, anchor.bend))
+
+
+@apart
+def regained(body, state, u):
+    """The state of slip with θ̇² = u, of which rounding had lost digits on the way to the hilltop.
+
+    The velocity of the centre of gravity along the plane, which only friction changes, lost none: v_t is what goes with θ̇.
+    """
+    s, c = sine_cosine(state.th, state.th_low)
+    om = math.copysign(math.sqrt(u), state.om)
+    height = load_height(s, c)
+    return with_velocities(state, state.vt + (state.om - om) * ((1.0 - body.eps) + body.eps * height), state.vn, om)
+
+
+@inline
+def advance_contact(body, phase, blind, limits, log, scratch):
+    """Roll or slip, panel by panel, until something ends the phase or turns it round.
+
+    A `blind` phase is known to last until the end of time, and no event is looked for.
+
+    Returns (what, state, level of the next panel); `what` is CONTINUES where the log is full.
+    """
+    mode = phase.mode
+    sigma = slip_direction(mode)
+    state = phase.state
+    level = phase.level
+    begins = phase.begins
+    what = Ending.CONTINUES
+    unresolved = Ending.SINGULAR if sigma != 0 else Ending.SEARCH_LIMIT
+    before = math.inf  # tail of the last panel
+    while what == Ending.CONTINUES and has_room(log):
+        count_panel(log)
+        if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
+            state = with_velocities(state, state.vt, state.vn, 0.0)
+        s, c = sine_cosine(state.th, state.th_low)
+        if begins:
+            state = anchored(body, sigma, state, s, c, scratch)
+        if state.om == 0.0 and stays(body, sigma, state):
+            return Ending.REST, state, level
+        panel, totals, level = choose_panel(body, sigma, state, s, c, level, scratch)
+        if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:
+            state = regained(body, state, panel.u)
+            continue
+        if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:
+            level += 1  # the next one would not be resolved, if it goes on like this
+        before = totals.tail
+        if not totals.tail <= RESOLVED:
+            return unresolved, state, level
+        left = time_left(state, limits.t_end)
+        if outlasts(totals, left):
+            panel, totals = shortened(body, panel, totals, state, left, scratch)
+            if not totals.tail <= RESOLVED:
+                return unresolved, state, level
+        xi, what = earliest_event(body, panel, totals, state, begins, blind, phase.zeros, limits, scratch)
+        if -1.0 < xi < 1.0:
+            fill_inside(panel, scratch.work)
+        after = state_on_panel(body, panel, totals, state, xi, scratch)
+        if what == Ending.SLIP_END:
+            after = with_velocities(after, 0.0, after.vn, after.om)
+        elif what == Ending.TIME_LIMIT:
+            after = at_time(after, limits.t_end)
+        elif what == Ending.ANGLE_LIMIT:
+            after = at_span(limits, after, panel.way)
+        if xi > -1.0:
+            write_segment(log, mode, panel, xi, 0.0, state, after.t)
+            if after.anchor.kind == SLIPPING:
+                after = carried(body, panel, totals, xi, after)
+        if abs(after.th) > FARTHEST:
+            after = counted(body, after)
+        state = after
+        begins = False
+    return what, state, level
+
+
+def equilibrium_is_stable(body, th):
+    """Whether rest at the angle th is a minimum of the potential energy, or held by less than all the rolling resistance."""
+    s, c = sine_and_cosine(th)
+    if body.resist > 0.0 and abs(torque_at_rest(body, s, c)) < body.resist * body.gn:
+        return True
+    return rest_curvature(body, s, c) > 0.0
+
+
+def frozen_end(body, sigma, vt):
+    """(v̇_t, time until v_t = 0) of slip without rotation; the time is infinite where it never stops."""
+    rate = body.gt - sigma * body.mu_k * body.gn
+    if vt * rate < 0.0:
+        return rate, -vt / rate
+    return rate, math.inf
+
+
+def hold(body, mode, state, t_end, log):
+    """Slip without rotation: until v_t = 0 or the end of time; (what, state)."""
+    sigma = slip_direction(mode)
+    rate, until = frozen_end(body, sigma, state.vt)
+    what = Ending.SLIP_END
+    tau = until
+    left = time_left(state, t_end)
+    if not until <= left:
+        what = Ending.TIME_LIMIT
+        tau = left
+    slid = state.vt * tau + 0.5 * rate * tau * tau
+    vt = 0.0 if what == Ending.SLIP_END else state.vt + rate * tau
+    t, t_low = later(state, tau)
+    if what != Ending.SLIP_END:
+        t, t_low = t_end, 0.0
+    x, x_low = plus(state.x, state.x_low, slid)
+    friction = state.friction + sigma * body.mu_k * body.gn * slid
+    after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.turns, state.th, state.th_low), vt, 0.0, 0.0)
+    after = with_losses(after, friction, state.impact_n, state.impact_t)
+    write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, after.t)
+    return what, after
+
+
+@apart
+def still_step(body, phase, state, limits, log, scratch):
+    """Rest, or slip that does not turn until it ends."""
+    mode = phase.mode
+    if mode == ROLL:
+        stable = 1 if equilibrium_is_stable(body, state.th) else 0
+        write_event(log, quiet(REST, ROLL, state), ROLL, state, 0.0, stable)
+        write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, limits.t_end)
+        return ended(phase, ROLL, at_time(with_velocities(state, 0.0, 0.0, 0.0), limits.t_end), Ending.REST, AT_REST)
+    what, state = hold(body, mode, state, limits.t_end, log)
+    if what == Ending.TIME_LIMIT:
+        return ended(phase, mode, state, Ending.TIME_LIMIT, COMPLETED)
+    if body.kap == 0.0:
+        mode = ROLL
+        note(log, STICK, phase.mode, ROLL, state)
+    else:
+        mode, state = settle(body, state, quiet(STICK, phase.mode, state), log, scratch)
+    return entered(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
+
+
+@inline
+def after_rolling(body, phase, what, state, log, scratch):
+    """The phase after rolling that has used up its friction, or that cannot be followed any more."""
+    if what == Ending.SEARCH_LIMIT:
+        note_doubt(scratch, state.t, state.t)
+        return ended(phase, ROLL, state, what, UNDETERMINED)
+    if body.kap == 0.0:
+        mode, state = let_go(body, state, log)
+    else:
+        mode = leave_cone(body, state, what == Ending.CONE_FORWARD, log, scratch)
+        if mode in (SPIN, SKID):
+            return slipping(body, phase, mode, state, what)
+    return entered(body, mode, state, phase.bounce, what, scratch)
+
+
+@inline
+def after_slip(body, phase, what, state, log, scratch):
+    """The phase after slip that has lifted off, ended, or come to p_σ = 0."""
+    if what == Ending.LIFT_OFF:
+        note(log, TAKEOFF, phase.mode, FLIGHT, state)
+        return lifted(phase, state, Ending.LIFT_OFF)
+    if what == Ending.SLIP_END:
+        mode, state = settle(body, state, quiet(STICK, phase.mode, state), log, scratch)
+        return entered(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
+    jams, mode, state = pass_singular(body, phase.mode, state, log, scratch)
+    if jams:
+        return ended(phase, mode, state, Ending.SINGULAR, JAMMED)
+    return entered(body, mode, state, phase.bounce, Ending.SINGULAR, scratch)
+
+
+@apart
+def turned_step(body, phase, state, level, limits, log, scratch):
+    """What follows where θ̇ comes to zero with rolling resistance: the couple, and with it the contact force, jumps there."""
+    mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
+    if phase.mode == ROLL and mode == ROLL and is_still(body, 0, state):
+        return still_step(body, phase, state, limits, log, scratch)
+    kind = STICK if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
+    if phase.mode != ROLL and mode > SKIM and not limits.stop & STOP_AT_TURN:
+        kind = TURN  # slip goes on up to the paradox, which comes at once
+    else:
+        note(log, TURN, phase.mode, phase.mode, state)
+    if limits.stop & STOP_AT_TURN:
+        return ended(phase, phase.mode, state, Ending.TURNING_POINT, COMPLETED)
+    if mode == phase.mode:
+        return gone_on(phase, state, level, Ending.TURNING_POINT)
+    if kind == STICK and mode != FLIGHT:
+        state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ come to zero together
+    mode, state = settle(body, state, quiet(kind, phase.mode, state), log, scratch)
+    return entered(body, mode, state, phase.bounce, Ending.TURNING_POINT, scratch)
+
+
+@inline
+def contact_step(body, phase, limits, log, scratch):
+    """Rolling or slip up to its end, or to a turning point, and what follows."""
+    what, state, level = advance_contact(body, phase, False, limits, log, scratch)
+    if what == Ending.TURNING_POINT and body.resist > 0.0:
+        return turned_step(body, phase, state, level, limits, log, scratch)
+    if what == Ending.TURNING_POINT:
+        note(log, TURN, phase.mode, phase.mode, state)
+    if what in (Ending.TIME_LIMIT, Ending.ANGLE_LIMIT) or (what == Ending.TURNING_POINT and limits.stop & STOP_AT_TURN):
+        return ended(phase, phase.mode, state, what, COMPLETED)
+    if what in (Ending.CONTINUES, Ending.TURNING_POINT):
+        return gone_on(phase, state, level, what)
+    if what == Ending.REST:
+        return still_step(body, phase, state, limits, log, scratch)
+    if phase.mode == ROLL:
+        return after_rolling(body, phase, what, state, log, scratch)
+    return after_slip(body, phase, what, state, log, scratch)

@@ -1,0 +1,144 @@
+"""How sure each event of a computed motion is: rounding at every event, times what the motion makes of it.
+
+From each event the motion is computed again with a small change of θ, θ̇, v_t, v_n, the height and friction. How far
+the later events move tells their conditioning; the rounding of the event is then multiplied by it, and what all events
+contribute is added up in squares. Rounding inside a phase counts at the event that the phase begins with.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.physics.body import Body, Event, Mode, Status
+from hophoop.kernel.physics.impact import singular_angle
+from hophoop.kernel.physics.painleve import slip_coefficients
+from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.run import run
+
+ROUNDING = 4e-16  # of a number at an event, beside its natural size
+CHANGES = (1e-8, 1e-11)  # what is tried; the smaller one where the larger leads to other events
+FIELDS = ("t", "x", "height", "angle", "vx", "vy", "omega", "slip")
+CHANGED = ("theta", "omega", "slip", "vy", "height", "friction")
+
+
+def _numbers(events: np.ndarray) -> np.ndarray:
+    """Table of time and state, shape (events, fields)."""
+    return np.stack([events[name] for name in FIELDS], axis=1)
+
+
+def _natural_sizes(row: np.void) -> dict[str, float]:
+    """Sizes beside which the numbers of an event are rounded, in units of R, m and √(R/g)."""
+    speed = abs(float(row["omega"])) + abs(float(row["slip"]))
+    flies = row["after_mode"] == Mode.FLIGHT
+    return {
+        "theta": 1.0,
+        "omega": abs(float(row["omega"])),
+        "slip": speed,
+        "vy": speed + abs(float(row["vy"])),
+        "height": 1.0 + float(row["height"]) if flies else 0.0,
+        "friction": 1.0,  # the margins to the friction cone are rounded as the coefficients would be
+    }
+
+
+def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | None:
+    """The events after a given one, which is the first."""
+    script = np.array([row, row], EVENT)
+    events = np.empty(room, EVENT)
+    status, count, _ = compiled(run)(
+        body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),
+        new_scratch(), script,
+    )  # fmt: skip
+    return None if status == Status.EVENT_LIMIT else events[:count]
+
+
+def _is_alike(first: np.ndarray, second: np.ndarray) -> int:
+    """How many events have the same kinds and modes."""
+    count = min(len(first), len(second))
+    same = np.ones(count, bool)
+    for name in ("kind", "before_mode", "after_mode"):
+        same &= first[name][:count] == second[name][:count]
+    return int(np.argmin(same)) if not same.all() else count
+
+
+def _along_impulse(body: Body, row: np.void, following: np.void) -> float:
+    """Share of an impulse at p_σ → 0 that rounding of time and angle puts before or after the event ahead of it.
+
+    N grows without bound there, so that the speeds are those of an instant that is not exactly known.
+    """
+    if row["kind"] != Event.PAINLEVE_INCONSISTENT or not following["impulse_normal"] > 0.0:
+        return 0.0
+    th, low, om, slip = (float(row[name]) for name in ("theta", "theta_low", "omega", "slip"))
+    sigma = 1 if slip > 0.0 else -1
+    s, c = sine_cosine(th, low)
+    rho = resistance_arm(body, s, c, om, sigma)
+    torque, distance = slip_coefficients(body, th, low, s, c, sigma, rho)
+    found, exact, _ = singular_angle(body, s, c, om * om, sigma, torque, distance)
+    if not (found and exact) or om == 0.0:
+        return 0.0
+    late = ROUNDING * (1.0 + abs(float(row["t"])) + (1.0 + abs(th)) / abs(om))
+    reached = body.kap * abs(body.gn - body.eps * c * om * om) * late
+    whole = abs(distance) * float(following["impulse_normal"])
+    return min(reached / whole, 1.0) if whole > 0.0 else 1.0
+
+
+def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarray | None = None) -> np.ndarray:
+    """Estimated errors of the events of a rigid motion.
+
+    Parameters
+    ----------
+    body : Body
+    events : ndarray of records.EVENT, shape (n,)
+        Of the motion.
+    t_end : float
+        Its duration [√(R/g)].
+    reached : ndarray, shape (1,), optional
+        Is given the share that is computed, again and again [1].
+
+    Returns
+    -------
+    errors : ndarray, shape (n, len(FIELDS))
+        In units of R, m and √(R/g); inf where the smallest change leads to other events.
+    """
+    count = len(events)
+    squares = np.zeros((count, len(FIELDS)))
+    table = _numbers(events)
+    own = ROUNDING * (1.0 + np.abs(table))
+    squares += own * own
+    for i in range(count - 1):
+        row = events[i]
+        jump = _along_impulse(body, row, events[i + 1]) * (table[i + 1] - table[i])
+        squares[i] += jump * jump
+        if reached is not None:
+            reached[0] = 1.0 - (1.0 - i / count) * (1.0 - i / count)  # each event asks for all that follow
+        sizes = _natural_sizes(row)
+        plain = _again(body, row, t_end, 2 * count + 8)
+        if plain is None:
+            continue
+        reach = min(_is_alike(plain, events[i:]), len(plain))
+        for name in CHANGED:
+            if sizes[name] == 0.0 or (name in ("slip", "vy") and row[name] == 0.0):
+                continue  # zero by what the event is
+            for change in CHANGES:
+                moved, rougher = row.copy(), body
+                if name == "friction":
+                    rougher = body._replace(mu_s=body.mu_s * (1.0 + change), mu_k=body.mu_k * (1.0 + change))
+                else:
+                    moved[name] = row[name] + change * sizes[name]
+                other = _again(rougher, moved, t_end, 2 * count + 8)
+                alike = 0 if other is None else min(_is_alike(other, plain), reach)
+                if alike == reach or change == CHANGES[-1]:
+                    break
+            if other is not None and alike > 1:
+                rate = (_numbers(other[1:alike]) - _numbers(plain[1:alike])) / change
+                squares[i + 1 : i + alike] += (rate * ROUNDING) * (rate * ROUNDING)
+            if alike < reach:
+                squares[i + max(alike, 1) :] = math.inf
+    result: np.ndarray = np.sqrt(squares)
+    return result

@@ -1,0 +1,134 @@
+"""Flight up to the landing, and the impact there."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.double_double import plus
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.panels.landing import first_landing
+from hophoop.kernel.panels.panel import FLY, no_panel
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.physics.flight import flight_displacement, flight_gap
+from hophoop.kernel.records.state import at_time, flown, moved, time_left, with_velocities
+from hophoop.kernel.records.writing import note, write_segment
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
+from hophoop.kernel.rigid.phase import ended, entered
+from hophoop.kernel.rigid.transitions import close_bounces, collide, settle
+
+FLIGHT, IMPACT, APEX = int(Mode.FLIGHT), int(Event.IMPACT), int(Event.APEX)
+COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
+
+# A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
+CLOSING = 1e-12
+SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
+# rad: a flight that turns by more has not the digits of time to tell its angle to 1e-7 rad, which is seen in v_n
+BLURRED = 1e9
+
+
+@apart
+def highest(body, state, opening, apex):
+    """The state at the apex of a flight."""
+    s, c = sine_cosine(state.th, state.th_low)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
+    along, vt = flight_displacement(body, state.vt, state.om, s, c, apex)
+    if abs(state.om * apex) < BLURRED:
+        vn = 0.0  # else as it is at this time, so that it fits the angle
+    return flown(state, along, y, apex, vt, vn)
+
+
+@apart
+def approaching(body, state):
+    """The state before a landing, at the angle of the same gap at which the rim approaches: θ becomes −θ.
+
+    For flights of so many turns that rounding decides at which angle the rim lands. The centre of gravity stays where it
+    is, ε sin θ and ε cos θ from that of the rim, and keeps its velocity, which is less than v_n by ε θ̇ sin θ.
+    """
+    s, _ = sine_cosine(state.th, state.th_low)
+    x, x_low = plus(state.x, state.x_low, 2.0 * body.eps * s)
+    vn = state.vn - 2.0 * body.eps * state.om * s
+    after = moved(state, state.t, state.t_low, x, x_low, state.y, state.turns, -state.th, -state.th_low)
+    return with_velocities(after, state.vt, vn, state.om)
+
+
+@apart
+def fly(body, state, opening, zeros, limits, log):
+    """Fly until the landing, the limit of time or of angle.
+
+    `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
+    derivatives of the gap that vanish there.
+
+    Returns (what, state just before the impact): `what` is LANDING, a limit, or SEARCH_LIMIT where no landing was found.
+    """
+    limit = time_left(state, limits.t_end)
+    what = Ending.TIME_LIMIT
+    way = 1.0 if state.om > 0.0 else -1.0
+    if not math.isnan(limits.span) and state.om != 0.0:
+        until = max(angle_left(limits, state, way) / abs(state.om), 0.0)
+        if until < limit:
+            limit = until
+            what = Ending.ANGLE_LIMIT
+    landing, apex, seen = first_landing(body, state.th, state.om, state.y, state.vn, opening, zeros, limit)
+    tau = limit
+    if seen < limit:
+        tau = seen
+        what = Ending.SEARCH_LIMIT
+    if 0.0 <= landing <= limit:
+        tau = landing
+        what = Ending.LANDING
+    if 0.0 < apex < tau:
+        note(log, APEX, FLIGHT, FLIGHT, highest(body, state, opening, apex))
+    s, c = sine_cosine(state.th, state.th_low)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, tau)
+    along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
+    if what == Ending.LANDING:
+        y = 0.0
+    after = flown(state, along, y, tau, vt, vn)
+    if what == Ending.LANDING and vn > 0.0:
+        after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else approaching(body, after)
+    if what == Ending.TIME_LIMIT:
+        after = at_time(after, limits.t_end)
+    elif what == Ending.ANGLE_LIMIT:
+        after = at_span(limits, after, way)
+    write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)
+    return what, after
+
+
+@apart
+def is_last_bounce(body, state, after, last):
+    """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
+    s, c = sine_and_cosine(state.th)
+    fall = -free_acceleration(body, s, c, after.om * after.om)[1]
+    if not (after.vn > 0.0 and fall > 0.0):
+        return False
+    if after.vn < SLOWEST_BOUNCE:
+        return True
+    if not after.vn < last:
+        return False
+    ratio = after.vn / last
+    return 2.0 * after.vn / (fall * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
+
+
+@inline
+def land(body, state, last, log, scratch):
+    """The phase after an impact on landing; `last` is v_n after the bounce before."""
+    after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
+    if is_last_bounce(body, state, after, last):
+        after, cause = close_bounces(body, state)
+    mode, settled = settle(body, after, cause, log, scratch)
+    return entered(body, mode, settled, after.vn, Ending.LANDING, scratch)
+
+
+@inline
+def flight_step(body, phase, limits, log, scratch):
+    """The whole flight, and its landing."""
+    if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:
+        return ended(phase, FLIGHT, phase.state, Ending.TIME_LIMIT, COMPLETED)
+    what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log)
+    if what != Ending.LANDING:
+        return ended(phase, FLIGHT, state, what, EVENT_LIMIT if what == Ending.SEARCH_LIMIT else COMPLETED)
+    return land(body, state, phase.bounce, log, scratch)

@@ -1,0 +1,290 @@
+"""The next panel of rolling or slip: as wide as is resolved, up to a turning point where one is near."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.circular import sine
+from hophoop.kernel.numerics.collocation import ORDER, coefficients
+from hophoop.kernel.numerics.exponentials import binary_logarithm, logarithm, power
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.panels.anchor import (
+    NONE,
+    SLIPPING,
+    rolling_anchor,
+    rolling_begin,
+    slip_anchor,
+    slip_begin,
+)
+from hophoop.kernel.panels.panel import (
+    LEAVE,
+    LEVELS,
+    RESOLVED,
+    A,
+    Begin,
+    U,
+    arriving_panel,
+    leaving_panel,
+    linear_panel,
+    width_of,
+)
+from hophoop.kernel.panels.resisted import solve_resisted
+from hophoop.kernel.panels.roll import solve_roll, u_on_panel
+from hophoop.kernel.panels.slip import solve_slip
+from hophoop.kernel.physics.contact import inertia_at_height, load_height
+from hophoop.kernel.physics.painleve import slip_coefficients, stiffness_slope
+from hophoop.kernel.physics.resistance import held, motion_slipping, resistance_arm
+from hophoop.kernel.records.layout import PANELS
+from hophoop.kernel.records.state import with_anchor
+
+START_LEVEL = 2
+GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller by about 2^8
+WIDEN = RESOLVED / 200.0
+FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
+SMALLEST_EXTENT = 1e-300
+# Slip may end in so small a part of the first panel after rest that rounding is all that the panel shows of it: of v_t below
+# the first of these parts, of the work below the second one where v_t² at the panel's end would be FAST. Then the panel is so
+# many times as wide as the angle until the end of the slip.
+SOONEST, SOON, FAST, WIDER = 1e-14, 1e-6, 1e4, 16.0
+NO_TURNING = 1e-14  # of θ̈ beside v̇_t: rounding of slip beside its equilibrium
+MOST_MOVES = 8  # of a turning point
+START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
+# Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
+# scale of θ̇²/θ̈.
+SLOW = 1e-3
+# As narrow as κ p_σ, over which the force changes, times θ̇², which changes so fast, where slip begins with less than this.
+BESIDE_SINGULAR = 1e-12
+LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
+NARROWEST = 2000
+
+
+@apart
+def anchored(body, sigma, state, s, c, scratch):
+    """The state at the begin of a phase, with the anchor of the phase; s and c are sin θ and cos θ there."""
+    if body.resist > 0.0:
+        return with_anchor(state, NONE)  # nothing is conserved
+    u = state.om * state.om
+    if sigma == 0:
+        return with_anchor(state, rolling_anchor(body, state.th, state.th_low, s, c, u))
+    if body.mu_k == 0.0 and state.anchor.kind == SLIPPING:
+        return state  # without friction the direction of slip changes nothing
+    return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
+
+
+@inline
+def begin_of(body, sigma, state, s, c, scratch):
+    """Where the next panel begins, with sin θ and cos θ there."""
+    u = state.om * state.om
+    if sigma == 0:
+        arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
+        if body.resist > 0.0:
+            reach = body.resist * body.gn
+            arm -= math.copysign(reach, state.om) if state.om != 0.0 else held(arm, reach)
+    else:
+        rho = resistance_arm(body, s, c, state.om, sigma)
+        arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
+        if state.anchor.kind == SLIPPING:
+            arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
+            stiffness = body.kap + body.eps * s * arm
+    return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
+
+
+@inline
+def solve(body, panel, work):
+    """Fill the panel in its mode."""
+    if panel.sigma == 0:
+        if body.resist > 0.0:
+            return solve_resisted(body, panel, work)
+        return solve_roll(body, panel, work)
+    return solve_slip(body, panel, work)
+
+
+@apart
+def solve_aside(body, panel, work):
+    """`solve` where it is rarely needed: as a part of each such place it would be most of the compiler's work."""
+    return solve(body, panel, work)
+
+
+@inline
+def narrower(level, size):
+    """Level to try after a panel whose last coefficients were `size`."""
+    if not size < 1.0:
+        return level + 3
+    more = int(math.ceil(binary_logarithm(size / RESOLVED) / GAIN_OF_A_LEVEL))
+    return level + max(1, min(4, more))
+
+
+@apart
+def levels_away(body, sigma, way, begin):
+    """How many narrower levels slip needs that begins close to p_σ = 0, or slowly beside it, and goes away from it."""
+    slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
+    if slope * way <= 0.0 or begin.stiffness <= 0.0:
+        return 0
+    return int(math.ceil(2.0 * binary_logarithm(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
+
+
+@apart
+def slow_levels(body, sigma, begin):
+    """(widest, finest) level for a panel that begins with θ̇² below `SLOW`².
+
+    θ̇² changes by its own size over the angle θ̇²/θ̈: no panel wider than this angle is resolved. On a much wider one θ̇² at the
+    start is lost in rounding, and with it the turning point.
+    """
+    finest = LEVELS + int(math.ceil(2.0 * binary_logarithm(SLOW * SLOW / begin.u)))
+    torque = abs(begin.arm)
+    inertia = begin.stiffness
+    if sigma == 0:
+        inertia = inertia_at_height(body, load_height(begin.sine, begin.cosine))
+    else:
+        torque *= body.gn
+    if not 0.0 < begin.u * inertia < width_of(0) * torque:
+        return 0, finest
+    # the quotient itself may overflow
+    ratio = binary_logarithm(width_of(0) * torque) - binary_logarithm(inertia) - binary_logarithm(begin.u)
+    return int(math.floor(2.0 * ratio)), finest
+
+
+@apart
+def turns_within(body, panel, reach):
+    """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
+    end = sine(reach)
+    while reach >= 0.5 * panel.extent:
+        half = sine(0.5 * reach)  # gives 1 − cos as in `versine_of`, and is the sine of the next angle
+        if u_on_panel(body, panel, panel.way * end, 2.0 * half * half, panel.way * reach) < 0.0:
+            return True
+        reach *= 0.5
+        end = half
+    return False
+
+
+@apart
+def turning_point_ahead(body, panel, totals, scratch):
+    """Angle from here to the first zero of θ̇², or 0 where none is near.
+
+    Where a panel loses most of θ̇² but does not reach the zero, wider ones are searched: panels that
+    fit before it would shrink towards it for ever.
+    """
+    if panel.sigma == 0 and body.resist == 0.0 and not turns_within(body, panel, 8.0 * panel.extent):
+        return 0.0
+    for _ in range(4):
+        if math.isnan(totals.u):
+            return 0.0
+        coefficients(scratch.work[A if panel.sigma == 0 else U], scratch.series)
+        xi = first_fall(scratch.series, 0.0, scratch.stack)
+        if xi != NOT_FOUND:
+            return panel.extent * 0.5 * (1.0 + xi)
+        if panel.level == 0:
+            return 0.0
+        begin = Begin(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
+        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
+        totals = solve_aside(body, panel, scratch.work)
+    return 0.0
+
+
+@apart
+def solve_arrival(body, before, ahead, work):
+    """A panel up to the turning point about `ahead` from the start of a linear one; returns (panel, totals).
+
+    `ahead` is as good as a panel that is not resolved. The turning point is moved to where this one, which goes back
+    from there, finds θ̇² at the start as it is.
+    """
+    exponent = 1.0  # of `ahead` in θ̇² at the start
+    panel = arriving_panel(body, before, ahead)
+    totals = solve_aside(body, panel, work)
+    for _ in range(MOST_MOVES):
+        if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
+            break
+        moved = ahead * power(before.u / totals.u, 1.0 / exponent)
+        panel = arriving_panel(body, before, moved)
+        u = totals.u
+        totals = solve_aside(body, panel, work)
+        if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
+            exponent = min(max(logarithm(totals.u / u) / logarithm(moved / ahead), 0.25), 4.0)
+        ahead = moved
+    return panel, totals
+
+
+@apart
+def first_extent(body, sigma, vt, begin):
+    """Width of the first panel from rest to try."""
+    if sigma == 0 or vt == 0.0:
+        return FIRST_EXTENT
+    alpha, _, rate = motion_slipping(body, begin.sine, begin.cosine, 0.0, sigma)
+    if not rate * sigma < 0.0 or abs(alpha) <= NO_TURNING * abs(rate):
+        return FIRST_EXTENT
+    until = vt / rate
+    ahead = 0.5 * abs(alpha) * until * until
+    part = SOON if 2.0 * FIRST_EXTENT * rate * rate > FAST * abs(alpha) else SOONEST
+    return FIRST_EXTENT if ahead > part * FIRST_EXTENT else max(WIDER * ahead, SMALLEST_EXTENT)
+
+
+@inline
+def choose_panel(body, sigma, state, s, c, level, scratch):
+    """A panel from here, where sin θ and cos θ are s and c, as wide as is resolved.
+
+    Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
+    """
+    work = scratch.work
+    begin = begin_of(body, sigma, state, s, c, scratch)
+    if state.om == 0.0:
+        way = 1.0 if begin.arm > 0.0 else -1.0
+        extent = first_extent(body, sigma, state.vt, begin)
+        while True:  # at most a thousand times: the extent is halved from below 1 rad
+            scratch.counts[PANELS] += 1
+            panel = leaving_panel(sigma, way, extent, begin)
+            totals = solve_aside(body, panel, work)
+            if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
+                return panel, totals, START_LEVEL
+            extent *= 0.5
+    u = begin.u
+    way = 1.0 if state.om > 0.0 else -1.0
+    finest = LEVELS
+    if u < SLOW * SLOW:
+        widest, finest = slow_levels(body, sigma, begin)
+        level = max(level, min(widest, finest))
+    if sigma != 0 and begin.stiffness * min(u, 1.0) < BESIDE_SINGULAR:
+        finest += levels_away(body, sigma, way, begin)
+    while True:  # at most `finest` times: each time a finer level
+        scratch.counts[PANELS] += 1
+        panel = linear_panel(sigma, level, way, begin)
+        totals = solve(body, panel, work)
+        if totals.tail <= RESOLVED:
+            return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
+        size = totals.tail
+        if not work[U, ORDER - 1] > 0.8 * u:
+            ahead = turning_point_ahead(body, panel, totals, scratch)
+            if ahead > 0.0 and ahead < panel.extent / 16.0 and level < finest:
+                # a place known to the rounding of a panel this wide is not known well enough
+                level = min(level + int(math.floor(2.0 * binary_logarithm(panel.extent / ahead))) - 3, finest)
+                continue
+            if ahead > 0.0:
+                arrival, totals = solve_arrival(body, panel, ahead, work)
+                if totals.tail <= RESOLVED:
+                    return arrival, totals, START_LEVEL
+        level = narrower(level, size)
+        if level >= finest:
+            return panel, totals, level
+
+
+@inline
+def outlasts(totals, left):
+    """Whether a panel would last so long beside the time left that its end would be lost in it."""
+    return totals.time > LONG * max(left, 1.0) and left > 0.0
+
+
+@apart
+def shortened(body, panel, totals, state, left, scratch):
+    """A narrower panel, for one that `outlasts` the time left."""
+    s, c = sine_cosine(state.th, state.th_low)
+    begin = begin_of(body, panel.sigma, state, s, c, scratch)
+    if panel.kind == LEAVE:
+        part = 4.0 * left / totals.time
+        extent = panel.extent * part * part
+        short = leaving_panel(panel.sigma, panel.way, extent, begin)
+    else:
+        wide = width_of(0) / (4.0 * left * abs(state.om))
+        level = min(max(int(math.floor(2.0 * binary_logarithm(wide))), 0), NARROWEST)
+        short = linear_panel(panel.sigma, level, panel.way, begin)
+    return short, solve_aside(body, short, scratch.work)

@@ -1,0 +1,86 @@
+"""What the event loop carries from one step to the next."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from hophoop.kernel.native import inline
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.physics.body import Mode, Status
+from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.physics.modes import UNDECIDED
+from hophoop.kernel.records.state import State
+from hophoop.kernel.rigid.doubts import note_doubt
+from hophoop.kernel.rigid.panel_choice import START_LEVEL
+
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+UNDETERMINED = int(Status.UNDETERMINED)
+GOING = -1  # stands for the status of a motion that has not ended
+
+
+class Phase(NamedTuple):
+    """A phase of the motion, at the state that it has reached."""
+
+    mode: int
+    state: State
+    begins: bool  # nothing of it is computed yet: margins that are zero here are no events
+    zeros: int  # slip that begins: how often v_t is zero; flight: how many derivatives of the gap vanish at its begin
+    opening: float  # flight: f_n at its begin, exactly 0 after a lift-off from slip
+    level: int  # of the next panel's width
+    bounce: float  # v_n after the last impact
+    what: int  # what ended the last panel
+    status: int  # GOING, or how the motion ended
+
+
+@inline
+def opening_of(body, state):
+    """(f_n at the start of a flight, exactly 0 after a lift-off from slip; how many derivatives of the gap vanish)."""
+    s, c = sine_cosine(state.th, state.th_low)
+    opening = free_acceleration(body, s, c, state.om * state.om)[1]
+    if state.y > 0.0:
+        return opening, 0
+    if state.vn > 0.0:
+        return opening, 1
+    if opening <= 1e-13 * (body.gn + state.om * state.om):
+        return 0.0, 3
+    return opening, 2
+
+
+@inline
+def entered(body, mode, state, bounce, what, scratch):
+    """The phase that begins in a state; an UNDECIDED mode ends the motion."""
+    opening = 0.0
+    zeros = 1 if state.vt == 0.0 else 0
+    status = GOING
+    if mode == FLIGHT:
+        opening, zeros = opening_of(body, state)
+    elif mode == UNDECIDED:
+        status = UNDETERMINED
+        if body.kap > 0.0 and not math.isinf(body.mu_s):
+            note_doubt(scratch, state.t, state.t)
+    return Phase(mode, state, True, zeros, opening, START_LEVEL, bounce, what, status)
+
+
+@inline
+def lifted(phase, state, what):
+    """The flight after a lift-off from slip, where N, and with it f_n, has come to zero."""
+    return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)
+
+
+@inline
+def slipping(body, phase, mode, state, what):
+    """The slip that begins where rolling reaches the friction cone: v̇_t is zero there too if μs = μk."""
+    return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, phase.bounce, what, GOING)
+
+
+@inline
+def gone_on(phase, state, level, what):
+    """The same phase, from where it has come to."""
+    return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, phase.bounce, what, GOING)
+
+
+@inline
+def ended(phase, mode, state, what, status):
+    """The motion ends in a mode and state."""
+    return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)

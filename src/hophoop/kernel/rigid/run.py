@@ -1,0 +1,158 @@
+"""The event loop of the rigid hoop, in nopython mode: from phase to phase until the motion ends."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.circular import cosine
+from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.modes import can_roll, slip_mode
+from hophoop.kernel.records.cells import body_of, second_of, start_of
+from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, PANEL_LIMIT, PANELS, SEGMENTS, Outcome
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import moved
+from hophoop.kernel.records.writing import count_panel, has_room, new_log, note, quiet
+from hophoop.kernel.rigid.contact_phase import contact_step
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.flight_phase import flight_step, land
+from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.rigid.massless_phase import let_go, skim_step
+from hophoop.kernel.rigid.phase import GOING, ended, entered
+from hophoop.kernel.rigid.script import repeat
+from hophoop.kernel.rigid.transitions import settle
+
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+START, END = int(Event.START), int(Event.END)
+UNDETERMINED, EVENT_LIMIT, BUFFER = (int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER))
+
+LARGEST = 1e150  # of all numbers of a motion in its own units: the squares of larger ones overflow
+LOWEST_START = 1e-250  # a rim this high touches: the time to fall would underflow
+
+
+@apart
+def begin_massless(body, state, log, scratch):
+    """The first phase of a hoop without mass, which only rolls and skims."""
+    if state.y > 0.0 or state.vn != 0.0 or state.vt != 0.0:
+        mode = FLIGHT
+        if state.y == 0.0 and state.vn == 0.0:
+            mode = slip_mode(1 if state.vt > 0.0 else -1)
+        note(log, START, FLIGHT if mode == FLIGHT else -1, mode, state)
+        return ended(entered(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED)
+    mode = ROLL
+    note(log, START, -1, ROLL, state)
+    down = cosine(state.th) <= -1.0
+    if down and state.om != 0.0:  # the load on the plane: no energy in the rotation, which nothing determines
+        return ended(entered(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED)
+    if not down and not can_roll(body, state.th, state.om):
+        mode, state = let_go(body, state, log)
+    return entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+
+
+@apart
+def begin(body, start, log, scratch):
+    """The first phase of a motion."""
+    state = start
+    if 0.0 < state.y < LOWEST_START:
+        state = moved(state, state.t, state.t_low, state.x, state.x_low, 0.0, state.turns, state.th, state.th_low)
+    if body.kap == 0.0:
+        return begin_massless(body, state, log, scratch)
+    if state.y > 0.0 or state.vn != 0.0:
+        note(log, START, FLIGHT, FLIGHT, state)
+        if state.y == 0.0 and state.vn < 0.0:
+            return land(body, state, 0.0, log, scratch)
+        return entered(body, FLIGHT, state, 0.0, Ending.CONTINUES, scratch)
+    mode, state = settle(body, state, quiet(START, -1, state), log, scratch)
+    return entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+
+
+@inline
+def step(body, phase, limits, log, scratch):
+    """The phase after this one, or this one from a turning point on."""
+    if phase.mode == FLIGHT:
+        return flight_step(body, phase, limits, log, scratch)
+    if phase.mode == SKIM:
+        return skim_step(body, phase, limits, log, scratch)
+    return contact_step(body, phase, limits, log, scratch)
+
+
+@apart
+def can_follow(before, after, t_end):
+    """Whether a state can come after another: later or at once, and of numbers whose squares do not overflow."""
+    sizes = abs(after.x) + after.y + abs(after.turns) + abs(after.vt) + abs(after.vn) + abs(after.om)
+    lost = abs(after.friction) + abs(after.impact_n) + abs(after.impact_t) + abs(after.resisted)
+    return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # false for nan
+
+
+def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
+    """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
+
+    Parameters
+    ----------
+    body : Body
+    start : State
+        At t = 0; the rim is at the plane (y = 0) or above it.
+    t_end : float
+        Duration; everything is in kernel units.
+    angle_span : float
+        The motion also ends when θ has changed by this much (nan: no such limit).
+    stop : int
+        Sum of limits.STOP_AT_TURN, STOP_AT_TAKEOFF.
+    events, segments : ndarray of records.EVENT, records.SEGMENT
+        Filled; segments may have length 0 where only the events are wanted.
+    scratch : records.Scratch
+        Its `doubt` tells afterwards whether the doubles sufficed.
+    script : ndarray of records.EVENT
+        First events, where they are known, else of length 0. The last one is a state inside a phase, or again the
+        last event: from there on the motion is computed.
+
+    Returns
+    -------
+    status, number of events, number of segments : int
+        With Status.BUFFER the segments were full. With EVENT_LIMIT the events were full, and the motion ends at the last
+        one, whatever segments there are behind it; or the work for it, or the size of its numbers, was at its limit.
+    """
+    scratch.doubt[0] = math.nan
+    scratch.doubt[1] = math.nan
+    log = new_log(events, segments, scratch)
+    limits = limits_of(start, t_end, angle_span, stop)
+    if script.shape[0] > 1:
+        phase = repeat(body, script, log, scratch)
+    else:
+        phase = begin(body, start, log, scratch)
+    while phase.status == GOING and has_room(log):
+        count_panel(log)
+        events_before, segments_before = log.counts[EVENTS], log.counts[SEGMENTS]
+        after = step(body, phase, limits, log, scratch)
+        if not can_follow(phase.state, after.state, t_end):
+            log.counts[EVENTS], log.counts[SEGMENTS] = events_before, segments_before
+            break
+        phase = after
+    if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come
+        last = events[log.counts[EVENTS] - 1]["after_mode"]
+        note(log, END, last, last, phase.state)
+    count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]
+    if log.counts[SEGMENTS] < 0:
+        return BUFFER, count, segments.shape[0]
+    if log.counts[EVENTS] < 0:
+        return EVENT_LIMIT, count, log.counts[SEGMENTS]
+    return phase.status if phase.status != GOING else EVENT_LIMIT, count, log.counts[SEGMENTS]
+
+
+def run_cell(tables, script):
+    """`run` to the end of time, for a cell."""
+    scratch = new_scratch()
+    cell = tables.cell
+    second = second_of(cell, 0)
+    events = tables.events
+    most = int(cell[MAX_EVENTS, 0])
+    if events.shape[0] > most:
+        events = events[:most]
+    status, count, pieces = run(
+        body_of(cell, 0), start_of(cell, 0, second), cell[DURATION, 0] / second, math.nan, 0, events, tables.segments,
+        scratch, script,
+    )  # fmt: skip
+    counts = scratch.counts
+    return Outcome(
+        status, count, pieces, scratch.doubt[0], scratch.doubt[1], counts[EVENTS] < 0, counts[PANELS] >= counts[PANEL_LIMIT]
+    )

@@ -1,0 +1,90 @@
+"""The first events of a motion where they are known: repeated, and the phases between them filled in."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.panels.panel import FLY, HOLD, no_panel
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.modes import slip_direction
+from hophoop.kernel.records.layout import SEGMENTS
+from hophoop.kernel.records.state import moved
+from hophoop.kernel.records.writing import copy_event, has_room, new_log, state_of, write_segment
+from hophoop.kernel.rigid.contact_phase import advance_contact, frozen_end
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.rigid.panel_choice import anchored
+from hophoop.kernel.rigid.phase import Phase, entered, gone_on, opening_of, slipping
+
+FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
+
+
+@apart
+def fill_phase(body, mode, state, until, until_low, log, scratch):
+    """Write the segments of a phase that is known to last until a time of two doubles."""
+    if mode == FLIGHT:
+        write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)
+        return
+    # The end of time is one double, whose rounding may be much of a slip: meanwhile all times are shifted by it.
+    first = log.counts[SEGMENTS]
+    early = state.t_low - until_low
+    shifted = moved(state, state.t, early, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
+    fill_contact(body, mode, shifted, until, log, scratch)
+    for index in range(first, log.counts[SEGMENTS]):
+        log.segments[index]["t_low"] += until_low
+    if log.counts[SEGMENTS] > first:
+        log.segments[first]["t_low"] = state.t_low
+
+
+@apart
+def fill_contact(body, mode, state, until, log, scratch):
+    """Write the segments of rolling or slip that is known to last until a time of one double."""
+    limits = limits_of(state, until, math.nan, 0)
+    phase = entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+    while phase.state.t < until and has_room(log):
+        written = log.counts[SEGMENTS]
+        what, state, level = advance_contact(body, phase, True, limits, log, scratch)
+        if what == Ending.TIME_LIMIT and log.counts[SEGMENTS] == written:  # too brief for a panel: it counts as one that holds
+            state = phase.state
+            what = Ending.REST
+        if what in (Ending.REST, Ending.SINGULAR, Ending.SEARCH_LIMIT):
+            sigma = slip_direction(mode)
+            rate = frozen_end(body, sigma, state.vt)[0] if sigma != 0 else 0.0
+            write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, until)
+            return
+        phase = gone_on(phase, state, level, what)
+
+
+def fill_script(body, script, segments, scratch):
+    """Write the segments of the phases between the events of a script; returns their number, −1 where there is no room.
+
+    For Python alone, which interprets it: few motions have a script, and within `run` this would be most of the kernel once
+    more, a tenth of the time to compile.
+    """
+    log = new_log(script, segments, scratch)
+    for row in range(script.shape[0] - 1):
+        end = script[row + 1]["t"], script[row + 1]["t_low"]
+        if script[row]["t"] < end[0]:
+            fill_phase(body, script[row]["after_mode"], state_of(script[row]), *end, log, scratch)
+    return log.counts[SEGMENTS]
+
+
+@apart
+def repeat(body, script, log, scratch):
+    """Write the events of a script; returns the phase in which its last one is."""
+    last = script.shape[0] - 1
+    for row in range(last):
+        copy_event(log, script[row])
+    mode = script[last]["after_mode"]
+    state = state_of(script[last])
+    phase = entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+    if script[last]["t"] > script[last - 1]["t"]:  # inside a phase
+        if mode != FLIGHT:
+            s, c = sine_cosine(state.th, state.th_low)
+            state = anchored(body, slip_direction(mode), state, s, c, scratch)
+        return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, 0.0, Ending.CONTINUES, phase.status)
+    if script[last - 1]["kind"] == SLIP_START:
+        return slipping(body, phase, mode, state, Ending.CONTINUES)
+    return phase

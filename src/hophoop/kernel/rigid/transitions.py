@@ -1,0 +1,176 @@
+"""From an event to the next mode: impacts, the mode rule, and the paradoxes that it meets."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.panels.anchor import NONE
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.contact import contact_arms, free_acceleration
+from hophoop.kernel.physics.impact import impact, singular_angle, singular_slip, stick_rates
+from hophoop.kernel.physics.modes import (
+    INDETERMINATE,
+    UNDECIDED,
+    next_mode,
+    slip_direction,
+    slip_mode,
+)
+from hophoop.kernel.physics.painleve import slip_coefficients
+from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.records.state import with_anchor, with_losses, with_resisted, with_velocities
+from hophoop.kernel.records.writing import Cause, note, quiet, write_event
+from hophoop.kernel.rigid.doubts import CLOSE, mode_is_in_doubt, note_doubt
+from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE
+
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF = (
+    int(kind) for kind in (Event.SLIP_START, Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF)
+)
+IMPACT, KANE_GAIN, JAM = int(Event.IMPACT), int(Event.KANE_GAIN), int(Event.JAM)
+BOUNCE_LIMIT = int(Event.BOUNCE_LIMIT)
+PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
+PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
+
+GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
+
+
+@inline
+def collide(body, rest, state, kind, mode, collision):
+    """(state after, cause) of an impact."""
+    s, c = sine_cosine(state.th, state.th_low)
+    p_sigma = math.nan
+    if state.vn == 0.0 and state.vt != 0.0 and body.kap > 0.0 and not math.isinf(body.mu_k):
+        p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt > 0.0 else -1, 0.0)[1] / body.kap
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn, p_sigma)
+    om = state.om + spin
+    gain = -(loss_n + loss_t)
+    if gain <= GAIN_FLOOR * (abs(loss_n) + abs(loss_t) + state.vn * state.vn):
+        gain = 0.0
+    cause = Cause(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
+    losses_n = state.impact_n + loss_n
+    losses_t = state.impact_t + loss_t
+    after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # what was conserved is not after an impact
+    return with_losses(after, state.friction, losses_n, losses_t), cause
+
+
+@apart
+def close_bounces(body, state):
+    """(state after, cause) of the impact that ends endless bounces: e = 0, and no jerk along the plane lifts it again."""
+    after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
+    if not after.vn > 0.0:
+        return after, cause
+    # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
+    s, c = sine_cosine(state.th, state.th_low)
+    arm, lever = contact_arms(body, s, c)
+    r, turn, lift = stick_rates(body, arm, lever)
+    p_n = -after.vn / lift
+    p_t = r * p_n
+    om = after.om + turn * p_n
+    lost = after.impact_n - 0.5 * after.vn * p_n
+    still = with_losses(with_velocities(state, 0.0, 0.0, om), state.friction, lost, after.impact_t)
+    p_n += cause.p_n
+    p_t += cause.p_t
+    return still, Cause(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
+
+
+@apart
+def write_cause(log, cause, mode, state):
+    """The event, and Kane's gain after it where there is one."""
+    write_event(log, cause, mode, state, 0.0, -1)
+    if cause.gain > 0.0:
+        write_event(log, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
+
+
+@inline
+def settle(body, state, cause, log, scratch):
+    """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
+
+    Returns (mode, state); the mode is UNDECIDED where the model has no answer.
+    """
+    for _ in range(8):
+        if state.vn > 0.0:
+            write_cause(log, cause, FLIGHT, state)
+            return FLIGHT, state
+        if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it
+            state = with_velocities(state, state.vt, state.vn, 0.0)
+        if mode_is_in_doubt(body, state):
+            note_doubt(scratch, state.t, state.t)
+        mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
+        if cause.kind == STICK and body.mu_s == 0.0 and mode == cause.mode:
+            mode = slip_mode(-slip_direction(mode))  # slip that has come to an end does not go on, whatever rounding says
+        named = mode
+        if mode > SKIM:
+            named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
+        if cause.kind == STICK and named != ROLL:
+            cause = quiet(TAKEOFF if named == FLIGHT else SLIP_REVERSAL, cause.mode, state)
+        write_cause(log, cause, named, state)
+        if mode <= SKIM or mode == UNDECIDED:
+            return mode, state
+        if mode == INDETERMINATE:
+            after = named if body.strike else FLIGHT
+            note(log, PAINLEVE_INDETERMINATE, named, after, state)
+            if not body.strike:
+                return FLIGHT, state
+        else:
+            note(log, PAINLEVE_INCONSISTENT, named, named, state)
+        state, cause = collide(body, body.rest, state, IMPACT, named, 0)
+    return UNDECIDED, state
+
+
+@apart
+def pass_singular(body, mode, state, log, scratch):
+    """What follows slip whose panels have shrunk to nothing: (jams, mode, state).
+
+    That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
+    """
+    s, c = sine_cosine(state.th, state.th_low)
+    sigma = slip_direction(mode)
+    rho = resistance_arm(body, s, c, state.om, sigma)
+    torque, distance = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
+    found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
+    if not found:
+        return False, UNDECIDED, state
+    if sigma * state.vt <= 0.0:  # slip that has no speed to lose is at its end: an impulse would drive it
+        mode, after = settle(body, with_velocities(state, 0.0, 0.0, state.om), quiet(STICK, mode, state), log, scratch)
+        return False, mode, after
+    jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
+    p_t = -sigma * body.mu_k * p_n
+    losses = state.impact_t + loss
+    after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
+    after = with_resisted(after, state.resisted + 0.5 * rho * (state.om + om) * p_n)
+    if jams:
+        cause = Cause(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
+        write_event(log, cause, mode, after, 0.0, -1)
+        return True, mode, after
+    note(log, PAINLEVE_INCONSISTENT, mode, mode, state)
+    cause = Cause(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
+    if vt != 0.0:  # turned round, and still slipping
+        write_event(log, cause, mode, after, 0.0, -1)
+        return False, mode, after
+    mode, after = settle(body, after, cause, log, scratch)
+    return False, mode, after
+
+
+@apart
+def leave_cone(body, state, ahead, log, scratch):
+    """Rule 2: the mode after rolling that needs all friction there is; `ahead` says whether F > 0.
+
+    Slip goes against the friction that was at its limit, unless the rim is free to leave the plane.
+    """
+    u = state.om * state.om
+    s, c = sine_and_cosine(state.th)
+    opens = free_acceleration(body, s, c, u)[1]
+    if abs(opens) <= CLOSE * (body.gn + u) and not math.isinf(body.mu_s):
+        note_doubt(scratch, state.t, state.t)
+    if opens >= 0.0:
+        mode = FLIGHT
+        note(log, TAKEOFF, ROLL, FLIGHT, state)
+    elif math.isinf(body.mu_s):
+        mode = UNDECIDED  # the quasi-jump: N = 0, but free motion would enter the plane
+    else:
+        mode = slip_mode(-1 if ahead else 1)
+        note(log, SLIP_START, ROLL, mode, state)
+    return mode

@@ -1,0 +1,145 @@
+"""What theory says, regions of the phase plane, cells of maps and hoops made of parts, over plain memory."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import carray
+
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
+from hophoop.kernel.physics.resistance import most_resistance
+from hophoop.kernel.records.cells import body_of, scales_of
+from hophoop.kernel.records.layout import CELL, EVENT
+from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
+from hophoop.lab.wasm.layout import PART, THRESHOLDS
+from hophoop.lab.wasm.motions import FIELDS
+from hophoop.maps.grid.kernel import KEYS, NUMBERS, WORDS, evaluate_block
+from hophoop.theory.kernels.arcs import TURN, first_valley
+from hophoop.theory.kernels.critical import hop_speed, slip_speeds
+from hophoop.theory.kernels.painleve import border, minima
+from hophoop.theory.kernels.painleve import regions as paradox_sides
+from hophoop.theory.kernels.phase_plane import lift_off
+from hophoop.theory.kernels.phase_plane import modes as following_modes
+from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
+from hophoop.theory.kernels.rows import row_of
+
+ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
+SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
+PART_WIDTH = len(PART)
+
+
+def write_jams(body, out):
+    """Angles of the dynamic jam, in order."""
+    count = 0
+    for side in range(2):
+        first = border(body, body.mu_k, side == 1)
+        if math.isnan(first):
+            continue
+        for angle in (first, TURN - first):
+            if lift_off(body, angle) < math.inf:
+                place = count
+                while place > 0 and out[place - 1] > angle:
+                    out[place] = out[place - 1]
+                    place -= 1
+                out[place] = angle
+                count += 1
+
+
+def thresholds(given, speed, out):
+    """What theory says about a hoop that starts from θ = 0 with the speed [m/s] (nan: it does not)."""
+    cells = carray(given, (FIELDS, 1))
+    row = carray(out, (ANSWERS,))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    rows = row_of(body)
+    unit = scales.length / scales.time
+    pair = np.empty((1, 2))
+    single = np.empty(1)
+    speeds = np.full(1, speed / unit)
+    row[:] = math.nan
+    row[2] = lift_off(body, 0.0) * unit
+    if body.resist > 0.0:
+        return  # no closed form is known
+    weighs = body.gn > 0.0
+    if body.kap > 0.0:
+        minima(rows, pair)
+        row[5] = pair[0, 0]
+        row[6] = pair[0, 1]
+        if weighs and body.eps > 0.0 and body.mu_k < math.inf:
+            write_jams(body, row[7:11])
+        if body.gt >= 0.0:
+            slip_speeds(rows, single)
+            row[0] = single[0] * unit
+            row[1] = hop_speed(body, 1) * unit
+    if not math.isnan(speed):
+        needed_frictions(rows, speeds, pair)
+        row[3] = pair[0, 0]
+        row[4] = pair[0, 1]
+        if body.kap == 0.0 and weighs:
+            loss = np.empty((1, 3))
+            contact_losses(rows, speeds, loss)
+            row[12] = loss[0, 0]
+            row[13] = loss[0, 2]
+    valley = first_valley(body)
+    if not math.isnan(valley) and equilibrium_is_stable(body, valley):
+        row[11] = valley % TURN
+
+
+def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
+    """The word's number (see `vocabulary.words.MODES`) of the mode that follows each state of contact without slip."""
+    cells = carray(given, (FIELDS, 1))
+    codes = carray(modes, (lines, columns))
+    sides = carray(paradox, (columns,))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    rows = row_of(body)
+    angle = np.empty(1)
+    rate = np.empty(1)
+    found = np.empty(1, np.int64)
+    friction = np.full(1, body.mu_k)
+    for i in range(columns):
+        angle[0] = left + (i + 0.5) * ((right - left) / columns)
+        sides[i] = 0
+        if body.kap > 0.0 and body.mu_k < math.inf:
+            paradox_sides(rows, angle, friction, found)
+            sides[i] = found[0]
+        for j in range(lines):
+            omega = bottom + (j + 0.5) * ((top - bottom) / lines)
+            rate[0] = omega * scales.time
+            following_modes(rows, angle, rate, found)
+            mode = found[0]
+            if mode in (SPIN, SKID):  # the word of a slip follows sign(v_t θ̇)
+                ahead = (mode == SPIN and omega > 0.0) or (mode == SKID and omega < 0.0)
+                mode = SPIN if ahead else SKID
+            codes[j, i] = mode
+
+
+def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
+    """Reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
+    columns = carray(cells, (ROWS, n))
+    evaluate_block(
+        columns, 0, n, span, stop, timed != 0, wanted, np.empty(0, EVENT),
+        carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(keys, (n, KEYS)),
+    )  # fmt: skip
+
+
+def ideal_hoop(load_fraction, out):
+    """κ of the ideal hoop."""
+    carray(out, (1,))[0] = ideal_inertia(load_fraction)
+
+
+def resistance_limit(eccentricity, inertia_ratio, out):
+    """The rolling resistance below which rolling has one answer at every angle."""
+    carray(out, (1,))[0] = most_resistance(eccentricity, inertia_ratio)
+
+
+def hoop_of_parts(radius, parts, count, out, reaches):
+    """Mass, ε and κ of parts (rows of `layout.PART`), and how far each reaches from C."""
+    table = carray(parts, (count, PART_WIDTH))
+    made = carray(out, (3,))
+    made[0], made[1], made[2] = combined(radius, table)
+    far = carray(reaches, (count,))
+    for k in range(count):
+        far[k] = part_reach(table[k, SHAPE], table[k, FIRST], table[k, SECOND], table[k, AT])

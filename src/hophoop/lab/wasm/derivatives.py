@@ -1,0 +1,95 @@
+"""Rates of a motion's events with parameters, over plain memory and in SI units; for a module of their own."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import carray
+
+from hophoop.derivatives.directions import NUMBERS, direction
+from hophoop.derivatives.events.ending import go_through
+from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
+from hophoop.derivatives.results.propagation import UNIT_OF_ROW, sizes_and_rates
+from hophoop.derivatives.workspace import ROWS
+from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.kernel.records.cells import body_of, scales_of
+from hophoop.kernel.records.layout import CELL, DURATION
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.times import kernel_times
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS
+from hophoop.lab.wasm.motions import FIELDS
+
+FROM = np.array([CELL.index(name) for name in NUMBERS])
+COUNT, WIDTH = len(NUMBERS), len(CHANGE_COLUMNS)
+TURNING, SLIP, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "vx"))
+
+
+def directions_of(cells, more, sign, changes, start, units):
+    """All directions in kernel units, of cells and their rates."""
+    numbers, rates = np.empty(COUNT), np.empty(COUNT)
+    for i in range(COUNT):
+        numbers[i] = cells[FROM[i], 0]
+    for k in range(more.shape[1]):
+        for i in range(COUNT):
+            rates[i] = more[FROM[i], k]
+        of_body, of_start, of_units = direction(numbers, rates)
+        for i in range(PARAMETERS):
+            changes[i, k] = sign * of_body[i]
+        for i in range(CARRIED):
+            start[i, k] = sign * of_start[i]
+        for i in range(3):
+            units[i, k] = of_units[i]
+
+
+def write_changes(row, scales, units, sign, kept, out):
+    """The rates of an event in SI units, in the order of `layout.CHANGE_COLUMNS`: those of its numbers and of their units."""
+    values = (
+        row["t"], row["x"], row["height"], row["angle"], row["omega"], row["slip"], row["vy"],
+        row["impact_normal"], row["impact_tangential"], row["rolling_resistance"],
+    )  # fmt: skip
+    sizes, by_units = sizes_and_rates(scales, units)
+    for k in range(out.shape[1]):
+        for i in range(CARRIED):
+            of = UNIT_OF_ROW[i]
+            out[i, k] = sizes[of] * (sign * kept[i, k] + values[i] * by_units[of, k])
+        # ẋ = v_t + R θ̇
+        of = UNIT_OF_ROW[SLIP]
+        changed = sign * kept[SLIP, k] + sign * kept[TURNING, k]
+        out[VX, k] = sizes[of] * (changed + (row["slip"] + row["omega"]) * by_units[of, k])
+
+
+def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, told):
+    """Rates of all events of a motion that `motion` has computed, with respect to n parameters.
+
+    `rates` holds, for each parameter, the rates of the cell that is `given`. `sign` is −1 for how the motion changes when the
+    parameters become smaller, told as if they became larger. `doubt` is when doubles end to tell what follows [s], nan
+    where they always do. `told` takes for each parameter the reason why there is no derivative and the event from which on
+    there is none.
+    """
+    cells = carray(given, (FIELDS, 1))
+    table = carray(out, (count, WIDTH, n))
+    answers = carray(told, (2, n))
+    rows = carray(events, (count,))
+    parts = carray(segments, (pieces,))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    by = np.empty((PARAMETERS, n))
+    z = np.empty((CARRIED, n))
+    units = np.empty((3, n))
+    directions_of(cells, carray(rates, (FIELDS, n)), sign, by, z, units)
+    at_events = np.zeros((count, KEPT, n))
+    at_segments = np.zeros((pieces, CARRIED, n))
+    reasons, failed = np.zeros(n, np.int64), np.full(n, -1, np.int64)
+    when = np.full(1, math.inf)
+    if pieces > 0 and not math.isnan(doubt):
+        kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
+    go_through(
+        body, rows, parts, by, z, cells[DURATION, 0] / scales.time, when[0], True,
+        at_events, at_segments, reasons, failed, new_scratch(), np.zeros((ROWS, ORDER)),
+    )  # fmt: skip
+    for i in range(count):
+        write_changes(rows[i], scales, units, sign, at_events[i], table[i])
+    for k in range(n):
+        answers[0, k] = reasons[k]
+        answers[1, k] = failed[k]

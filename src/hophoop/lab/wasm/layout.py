@@ -1,0 +1,106 @@
+"""What the module's entries take and give: names of rows and columns, in the order of memory."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from hophoop.derivatives.layout import Reason
+from hophoop.kernel.compliant.records import WIDTH
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.rigid.margins import MARGINS
+from hophoop.maps.grid.kernel import ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
+from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
+
+# What a motion is told with, besides its events: SI units, and counts.
+HEADS = (
+    "status", "events", "segments", "duration", "doubt_from", "doubt_until", "panels",
+    "kinetic", "potential", "spring", "damping", "friction", "impact_normal", "impact_tangential", "residual",
+    "rolling_resistance",
+)  # fmt: skip
+
+# An event, in SI units; `from_mode` is −1 where there is none, `collision` and `stable` where they say nothing.
+EVENT_COLUMNS = (
+    "t", "kind", "from_mode", "to_mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
+    "before_vx", "before_vy", "before_omega", "before_slip", "impulse_normal", "impulse_tangential",
+    "friction", "impact_normal", "impact_tangential", "gain", "collision", "stable",
+    "rolling_resistance",
+)  # fmt: skip
+
+# A state, in SI units; `mode` is a number of `MODE_LETTERS`.
+SAMPLE_COLUMNS = (
+    "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
+    "friction", "impact_normal", "impact_tangential", "spring", "damping", "kinetic", "potential", "utilization",
+    "rolling_resistance",
+)  # fmt: skip
+
+# The compliant contact, in SI units; nan is "by itself".
+COMPLIANT = (
+    "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
+)  # fmt: skip
+# What it makes of them: numbers over those of the hoop, how deep the rim sinks [R]; and two of them in SI units.
+CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "stiffness_si", "slip_speed_si")
+
+# The rates of an event with one parameter, in SI units over the parameter's; its own module gives them.
+CHANGE_COLUMNS = (
+    "t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "rolling_resistance", "vx",
+)  # fmt: skip
+
+# What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
+THRESHOLDS = (
+    "first_slip_speed", "first_hop_speed", "immediate_hop_speed", "needed_friction", "needed_friction_angle",
+    "painleve_friction", "painleve_angle", "jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4",
+    "stable_angle", "massless_loss_angle", "massless_loss_by_friction",
+)  # fmt: skip
+
+# Shapes of a hoop's parts, and the numbers of one.
+SHAPES = ("ring", "disk", "point_mass", "radial_rod", "tangential_rod")
+PART = ("shape", "mass", "first", "second", "at")
+
+
+def layout() -> dict[str, Any]:
+    """What a program needs to know to call the module.
+
+    Returns
+    -------
+    layout : dict
+        Ready for JSON: names in order, sizes of records in bytes.
+    """
+    return {
+        "cell": CELL,
+        "heads": HEADS,
+        "events": EVENT_COLUMNS,
+        "samples": SAMPLE_COLUMNS,
+        "margins": MARGINS,
+        "changes": CHANGE_COLUMNS,
+        "reasons": [reason.name.lower() for reason in Reason],
+        "compliant": COMPLIANT,
+        "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
+        "friction_laws": [law.name.lower() for law in FrictionLaw],
+        "chosen": CHOSEN,
+        "thresholds": THRESHOLDS,
+        "numbers": NUMBERS,
+        "words": WORDS,
+        "keys": KEYS,
+        "letters_a_key": LETTERS_A_KEY,
+        "more": MORE,
+        "endings": ENDINGS,
+        "spans": {name: _span(name) for name in ("first_revolution", "takeoff", "reversal", "duration")},
+        "wanted": {name: wanted_of(choose_quantities([name])) for name in QUANTITIES},
+        "codes": {name: quantity.words for name, quantity in QUANTITIES.items() if quantity.words},
+        "shapes": SHAPES,
+        "part": PART,
+        "kinds": EVENT_NAMES,
+        "letters": MODE_LETTERS,
+        "statuses": [status.name.lower() for status in Status],
+        "event_bytes": EVENT.itemsize,
+        "segment_bytes": SEGMENT.itemsize,
+        "compliant_segment_bytes": 8 * WIDTH,
+    }
+
+
+def _span(name: str) -> dict[str, Any]:
+    span = make_span(name)
+    return {"angle": None if math.isnan(span.angle) else span.angle, "stop": span.stop, "timed": int(span.timed)}

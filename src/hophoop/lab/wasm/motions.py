@@ -1,0 +1,182 @@
+"""One motion and its states, over plain memory and in SI units."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import carray
+
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.energy import energies_after
+from hophoop.kernel.physics.friction import utilization
+from hophoop.kernel.records.cells import body_of, scales_of, start_of
+from hophoop.kernel.records.layout import CELL, DURATION, EVENT, MAX_EVENTS, PANELS
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.times import kernel_times
+from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.kernel.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.sampling import sample
+from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
+
+FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
+RAW_WIDTH, MARGIN_WIDTH = len(COLUMNS), len(MARGINS)
+RESISTED, KINETIC, POTENTIAL = (COLUMNS.index(name) for name in ("rolling_resistance", "kinetic", "potential"))
+SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
+
+
+def seconds(t, t_end, duration, second):
+    """A time in s; the end of the motion is the duration asked for, not its rounding through kernel units."""
+    return duration if t == t_end else t * second
+
+
+def write_event(row, scales, t, out):
+    """An event in SI units, in the order of `layout.EVENT_COLUMNS`."""
+    length, speed, rate, impulse = scales.length, scales.speed, scales.rate, scales.impulse
+    out[0] = t
+    out[1] = row["kind"]
+    out[2] = row["before_mode"]
+    out[3] = row["after_mode"]
+    out[4] = row["x"] * length
+    out[5] = row["height"] * length
+    out[6] = row["angle"]
+    out[7] = row["vx"] * speed
+    out[8] = row["vy"] * speed
+    out[9] = row["omega"] * rate
+    out[10] = row["slip"] * speed
+    out[11] = row["before_vx"] * speed
+    out[12] = row["before_vy"] * speed
+    out[13] = row["before_omega"] * rate
+    out[14] = row["before_slip"] * speed
+    out[15] = row["impulse_normal"] * impulse
+    out[16] = row["impulse_tangential"] * impulse
+    out[17] = row["friction"] * scales.energy
+    out[18] = row["impact_normal"] * scales.energy
+    out[19] = row["impact_tangential"] * scales.energy
+    out[20] = row["gain"] * scales.energy
+    out[21] = row["collision"]
+    out[22] = row["stable"]
+    out[23] = row["rolling_resistance"] * scales.energy
+
+
+def write_energies(body, scales, first, last, energies, first_spring, head):
+    """The energies of a motion in the order of `layout.HEADS`, as `Trajectory.ledger` sums them.
+
+    `first` and `last` are its events; `energies` are kinetic, potential, spring, damping, friction and rolling resistance
+    at the end.
+    """
+    unit = scales.energy
+    begin_kinetic, begin_potential = energies_after(body, first)
+    kinetic, potential, spring, damping, friction, rolling = energies
+    head[7] = kinetic * unit
+    head[8] = potential * unit
+    head[9] = spring * unit
+    head[10] = damping * unit
+    head[11] = friction * unit
+    head[12] = last["impact_normal"] * unit
+    head[13] = last["impact_tangential"] * unit
+    head[15] = rolling * unit
+    now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13] + head[15]
+    head[14] = now - (begin_kinetic * unit + begin_potential * unit + first_spring * unit)
+
+
+def motion(given, events, most_events, segments, most_segments, table, heads):
+    """Compute a motion.
+
+    `given` holds a scenario's numbers in the order of `records.layout.CELL`; `table` takes the events and `heads` what
+    `layout.HEADS` names. Segments are for `samples`. Where there is too little room for them the status is `buffer`;
+    where there is for the events it is `event_limit`, with fewer events than the scenario allows.
+    """
+    cells = carray(given, (FIELDS, 1))
+    records = carray(events, (min(most_events, int(cells[MAX_EVENTS, 0])),))
+    pieces = carray(segments, (most_segments,))
+    rows = carray(table, (most_events, EVENT_WIDTH))
+    head = carray(heads, (HEAD_COUNT,))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    duration = cells[DURATION, 0]
+    t_end = duration / scales.time
+    scratch = new_scratch()
+    script = np.empty(0, EVENT)
+    start = start_of(cells, 0, scales.time)
+    status, count, length = run(body, start, t_end, math.nan, 0, records, pieces, scratch, script)
+    for k in range(count):
+        write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), rows[k])
+    head[0] = status
+    head[1] = count
+    head[2] = length
+    head[3] = seconds(records[count - 1]["t"], t_end, duration, scales.time)
+    head[4] = scratch.doubt[0] * scales.time
+    head[5] = scratch.doubt[1] * scales.time
+    head[6] = scratch.counts[PANELS]
+    final = records[count - 1]
+    end_kinetic, end_potential = energies_after(body, final)
+    energies = (end_kinetic, end_potential, 0.0, 0.0, final["friction"], final["rolling_resistance"])
+    write_energies(body, scales, records[0], final, energies, 0.0, head)
+
+
+def write_state(body, scales, raw, row):
+    """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`, but for the energies that the contact models differ in."""
+    length, speed, force, unit = scales.length, scales.speed, scales.force, scales.energy
+    mode = int(raw[0])
+    row[0] = mode
+    row[1] = raw[1] * length
+    row[2] = raw[2] * length
+    row[3] = raw[3]
+    row[4] = raw[4] * speed
+    row[5] = raw[5] * speed
+    row[6] = raw[6] * scales.rate
+    row[7] = raw[7] * speed
+    row[8] = raw[8] * force
+    row[9] = raw[9] * force
+    row[10] = raw[10] * unit
+    row[11] = raw[11] * unit
+    row[12] = raw[12] * unit
+    slips = mode in (SPIN, SKID)
+    row[17] = utilization(slips, row[8], row[9], body.mu_s, body.mu_k)
+    row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
+
+
+def sampled(body, scales, segments, times, left):
+    """The rows of `rigid.sampling.sample` at times in s."""
+    asked = np.empty(len(times))
+    kernel_times(segments["t"], segments[-1]["t_end"], times, scales.time, asked)
+    raw = np.empty((len(times), RAW_WIDTH))
+    sample(body, segments, asked, left != 0, raw)
+    return raw
+
+
+def samples(given, segments, count, times, n, left, out):
+    """The states of a motion at times in s, which its segments hold; `left` is 1 for just before an impact."""
+    cells = carray(given, (FIELDS, 1))
+    rows = carray(out, (n, SAMPLE_WIDTH))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
+    for k in range(n):
+        line = raw[k]
+        write_state(body, scales, line, rows[k])
+        rows[k, 13] = 0.0
+        rows[k, 14] = 0.0
+        rows[k, 15] = line[KINETIC] * scales.energy
+        rows[k, 16] = line[POTENTIAL] * scales.energy
+
+
+def margins(given, segments, count, times, n, left, out):
+    """What decides about the mode at times in s, in the order of `rigid.margins.MARGINS` and in SI units, as `samples`."""
+    cells = carray(given, (FIELDS, 1))
+    rows = carray(out, (n, MARGIN_WIDTH))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
+    for k in range(n):
+        line = raw[k]
+        found = margins_of(body, int(line[0]), line[13], line[14], line[6], line[7], line[2])
+        rows[k, 0] = found[0] * scales.force
+        rows[k, 1] = found[1] * scales.force
+        rows[k, 2] = found[2] * scales.force
+        rows[k, 3] = found[3] * scales.acceleration
+        rows[k, 4] = found[4] * scales.speed
+        rows[k, 5] = found[5] * scales.length
+        rows[k, 6] = found[6]

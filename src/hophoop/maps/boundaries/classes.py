@@ -1,0 +1,145 @@
+"""The class of a motion as a function on a plane of two parameters: what borders and refinement ask."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.kernel.numerics.elementwise import exponential, logarithm
+from hophoop.maps.grid.axes import make_axes, ordered
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import Results, run_cells
+from hophoop.maps.grid.kernel import BLOCK
+from hophoop.maps.grid.quantities import Quantity, choose_quantities, distinct_rows, make_span, unpack
+from hophoop.scenario import InputError, Scenario
+
+Floats = NDArray[np.float64]
+
+
+class Window(NamedTuple):
+    """A rectangle in the plane of two parameters; within, places run from 0 to 1 along both.
+
+    Attributes
+    ----------
+    x, y : str
+        Paths of the parameters.
+    x_range, y_range : tuple of float
+        Ends of the rectangle, in the parameters' units [SI].
+    logarithmic : tuple of bool
+        Whether equal steps are equal ratios, along x and y.
+    """
+
+    x: str
+    y: str
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
+    logarithmic: tuple[bool, bool] = (False, False)
+
+    def values(self, u: Any, v: Any) -> tuple[Floats, Floats]:
+        """Values of the parameters at places of the window."""
+        ranges = (self.x_range, self.y_range)
+        x, y = (
+            low * exponential(place * logarithm(high / low)) if by_ratio else low + (high - low) * place
+            for place, (low, high), by_ratio in zip((u, v), ranges, self.logarithmic, strict=True)
+        )
+        return x, y
+
+    def places(self, x: Any, y: Any) -> tuple[Floats, Floats]:
+        """Places of values in the window."""
+        ranges = (self.x_range, self.y_range)
+        u, v = (
+            logarithm(value / low) / logarithm(high / low) if by_ratio else (value - low) / (high - low)
+            for value, (low, high), by_ratio in zip((x, y), ranges, self.logarithmic, strict=True)
+        )
+        return u, v
+
+
+def make_window(
+    base: Scenario,
+    ranges: dict[str, tuple[float, float]],
+    logarithmic: Sequence[str] = (),
+) -> Window:
+    """A checked window."""
+    if len(ranges) != 2:
+        raise InputError(f"ranges = {list(ranges)!r} must name two parameters.", field="ranges", value=list(ranges))
+    for path, (low, high) in ranges.items():
+        if not low < high:
+            raise InputError(f"range of {path} = {(low, high)!r} must be a smaller and a greater number.")
+    for path in logarithmic:
+        if path not in ranges:
+            raise InputError.of_field("logarithmic", path, f"one of {', '.join(ranges)}")
+        if not ranges[path][0] > 0.0:
+            raise InputError(f"range of {path} = {ranges[path]!r} must be greater than 0 in a logarithmic window.")
+    x, y = make_axes(base, {path: list(ends) for path, ends in ranges.items()})
+    if "" in (x.unit, y.unit):
+        raise InputError("ranges must be of numbers, not of words.")
+    return Window(
+        x.path,
+        y.path,
+        (float(ranges[x.path][0]), float(ranges[x.path][1])),
+        (float(ranges[y.path][0]), float(ranges[y.path][1])),
+        (x.path in logarithmic, y.path in logarithmic),
+    )
+
+
+class Classifier:
+    """Codes of the classes at places of a window; the table of classes grows as they are met.
+
+    A class is the text of one coded quantity, or of several, joined by a blank.
+    """
+
+    def __init__(self, base: Scenario, window: Window, quantities: Sequence[str], span: str) -> None:
+        self.base = base
+        self.window = window
+        self.quantities = choose_quantities(quantities)
+        for quantity in self.quantities:
+            if not quantity.is_code:
+                raise InputError.of_field("quantity", quantity.name, "one with classes, such as sequence")
+        self.span = make_span(span)
+        self.names: list[str] = []
+        self.evaluated = 0
+        self._codes: dict[tuple[int, ...], int] = {}
+
+    def __call__(self, u: Any, v: Any) -> NDArray[np.int64]:
+        """Codes at places, each from 0 to 1."""
+        u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
+        return self.at(*self.window.values(u.reshape(-1), v.reshape(-1))).reshape(u.shape)
+
+    def at(self, x: Floats, y: Floats) -> NDArray[np.int64]:
+        """Codes at values of the two parameters themselves, arrays of one length."""
+        values = {self.window.x: x, self.window.y: y}
+        cells = make_cells(self.base, {path: values[path] for path in ordered(list(values))}, x.size)
+        results = run_cells(cells, self.span, 0, "serial" if x.size <= 2 * BLOCK else "cpu")
+        self.evaluated += x.size
+        return self._encode(results)
+
+    def _encode(self, results: Results) -> NDArray[np.int64]:
+        columns = [results.keys if quantity.name == "sequence" else _as_keys(results, quantity) for quantity in self.quantities]
+        rows, place = distinct_rows(np.concatenate(columns, axis=1))
+        return np.array([self._code(row) for row in rows], dtype=np.int64)[place]
+
+    def _code(self, row: tuple[int, ...]) -> int:
+        if row not in self._codes:
+            self._codes[row] = len(self.names)
+            self.names.append(self._name(row))
+        return self._codes[row]
+
+    def _name(self, row: tuple[int, ...]) -> str:
+        words = []
+        for quantity in self.quantities:
+            if quantity.name == "sequence":
+                size = len(row) - len(self.quantities) + 1
+                words.append(unpack(row[:size]) or "not_allowed")
+                row = row[size:]
+            else:
+                words.append("not_allowed" if row[0] == 0 else quantity.words[row[0] - 1])
+                row = row[1:]
+        return " ".join(words)
+
+
+def _as_keys(results: Results, quantity: Quantity) -> Any:
+    # from 0 on, for unsigned numbers
+    return (results.words[:, quantity.column : quantity.column + 1] + 1).astype(np.uint64)

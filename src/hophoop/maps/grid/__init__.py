@@ -1,0 +1,1 @@
+"""Grids of motions: axes, quantities, the kernel of a cell, stores that are resumed."""

@@ -1,0 +1,346 @@
+"""The axes of a map: which parameter of the scenario, which values, and how a grid is cut into chunks."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from decimal import Context, Decimal, localcontext
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop.kernel.numerics.elementwise import exponential
+from hophoop.scenario import InputError, Scenario, parameter
+from hophoop.scenario.models import Rigid
+from hophoop.scenario.paths import contradiction
+from hophoop.vocabulary.sentences import LAB
+
+SECTIONS = ("duration", "hoop", "plane", "start", "contact")
+MOST_VALUES = 100_000_000  # on one axis: they are in memory, whatever the map
+# Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
+SIDE = 256
+LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
+LOWEST_DECADE, HIGHEST_DECADE = -323, 308  # of doubles
+TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, HIGHEST_DECADE + 1)])
+
+
+class Axis(NamedTuple):
+    """One axis of a map.
+
+    Attributes
+    ----------
+    path : str
+        The parameter, such as ``"plane.mu"``.
+    values : ndarray
+        Its values, in the parameter's unit [SI], or words.
+    unit : str
+        Its unit.
+    description : str
+        Its meaning.
+    """
+
+    path: str
+    values: NDArray[Any]
+    unit: str
+    description: str
+
+
+def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
+    """Equally spaced values.
+
+    Parameters
+    ----------
+    first, last : float
+        Ends, both included, in the parameter's unit [SI].
+    count : int
+        How many, from 1 to 100,000,000.
+
+    Returns
+    -------
+    values : ndarray, shape (count,)
+        In the parameter's unit [SI].
+
+    Raises
+    ------
+    ValueError
+        If count is not from 1 to 100,000,000.
+
+    Examples
+    --------
+    >>> linear(0.5, 2.0, 4)
+    array([0.5, 1. , 1.5, 2. ])
+    """
+    return np.linspace(first, last, _count(count))
+
+
+def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
+    """Values in equal ratios.
+
+    Parameters
+    ----------
+    first, last : float
+        Ends above 0, both included, in the parameter's unit [SI].
+    count : int
+        How many, from 1 to 100,000,000.
+
+    Returns
+    -------
+    values : ndarray, shape (count,)
+        In the parameter's unit [SI].
+
+    Raises
+    ------
+    ValueError
+        If count is not from 1 to 100,000,000, or an end is not above 0.
+
+    Examples
+    --------
+    >>> logarithmic(0.01, 1.0, 3)
+    array([0.01, 0.1 , 1.  ])
+    """
+    for end in (first, last):
+        if not end > 0.0:
+            raise InputError.of_field("end of a logarithmic axis", end, "greater than 0")
+        if end == math.inf:
+            raise InputError.of_field("end of a logarithmic axis", end, "finite")
+    return geometric(first, last, _count(count))
+
+
+def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
+    """Return values of equal ratios, with powers of ten exact where they are among them."""
+    with localcontext(Context(prec=30)):
+        low, high = (float(Decimal(float(end)).log10()) for end in (first, last))
+    exponents = np.linspace(low, high, count)
+    decades = np.floor(exponents + 0.5)
+    values: NDArray[np.float64] = TENS[(decades - LOWEST_DECADE).astype(int)] * exponential((exponents - decades) * LN_10)
+    values[0], values[-1] = first, last
+    return values
+
+
+def _count(count: int) -> int:
+    if not 1 <= count <= MOST_VALUES or count != int(count):
+        raise InputError.of_field("count", count, f"a whole number from 1 to {MOST_VALUES:,}")
+    return int(count)
+
+
+def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
+    """Read an axis as the command line gives it.
+
+    Parameters
+    ----------
+    text : str
+        ``path=first:last:count``, with ``:log`` behind it for equal ratios, or ``path=a,b,c``.
+
+    Returns
+    -------
+    path : str
+    values : ndarray
+        In the parameter's unit [SI], or words.
+
+    Raises
+    ------
+    ValueError
+        If the text is neither.
+
+    Examples
+    --------
+    >>> parse_axis("plane.mu=0.5:1.5:3")
+    ('plane.mu', array([0.5, 1. , 1.5]))
+    >>> parse_axis("plane.impact_law=newton,stronge")[1].tolist()
+    ['newton', 'stronge']
+    """
+    path, equals, rest = text.partition("=")
+    path = path.strip()
+    usage = f"axis {text!r} must read path=first:last:count, path=first:last:count:log or path=a,b,c."
+    if not equals or not path or not rest:
+        raise InputError(usage)
+    try:
+        if ":" not in rest:
+            words = [word.strip() for word in rest.split(",")]
+            try:
+                return path, np.array([float(word) for word in words])
+            except ValueError:
+                return path, np.array(words)
+        parts = rest.split(":")
+        if len(parts) not in (3, 4) or (len(parts) == 4 and parts[3] != "log"):
+            raise InputError(usage)
+        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
+    except ValueError:
+        raise InputError(usage) from None
+    return path, logarithmic(first, last, count) if len(parts) == 4 else linear(first, last, count)
+
+
+def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]:
+    """Check the axes of a map against the scenario that they vary.
+
+    Parameters
+    ----------
+    base : Scenario
+    axes : mapping of str to array_like
+        Values of every varied parameter, by its path [SI].
+
+    Returns
+    -------
+    axes : tuple of Axis
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than two axes, a parameter is unknown, a value is not allowed or given twice, or
+        two axes name the same thing in two ways.
+    """
+    if len(axes) < 2:
+        raise InputError(f"axes = {list(axes)!r} must name at least two parameters.", field="axes", value=list(axes))
+    if not isinstance(base.contact, Rigid):
+        raise InputError.of_field("contact.model", base.contact.model, "'rigid' in a map")
+    made = []
+    for path, values in axes.items():
+        info = parameter(path)
+        array = np.asarray(values)
+        if path == "contact.model" or (path.startswith("contact.") and path != "contact.max_events"):
+            raise InputError(f"{path} cannot be an axis: maps are made with rigid contact.")
+        if array.ndim != 1 or array.size == 0:
+            raise InputError(f"axis {path} must be a list of values, not of shape {array.shape}.")
+        if info.unit == "":
+            array = array.astype(str)
+        else:
+            try:
+                array = array.astype(float)
+            except (TypeError, ValueError):
+                raise InputError(f"axis {path} must hold numbers.") from None
+        if np.unique(array).size != array.size:
+            raise InputError(f"axis {path} must not hold a value twice.")
+        made.append(Axis(path, array, info.unit, info.description))
+    result = tuple(made)
+    _check_pairs(result)
+    for axis in result:
+        _check_values(base, axis, [other for other in result if other is not axis])
+    return result
+
+
+def ordered(paths: Sequence[str]) -> list[str]:
+    """Paths in the order in which a map puts values in: by section, within one as given.
+
+    Parameters
+    ----------
+    paths : sequence of str
+
+    Returns
+    -------
+    paths : list of str
+    """
+    return sorted(paths, key=lambda path: SECTIONS.index(path.partition(".")[0]))
+
+
+def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
+    """The scenario of one cell.
+
+    Parameters
+    ----------
+    base : Scenario
+        What the map varies.
+    values : mapping of str to float or str
+        By path [SI].
+
+    Returns
+    -------
+    scenario : Scenario
+
+    Raises
+    ------
+    ValueError
+        If the values do not go together.
+
+    Examples
+    --------
+    >>> scenario_at(Scenario(), {"start.speed": 2.5, "plane.mu": 0.5}).to_query()
+    'plane.mu=0.5&start.speed=2.5'
+    """
+    return base.with_values({path: values[path] for path in ordered(list(values))})
+
+
+def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
+    values = axis.values
+    if axis.unit != "" and values.size > 64 and axis.path != "contact.max_events":
+        # what a number may be is an interval; nan comes out of min and max too
+        values = np.array([values.min(), values.max()])
+    for value in values:
+        try:
+            scenario_at(base, {axis.path: value})
+            continue
+        except InputError as error:
+            refused = error
+        # perhaps it goes together with values of the other axes: such cells are there, the rest is marked
+        ends = [{other.values[0], other.values[-1], *_extremes(other)} for other in others]
+        for combination in itertools.product(*ends):
+            try:
+                scenario_at(
+                    base,
+                    {axis.path: value} | {other.path: v for other, v in zip(others, combination, strict=True)},
+                )
+                break
+            except InputError:
+                continue
+        else:
+            raise refused
+
+
+def _extremes(axis: Axis) -> tuple[Any, ...]:
+    return () if axis.unit == "" else (axis.values.min(), axis.values.max())
+
+
+def _check_pairs(axes: Sequence[Axis]) -> None:
+    pair = contradiction(axis.path for axis in axes)
+    if pair is not None:
+        raise InputError(LAB["two_axes"].format(one=pair[0], other=pair[1]))
+
+
+class Chunk(NamedTuple):
+    """A rectangular piece of the grid."""
+
+    number: int
+    region: tuple[slice, ...]
+    shape: tuple[int, ...]
+
+
+def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
+    """Shape of the chunks of a grid, with about so many cells each."""
+    result = [1] * len(shape)
+    left = max(cells, 1)
+    side = min(SIDE, max(1, math.isqrt(left)))
+    for i in reversed(range(len(shape))):
+        wanted = side if i >= len(shape) - 2 else left
+        result[i] = max(1, min(shape[i], wanted, left))
+        left //= result[i]
+    # what a short last axis left over
+    for i in reversed(range(len(shape))):
+        more = min(shape[i], result[i] * max(left, 1))
+        left //= max(1, more // result[i])
+        result[i] = more
+    return tuple(result)
+
+
+def chunk_at(index: int, shape: Sequence[int], chunk: Sequence[int]) -> Chunk:
+    """One chunk by its number."""
+    counts = [-(-n // c) for n, c in zip(shape, chunk, strict=True)]
+    place = [int(i) for i in np.unravel_index(index, counts)]
+    region = tuple(slice(p * c, min((p + 1) * c, n)) for p, c, n in zip(place, chunk, shape, strict=True))
+    return Chunk(index, region, tuple(part.stop - part.start for part in region))
+
+
+def chunk_count(shape: Sequence[int], chunk: Sequence[int]) -> int:
+    """How many chunks a grid has."""
+    return math.prod(-(-n // c) for n, c in zip(shape, chunk, strict=True))
+
+
+def chunk_values(axes: Sequence[Axis], chunk: Chunk) -> dict[str, NDArray[Any]]:
+    """Values of the axes in every cell of a chunk, flat, in C order."""
+    result = {}
+    for i, (axis, part) in enumerate(zip(axes, chunk.region, strict=True)):
+        shape = [1] * len(axes)
+        shape[i] = chunk.shape[i]
+        spread = np.broadcast_to(axis.values[part].reshape(shape), chunk.shape)
+        result[axis.path] = spread.reshape(-1)
+    return result

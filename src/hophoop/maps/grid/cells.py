@@ -1,0 +1,160 @@
+"""From scenarios to the kernel's cells: all cells of a chunk at once, as `scenario_at` would make each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.kernel.physics.body import ImpactLaw
+from hophoop.kernel.physics.mass import ideal_inertia
+from hophoop.kernel.physics.resistance import most_resistance
+from hophoop.kernel.records.layout import (
+    ALLOWED,
+    ANGLE,
+    DURATION,
+    ECCENTRICITY,
+    GRAVITY,
+    HEIGHT,
+    IDEAL,
+    INERTIA_RATIO,
+    LAW,
+    MASS,
+    MAX_EVENTS,
+    MU_KINETIC,
+    MU_STATIC,
+    OMEGA,
+    RADIUS,
+    RESTITUTION,
+    ROLLING_RESISTANCE,
+    SLIP,
+    SLOPE,
+    STRIKE,
+    VY,
+    X,
+)
+from hophoop.maps.grid.axes import ordered, scenario_at
+from hophoop.scenario import InputError, Scenario, cell_of
+
+Array = NDArray[Any]
+
+# Parameters whose value is one number of the cell.
+_PLAIN = {
+    "duration": DURATION,
+    "hoop.radius": RADIUS,
+    "hoop.mass": MASS,
+    "hoop.eccentricity": ECCENTRICITY,
+    "hoop.inertia_ratio": INERTIA_RATIO,
+    "plane.gravity": GRAVITY,
+    "plane.slope": SLOPE,
+    "plane.mu_static": MU_STATIC,
+    "plane.mu_kinetic": MU_KINETIC,
+    "plane.restitution": RESTITUTION,
+    "plane.rolling_resistance": ROLLING_RESISTANCE,
+    "start.x": X,
+    "start.angle": ANGLE,
+    "contact.max_events": MAX_EVENTS,
+}
+
+
+def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArray[np.float64]:
+    """Cells of the kernel.
+
+    Parameters
+    ----------
+    base : Scenario
+        With rigid contact.
+    values : mapping of str to ndarray, shape (count,)
+        Values of the varied parameters, by path [SI].
+    count : int
+        How many cells.
+
+    Returns
+    -------
+    cells : ndarray, shape (len(CELL), count)
+        Rows as `records.layout.CELL` names them [SI]; those whose values do not go together are marked.
+    """
+    cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
+    paths = ordered(list(values))
+    hoop = [path for path in paths if path.startswith("hoop.")]
+    if hoop and _is_made_of_parts(base, hoop):
+        _put_hoops(cells, base, {path: values[path] for path in hoop})
+        paths = [path for path in paths if path not in hoop]
+    start = base.start
+    rolling = start.speed is not None
+    free: dict[str, Any] = {name: getattr(start, name) for name in ("height", "vx", "vy", "omega")}
+    for path in paths:
+        array = values[path]
+        if path in _PLAIN:
+            cells[_PLAIN[path]] = array
+            if path in ("hoop.eccentricity", "hoop.inertia_ratio"):
+                cells[IDEAL] = 0.0
+        elif path == "hoop.load_fraction":
+            cells[ECCENTRICITY] = array
+            cells[INERTIA_RATIO] = ideal_inertia(array)
+            cells[IDEAL] = 1.0
+        elif path == "plane.mu":
+            cells[MU_STATIC] = array
+            cells[MU_KINETIC] = array
+        elif path == "plane.impact_law":
+            cells[LAW] = [int(ImpactLaw[word.upper()]) for word in array]
+        elif path == "plane.painleve":
+            cells[STRIKE] = array == "impact"
+        elif path == "start.speed":
+            rolling = True
+            free["vx"] = array
+        else:
+            if rolling:  # the rolling start as a free one, of which one number changes
+                free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[RADIUS]}
+            rolling = False
+            free[path.partition(".")[2]] = array
+    if rolling:
+        cells[HEIGHT] = 0.0
+        cells[VY] = 0.0
+        cells[OMEGA] = free["vx"] / cells[RADIUS]
+        cells[SLIP] = 0.0
+    else:
+        cells[HEIGHT] = free["height"]
+        cells[VY] = free["vy"]
+        cells[OMEGA] = free["omega"]
+        cells[SLIP] = free["vx"] - cells[RADIUS] * cells[OMEGA]
+    _mark(cells)
+    return cells
+
+
+def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:
+    """Whether radius and mass mean parts, so that ε and κ follow from them."""
+    if any(path.startswith("hoop.parts") for path in paths):
+        return True
+    return base.hoop.parts is not None
+
+
+def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> None:
+    """Hoops made of parts, each combination once."""
+    table = np.stack(list(values.values()))
+    combinations, place = np.unique(table, axis=1, return_inverse=True)
+    made = np.ones((6, combinations.shape[1]))
+    for i, combination in enumerate(combinations.T):
+        try:
+            hoop = scenario_at(base, dict(zip(values, combination, strict=True))).hoop
+        except InputError:
+            made[-1, i] = 0.0
+            continue
+        made[:5, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, hoop.load_fraction is not None
+    place = place.reshape(-1)
+    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, IDEAL, ALLOWED), made, strict=True):
+        cells[row] = column[place]
+
+
+def _mark(cells: Array) -> None:
+    """The rules that tie parameters together, as the scenario's validators have them."""
+    massless = cells[INERTIA_RATIO] == 0.0
+    bad = cells[MU_KINETIC] > cells[MU_STATIC]
+    bad |= massless & ((cells[ECCENTRICITY] != 1.0) | (cells[SLOPE] != 0.0))
+    resisted = np.flatnonzero(cells[ROLLING_RESISTANCE] > 0.0)
+    for k in resisted:
+        most = most_resistance(float(cells[ECCENTRICITY, k]), float(cells[INERTIA_RATIO, k]))
+        bad[k] |= bool(massless[k]) or not cells[ROLLING_RESISTANCE, k] < most
+    cells[ALLOWED][bad] = 0.0

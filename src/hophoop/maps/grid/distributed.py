@@ -1,0 +1,154 @@
+"""The same sweep over a Dask cluster: workers compute chunks and write them into the store themselves."""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import multiprocessing
+import platform
+import threading
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError
+from multiprocessing import util
+from pathlib import Path
+from typing import Any
+
+from hophoop._support.extras import need
+from hophoop._support.stopping import end_now, ignored_by_children, temporary_folder, when_stopped
+from hophoop.kernel.native.sources import stamp
+from hophoop.maps.grid.store import compute_chunk
+from hophoop.scenario import InputError
+
+# Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
+WAITING = 4
+# How often a chunk is tried again after an error of its own; the death of a worker is for Dask to mend.
+RETRIES = 2
+# How long to wait for an answer [s].
+PATIENCE = 10
+
+
+def compute_on_cluster(
+    path: Path,
+    indices: Sequence[int],
+    scheduler: str | None,
+    workers: int | None,
+    report: Callable[[int], None],
+) -> None:
+    """Compute chunks on the workers of a cluster; the store's own marks say what is there.
+
+    Parameters
+    ----------
+    path : Path
+        The store, which the workers see under the same name.
+    indices : sequence of int
+        Chunks to compute.
+    scheduler : str or None
+        Address of a running scheduler; None starts a cluster on this machine.
+    workers : int or None
+        How many processes the cluster on this machine has.
+    report : callable
+        Called with the cells of every chunk that is done.
+
+    Raises
+    ------
+    InputError
+        If that is no address.
+    OSError
+        If no scheduler answers at that address, or it is gone before all is done.
+    """
+    need("distributed", "cluster")
+    place = str(path.resolve())
+    with _client(scheduler, workers) as client:
+        as_completed = need("distributed", "cluster").as_completed
+        queue = iter(indices)
+        running = as_completed(raise_errors=True)
+
+        # one thread a worker: the cluster is what runs in parallel
+        def submit() -> None:
+            index = next(queue, None)
+            if index is not None:
+                running.add(client.submit(_compute, place, index, stamp(), pure=False, retries=RETRIES))
+
+        try:
+            for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
+                submit()
+            for future in running:
+                report(future.result())
+                future.release()
+                submit()
+        except (OSError, CancelledError) as error:
+            # a worker may have met an error of its own, such as a disk that is full
+            if _answers(client):
+                raise
+            raise OSError(
+                f"The scheduler at {client.scheduler.address} is gone; what is done is kept, and resume goes on."
+            ) from error
+
+
+def _compute(place: str, index: int, sources: str) -> int:
+    """A chunk of the map, on a worker whose kernels are those of the process that asks."""
+    own = stamp()
+    if own != sources:
+        raise OSError(
+            f"A worker on {platform.node()} has kernels of other sources ({own[:8]}, here {sources[:8]}): "
+            "install the same version of hophoop there."
+        )
+    return compute_chunk(place, index, "serial")
+
+
+def _answers(client: Any) -> bool:
+    try:
+        client.sync(client.scheduler.identity, callback_timeout=PATIENCE)
+    except (OSError, CancelledError, AttributeError):
+        return False
+    return True
+
+
+@contextlib.contextmanager
+def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
+    distributed = need("distributed", "cluster")
+    if scheduler is not None:
+        try:
+            connected = distributed.Client(scheduler, timeout=PATIENCE)
+        except ValueError as error:  # what Dask makes of an address that is none
+            raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
+        with connected as client:
+            client.wait_for_workers(1, timeout=6 * PATIENCE)
+            yield client
+        return
+    others = set(multiprocessing.active_children())
+    with temporary_folder() as scratch, contextlib.ExitStack() as stack:
+        stack.enter_context(need("dask.config", "cluster").set({"temporary-directory": str(scratch)}))
+        # any port that is free, also where there is another cluster
+        options = {"threads_per_worker": 1, "dashboard_address": None, "scheduler_kwargs": {"dashboard_address": ":0"}}
+        try:
+            with ignored_by_children():
+                cluster = stack.enter_context(distributed.LocalCluster(n_workers=0, processes=True, **options))
+            # the thread that starts workers, and workers anew, is there now
+            stack.enter_context(when_stopped(lambda: _kill(cluster, others)))
+            cluster.scale(workers)
+            client = stack.enter_context(distributed.Client(cluster))
+            client.wait_for_workers(workers)
+            yield client
+        except KeyboardInterrupt:
+            end_now()  # a cluster that closes while it computes takes seconds, and says so in many lines
+            raise
+
+
+def _kill(cluster: Any, others: set[Any]) -> None:
+    """End the workers of a cluster at once, without a word."""
+    logging.disable()
+    frozen = threading.Event()
+
+    def freeze() -> None:
+        frozen.set()
+        time.sleep(60.0)
+
+    cluster.loop.add_callback(freeze)  # else it starts others in their place
+    frozen.wait(1.0)
+    for process in set(multiprocessing.active_children()) - others:
+        process.kill()
+        process.join()
+    # else a process of multiprocessing says that they were left
+    util._run_finalizers(0)  # type: ignore[attr-defined]

@@ -1,0 +1,367 @@
+"""Running cells: what a plan is, one chunk of it, and scattered points."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop._version import __version__
+from hophoop.kernel.native import compiled
+from hophoop.kernel.panels.panel import RESOLVED
+from hophoop.maps.grid import kernel
+from hophoop.maps.grid.axes import (
+    Axis,
+    Chunk,
+    chunk_at,
+    chunk_count,
+    chunk_shape,
+    chunk_values,
+    make_axes,
+    ordered,
+)
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.quantities import (
+    Quantity,
+    Span,
+    choose_quantities,
+    distinct_rows,
+    make_span,
+    unpack,
+    wanted_of,
+)
+from hophoop.scenario import InputError, Scenario, parameter
+from hophoop.simulation.exact_start import LATEST, NO_SCRIPT, Decisions
+
+CHUNK_CELLS = 65536
+
+
+class Results(NamedTuple):
+    """What the kernel gives, one row a cell."""
+
+    numbers: NDArray[np.float64]
+    words: NDArray[np.int32]
+    keys: NDArray[np.uint64]
+
+    def of(self, quantity: Quantity) -> NDArray[Any]:
+        """One quantity, but for the sequence, which stays packed in `keys`."""
+        source = self.words if quantity.is_code else self.numbers
+        return source[:, quantity.column].astype(quantity.dtype)
+
+
+# Cells of a chunk whose ties are decided in more digits, at some tenths of a second each; further ones stay as the
+# doubles have them.
+MOST_DECIDED = 500
+
+
+class Plan(NamedTuple):
+    """A map to be: everything that its content depends on."""
+
+    base: Scenario
+    axes: tuple[Axis, ...]
+    quantities: tuple[Quantity, ...]
+    span: Span
+    chunk: tuple[int, ...]
+    device: str = "cpu"  # a GPU rounds differently
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Cells along each axis."""
+        return tuple(axis.values.size for axis in self.axes)
+
+    @property
+    def parts(self) -> int:
+        """How many chunks it has."""
+        return chunk_count(self.shape, self.chunk)
+
+    def part(self, index: int) -> Chunk:
+        """One of its chunks."""
+        return chunk_at(index, self.shape, self.chunk)
+
+    def to_text(self) -> str:
+        """The plan as JSON, with what made it; equal plans have equal texts."""
+        return json.dumps(
+            {
+                "hophoop": __version__,
+                "tolerance": RESOLVED,
+                "scenario": self.base.to_dict(),
+                "axes": {axis.path: _json(axis.values) for axis in self.axes},
+                "quantities": [quantity.name for quantity in self.quantities],
+                "span": self.span.name,
+                "device": self.device,
+                "chunk": list(self.chunk),
+            }
+        )
+
+    @classmethod
+    def from_text(cls, text: str) -> Plan:
+        """Read `to_text` back."""
+        data = json.loads(text)
+        base = Scenario.from_dict(data["scenario"])
+        axes = []
+        for path, values in data["axes"].items():
+            _, description, unit = parameter(path)
+            axes.append(Axis(path, np.array(values, str if unit == "" else float), unit, description))
+        return cls(
+            base,
+            tuple(axes),
+            choose_quantities(data["quantities"]),
+            make_span(data["span"]),
+            tuple(data["chunk"]),
+            data["device"],
+        )
+
+
+def _json(values: NDArray[Any]) -> list[Any]:
+    # JSON has no infinity; NumPy reads the word back as a number
+    return ["inf" if value == np.inf else value for value in values.tolist()]
+
+
+def make_plan(
+    base: Scenario | None,
+    axes: Mapping[str, ArrayLike],
+    quantities: Sequence[str],
+    span: str,
+    chunk_cells: int = CHUNK_CELLS,
+    device: str = "cpu",
+) -> Plan:
+    """A checked plan of a map.
+
+    Parameters
+    ----------
+    base : Scenario or None
+        None is the article's hoop.
+    axes : mapping of str to array_like
+        Values by path [SI].
+    quantities : sequence of str
+    span : str
+    chunk_cells : int, default 65536
+        About how many cells are computed and written at a time.
+    device : {'cpu', 'gpu'}
+        What computes it.
+
+    Returns
+    -------
+    plan : Plan
+
+    Raises
+    ------
+    ValueError
+        If something in it is not allowed.
+    """
+    base = Scenario() if base is None else base
+    if chunk_cells < 1:
+        raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")
+    made = make_axes(base, axes)
+    shape = tuple(axis.values.size for axis in made)
+    chunk = chunk_shape(shape, chunk_cells)
+    return Plan(base, made, choose_quantities(quantities), make_span(span), chunk, device)
+
+
+def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str = "cpu") -> Results:
+    """Run the kernel on all cells.
+
+    Parameters
+    ----------
+    cells : ndarray, shape (len(CELL), n)
+        [SI].
+    span : Span
+    wanted : int
+        Sum of the kernel's flags.
+    device : {'cpu', 'serial', 'gpu'}
+        All cores, this thread only, or a GPU.
+
+    Returns
+    -------
+    results : Results
+    """
+    count = cells.shape[1]
+    results = _empty_results(count)
+    if device == "serial":
+        compiled(kernel.evaluate_block)(cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
+    elif device == "gpu":
+        from hophoop.maps.grid import gpu
+
+        gpu.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)
+    else:
+        _on_all_cores(cells, span, wanted, results)
+    return results
+
+
+def _empty_results(count: int) -> Results:
+    return Results(
+        np.empty((count, len(kernel.NUMBERS))),
+        np.empty((count, len(kernel.WORDS)), np.int32),
+        np.empty((count, kernel.KEYS), np.uint64),
+    )
+
+
+def decide(
+    cells: NDArray[np.float64],
+    span: Span,
+    wanted: int,
+    results: Results,
+    scenario_at: Callable[[int], Scenario],
+) -> None:
+    """Compute those cells again, with their first events in more digits, where double precision cannot tell.
+
+    Parameters
+    ----------
+    cells : ndarray, shape (len(CELL), n)
+        [SI].
+    span : Span
+    wanted : int
+    results : Results
+        Of these cells; changed in place.
+    scenario_at : callable
+        The scenario of a cell, by its index.
+    """
+    until = results.numbers[:, kernel.DOUBT_UNTIL]
+    for k in np.flatnonzero(until <= LATEST)[:MOST_DECIDED].tolist():
+        decisions = Decisions(scenario_at(k))
+        while (script := decisions.script(float(until[k]))) is not None:
+            compiled(kernel.evaluate_block)(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)
+
+
+def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> Scenario:
+    for path in ordered(list(values)):
+        base = base.replace(path, values[path].reshape(-1)[k].item())
+    return base
+
+
+def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: Results) -> None:
+    """Blocks of cells for whichever thread is free; what a cell gives does not depend on which takes it."""
+    count = cells.shape[1]
+    evaluate = compiled(kernel.evaluate_block)
+    begins = iter(range(0, count, kernel.BLOCK))
+    lock = threading.Lock()
+
+    def work() -> None:
+        while True:
+            with lock:
+                low = next(begins, count)
+            if low == count:
+                return
+            high = min(low + kernel.BLOCK, count)
+            evaluate(cells, low, high, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
+
+    threads = min(_threads.get() or cores(), -(-count // kernel.BLOCK))
+    if threads <= 1:
+        work()
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            for done in [pool.submit(work) for _ in range(threads)]:
+                done.result()
+        except BaseException:  # Ctrl-C, too: the others end with the block they are at
+            with lock:
+                begins = iter(())
+            raise
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, Results]:
+    """Compute one chunk of a plan."""
+    chunk = plan.part(index)
+    values = chunk_values(plan.axes, chunk)
+    cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
+    wanted = wanted_of(plan.quantities)
+    results = run_cells(cells, plan.span, wanted, device)
+    decide(cells, plan.span, wanted, results, lambda k: _scenario_at(plan.base, values, k))
+    return chunk, results
+
+
+def points(
+    base: Scenario | None,
+    values: Mapping[str, ArrayLike],
+    quantities: Sequence[str] = ("sequence",),
+    span: str = "first_revolution",
+) -> dict[str, NDArray[Any]]:
+    """Reduced quantities of many motions that form no grid.
+
+    Parameters
+    ----------
+    base : Scenario or None
+        What is varied; None is the article's hoop.
+    values : mapping of str to array_like
+        Values of the varied parameters by path, arrays that broadcast to one shape [SI].
+    quantities : sequence of str
+        As in `sweep`.
+    span : str
+        As in `sweep`.
+
+    Returns
+    -------
+    results : dict of str to ndarray
+        One array a quantity, in its unit of `QUANTITIES` [SI]; sequences and other codes as words, empty
+        for a cell whose values do not go together.
+
+    Raises
+    ------
+    ValueError
+        If a parameter, a quantity or the span is unknown.
+
+    Examples
+    --------
+    >>> points(None, {"start.speed": [0.1, 2.8, 3.1, 5.0]})["sequence"].tolist()
+    ['R', 'RKRSR', 'RKRSH', 'H']
+    """
+    base = Scenario() if base is None else base
+    chosen = choose_quantities(quantities)
+    arrays = {}
+    for path, array in values.items():
+        info = parameter(path)
+        arrays[path] = np.asarray(array, dtype=str if info.unit == "" else float)
+    spread = np.broadcast_arrays(*arrays.values())
+    shape = spread[0].shape if spread else (1,)
+    flat = {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}
+    count = int(np.prod(shape))
+    # few points are not worth waking all threads
+    device = "serial" if count <= kernel.BLOCK else "cpu"
+    arranged = {path: flat[path] for path in ordered(list(flat))}
+    cells = make_cells(base, arranged, count)
+    raw = run_cells(cells, make_span(span), wanted_of(chosen), device)
+    decide(cells, make_span(span), wanted_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
+    results = {}
+    for quantity in chosen:
+        if quantity.name == "sequence":
+            rows, place = distinct_rows(raw.keys)
+            column = np.array([unpack(row) for row in rows], dtype=str)[place]
+        else:
+            column = raw.of(quantity)
+            if quantity.words:
+                column = np.array([*quantity.words, ""])[column]
+        results[quantity.name] = column.reshape(shape)
+    return results
+
+
+_threads: ContextVar[int | None] = ContextVar("threads", default=None)
+
+
+@contextlib.contextmanager
+def thread_limit(threads: int | None) -> Iterator[None]:
+    """Use so many threads within; None leaves the number as it is."""
+    if threads is None:
+        yield
+        return
+    if not 1 <= threads <= cores():
+        raise InputError.of_field("threads", threads, f"from 1 to {cores()}")
+    before = _threads.set(threads)
+    try:
+        yield
+    finally:
+        _threads.reset(before)

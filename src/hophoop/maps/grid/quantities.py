@@ -1,0 +1,299 @@
+"""What a map can hold of each motion, over which span of it, and how sequences become small numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.maps.grid import kernel
+from hophoop.scenario import InputError
+
+NOT_ALLOWED = "not_allowed"
+MORE_MARK = "+"
+_STATUSES = tuple(status.name.lower() for status in Status if status != Status.BUFFER)
+_SEQUENCE = "sequence"
+
+
+class Quantity(NamedTuple):
+    """One quantity of a motion that a map can hold.
+
+    Attributes
+    ----------
+    name : str
+    meaning : str
+    unit : str
+        Of a number; "" for a code.
+    words : tuple of str
+        What the codes 0, 1, … stand for; empty for a number, and for the sequence, whose table is the map's.
+    column : int
+        Where the kernel puts it.
+    """
+
+    name: str
+    meaning: str
+    unit: str
+    words: tuple[str, ...]
+    column: int
+
+    @property
+    def is_code(self) -> bool:
+        """Whether it is a code and not a number."""
+        return self.unit == ""
+
+    @property
+    def dtype(self) -> str:
+        """Type of its array."""
+        if self.name == _SEQUENCE:
+            return "int16"
+        return "int8" if self.is_code else "float64"
+
+    @property
+    def fill(self) -> Any:
+        """Its value where there is none."""
+        return kernel.NOT_ALLOWED if self.is_code else math.nan
+
+
+def _number(name: str, meaning: str, unit: str) -> Quantity:
+    return Quantity(name, meaning, unit, (), kernel.NUMBERS.index(name))
+
+
+def _code(name: str, meaning: str, words: Iterable[str]) -> Quantity:
+    return Quantity(name, meaning, "", tuple(words), kernel.WORDS.index(name))
+
+
+QUANTITIES: Mapping[str, Quantity] = {
+    quantity.name: quantity
+    for quantity in (
+        Quantity(_SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
+        _code("status", "How the motion ended", _STATUSES),
+        _code("ending", "What ended the span", kernel.ENDINGS),
+        _code("first_event", "First event after the start but for the apex of a flight", EVENT_NAMES),
+        _code("hop", "Whether the rim leaves the plane", ("no", "yes")),
+        _code("painleve", "Whether Painlevé's paradox or the jam is met", ("no", "yes")),
+        _number("time", "Time to the end of the span, or to rest", "s"),
+        _number("end_angle", "Angle at the end of the span", "rad"),
+        _number("end_speed", "Speed of the centre along the plane at the end of the span", "m/s"),
+        _number("distance", "Way of the centre along the plane", "m"),
+        _number("distance_rolled", "Length of the way that was rolled", "m"),
+        _number("revolutions_to_rolling", "Revolutions to the span's last phase, where that is rolling", "1"),
+        _number("energy_lost", "Energy lost in slip, in impacts and to rolling resistance", "J"),
+        _number(
+            "greatest_utilization", "Greatest friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"
+        ),
+        _number("takeoff_time", "Time of the first take-off", "s"),
+        _number("takeoff_angle", "Angle at the first take-off", "rad"),
+        _number("hop_height", "Greatest gap in the first hop", "m"),
+        _number("flight_time", "Duration of the first hop", "s"),
+        _number("flight_distance", "Way of the centre in the first hop", "m"),
+        _number("landing_angle", "Angle at the landing of the first hop", "rad"),
+        _number("landing_loss", "Energy lost in the landing of the first hop", "J"),
+    )
+}
+# Former names of quantities, which scripts may still ask for; the map then has them.
+FORMER = {"greatest_utilisation": "greatest_utilization"}
+_OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss", "takeoff_time",
+              "takeoff_angle"}  # fmt: skip
+
+
+def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
+    """Quantities by name.
+
+    Parameters
+    ----------
+    names : sequence of str
+
+    Returns
+    -------
+    quantities : tuple of Quantity
+
+    Raises
+    ------
+    ValueError
+        If there is none, one is unknown or named twice.
+    """
+    if isinstance(names, str):
+        names = [names]
+    if not names:
+        raise InputError(f"quantities must name at least one of {', '.join(QUANTITIES)}.")
+    present = [FORMER.get(name, name) for name in names]
+    for name, known in zip(names, present, strict=True):
+        if known not in QUANTITIES:
+            raise InputError.of_field("quantity", name, f"one of {', '.join(QUANTITIES)}")
+    if len(set(present)) != len(names):
+        raise InputError(f"quantities = {list(names)!r} must not name one twice.", field="quantities", value=list(names))
+    return tuple(QUANTITIES[known]._replace(name=name) for name, known in zip(names, present, strict=True))
+
+
+def wanted_of(quantities: Sequence[Quantity]) -> int:
+    """What the kernel has to compute beyond the motion itself, as a sum of its flags."""
+    names = {FORMER.get(quantity.name, quantity.name) for quantity in quantities}
+    wanted = kernel.FLIGHT_WANTED if names & _OF_FLIGHT else 0
+    if "greatest_utilization" in names:
+        wanted |= kernel.UTILIZATION_WANTED
+    return wanted
+
+
+class Span(NamedTuple):
+    """How much of each motion counts.
+
+    Attributes
+    ----------
+    name : str
+    angle : float
+        It ends when θ has changed by so much [rad]; nan for no such end.
+    stop : int
+        The kernel's flags for turn and take-off.
+    timed : bool
+        Whether the scenario's duration ends it.
+    """
+
+    name: str
+    angle: float
+    stop: int
+    timed: bool
+
+
+SPANS = ("first_revolution", "takeoff", "reversal", "duration", "revolutions:N")
+
+
+def make_span(name: str) -> Span:
+    """A span by name.
+
+    Parameters
+    ----------
+    name : str
+        ``first_revolution`` (to a full turn, a reversal or take-off, whichever comes first, however long that
+        takes); ``takeoff``, ``reversal`` or ``revolutions:N`` (to that, within the scenario's duration);
+        ``duration``.
+
+    Returns
+    -------
+    span : Span
+
+    Raises
+    ------
+    ValueError
+        If there is no such span.
+
+    Examples
+    --------
+    >>> make_span("revolutions:3").angle / math.pi
+    6.0
+    """
+    if name == "first_revolution":
+        return Span(name, 2.0 * math.pi, STOP_AT_TURN | STOP_AT_TAKEOFF, False)
+    if name == "takeoff":
+        return Span(name, math.nan, STOP_AT_TAKEOFF, True)
+    if name == "reversal":
+        return Span(name, math.nan, STOP_AT_TURN, True)
+    if name == "duration":
+        return Span(name, math.nan, 0, True)
+    word, _, number = str(name).partition(":")
+    try:
+        turns = float(number) if word == "revolutions" else math.nan
+    except ValueError:
+        turns = math.nan
+    if not 0.0 < turns < math.inf:
+        raise InputError.of_field("span", name, f"one of {', '.join(SPANS)}, with N above 0")
+    return Span(name, 2.0 * math.pi * turns, 0, True)
+
+
+def unpack(key: NDArray[np.uint64] | Sequence[int]) -> str:
+    """The sequence that the kernel packed into whole numbers.
+
+    Parameters
+    ----------
+    key : sequence of int
+        The kernel's numbers of one cell.
+
+    Returns
+    -------
+    sequence : str
+        One letter a phase, with a plus sign behind it where it was too long; empty for a cell that is not
+        allowed.
+    """
+    letters = []
+    for word in key:
+        packed = int(word)
+        while packed:
+            letter = packed & 7
+            letters.append(MORE_MARK if letter == kernel.MORE else MODE_LETTERS[letter - 1])
+            packed >>= 3
+    return "".join(letters)
+
+
+def sequence_order(sequence: str) -> tuple[int, str]:
+    """Sort key that puts short sequences first."""
+    return len(sequence), sequence
+
+
+def encode(keys: NDArray[np.uint64], codes: Mapping[tuple[int, ...], int]) -> NDArray[np.int64]:
+    """Codes of packed sequences."""
+    rows, place = distinct_rows(keys)
+    return np.array([codes[row] for row in rows])[place]
+
+
+def distinct(keys: NDArray[np.uint64]) -> set[tuple[int, ...]]:
+    """The different packed sequences among many."""
+    return set(distinct_rows(keys)[0])
+
+
+def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int64]]:
+    """The different rows, and for every row which of them it is; much faster than np.unique over an axis."""
+    place = np.zeros(len(keys), np.int64)
+    for column in keys.T:
+        if column.any():
+            found, inner = np.unique(column, return_inverse=True)
+            place = place * found.size + inner.reshape(-1)
+    _, first, place = np.unique(place, return_index=True, return_inverse=True)
+    return [tuple(int(word) for word in keys[k]) for k in first], place.reshape(-1)
+
+
+def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
+    """All sequences of a map, short ones first, and the code of each packed one; −1 for none."""
+    texts = {key: unpack(key) for key in keys}
+    names = sorted({text for text in texts.values() if text}, key=sequence_order)
+    place = {name: i for i, name in enumerate(names)}
+    return names, {key: place[text] if text else kernel.NOT_ALLOWED for key, text in texts.items()}
+
+
+def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, Any]:
+    """Attributes of a quantity's array, after the CF conventions."""
+    result: dict[str, Any] = {"long_name": quantity.meaning}
+    if not quantity.is_code:
+        return result | {"units": quantity.unit}
+    words = sequences if quantity.name == _SEQUENCE else quantity.words
+    return result | {
+        "units": "1",
+        "flag_values": [kernel.NOT_ALLOWED, *range(len(words))],
+        "flag_meanings": " ".join([NOT_ALLOWED, *words]),
+    }
+
+
+def words_of(array: Any) -> list[str]:
+    """What the codes 0, 1, … of a coded array of a map stand for.
+
+    Parameters
+    ----------
+    array : xarray.DataArray
+        Such as ``dataset["sequence"]``.
+
+    Returns
+    -------
+    words : list of str
+
+    Raises
+    ------
+    ValueError
+        If the array holds no codes.
+    """
+    meanings = array.attrs.get("flag_meanings")
+    if meanings is None:
+        raise InputError(f"{array.name} holds no codes.")
+    return str(meanings).split(" ")[1:]

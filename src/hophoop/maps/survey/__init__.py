@@ -1,0 +1,1 @@
+"""All classes of motion in a plane of two parameters, however small."""

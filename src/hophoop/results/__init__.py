@@ -1,0 +1,32 @@
+"""What a motion is read as: records in SI units, poses, saved files, a picture in notebooks."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from hophoop.results.records import (
+        ArraySample,
+        EventErrors,
+        EventRecord,
+        Events,
+        Ledger,
+        Motion,
+        Sample,
+        ScalarSample,
+        Velocity,
+    )  # fmt: skip
+    from hophoop.vocabulary.words import EventKind, ModeLetter, MotionStatus
+
+__all__ = [
+    "ArraySample", "EventErrors", "EventKind", "EventRecord", "Events", "Ledger", "ModeLetter", "Motion", "MotionStatus",
+    "Sample", "ScalarSample", "Velocity",
+]  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:  # `hophoop --help` prints no motion, and loads none of this
+    if name not in __all__:
+        raise AttributeError(f"module 'hophoop.results' has no attribute {name!r}")
+    from hophoop.results import records
+
+    return getattr(records, name)

@@ -1,0 +1,100 @@
+"""The table of a motion's events as text; `hophoop run` prints the same columns."""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from hophoop.precise import PreciseEvent
+    from hophoop.results.records import EventRecord
+
+TITLES = ("t (s)", "event", "mode", "θ (°)", "x (m)", "height (m)", "v (m/s)", "θ̇ (rad/s)", "slip (m/s)")
+WORDS = ("event", "mode")  # columns of words, not of numbers
+SPARE = ("slip (m/s)", "x (m)", "height (m)", "θ̇ (rad/s)", "v (m/s)", "mode", "θ (°)")  # left out where there is no room
+FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
+WIDTH = 100  # of the text [characters]
+
+
+def cells(event: EventRecord) -> list[str]:
+    """A row of the table, in the order of `TITLES`.
+
+    Parameters
+    ----------
+    event : EventRecord
+
+    Returns
+    -------
+    cells : list of str
+    """
+    from hophoop.vocabulary.words import plain  # loads NumPy, which --help does without
+
+    numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
+    return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
+
+
+def change_of(event: EventRecord | PreciseEvent) -> str:
+    """The mode before and after an event, in letters.
+
+    Parameters
+    ----------
+    event : EventRecord or PreciseEvent
+
+    Returns
+    -------
+    change : str
+    """
+    return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
+
+
+def text_table(events: Sequence[EventRecord], width: int = WIDTH) -> str:
+    """The table as plain text.
+
+    Parameters
+    ----------
+    events : sequence of EventRecord
+    width : int, default 100
+        Columns are left out until it fits [characters].
+
+    Returns
+    -------
+    text : str
+    """
+    left_out = max(0, len(events) - FIRST_ROWS - LAST_ROWS)
+    shown = [*events[:FIRST_ROWS], *events[FIRST_ROWS + left_out :]] if left_out else events
+    columns = {title: [title, *column] for title, *column in zip(TITLES, *map(cells, shown), strict=True)}
+    if left_out:
+        for column in columns.values():
+            column.insert(1 + FIRST_ROWS, "…")
+    missing = []
+    for title in SPARE:
+        if sum(max(map(_length, column)) + 2 for column in columns.values()) - 2 <= width:
+            break
+        del columns[title]
+        missing.append(title)
+    head, *rows = zip(*(_padded(title, column) for title, column in columns.items()), strict=True)
+    lines = ["  ".join(row).rstrip() for row in (head, ["─" * _length(cell) for cell in head], *rows)]
+    if missing:
+        lines.append(f"Not shown for want of width: {', '.join(missing)}.")
+    if left_out:
+        lines.append(f"… {left_out:,} events are left out where the dots are.")
+    return "\n".join(lines)
+
+
+def _padded(title: str, column: Sequence[str]) -> list[str]:
+    widest = max(map(_length, column))
+    spaces = (" " * (widest - _length(cell)) for cell in column)
+    if title in WORDS:
+        return [cell + space for cell, space in zip(column, spaces, strict=True)]
+    return [space + cell for cell, space in zip(column, spaces, strict=True)]
+
+
+def _length(text: str) -> int:
+    """Places that a text takes: the dot over θ̇ takes none."""
+    return sum(not unicodedata.combining(character) for character in text)
+
+
+def _clean(number: float) -> float:
+    return 0.0 if abs(number) < 5e-5 else number

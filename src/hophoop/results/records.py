@@ -1,0 +1,436 @@
+"""What a motion is read as: events, samples and the energy ledger, in SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.friction import utilizations
+from hophoop.results.event_table import text_table
+from hophoop.results.units import Units
+from hophoop.scenario import Plane, Scenario
+from hophoop.vocabulary.words import EventKind, ModeLetter, MotionStatus
+
+Side = Literal["left", "right"]
+Numbers = TypeVar("Numbers", float, NDArray[np.float64])
+Letters = TypeVar("Letters", ModeLetter, NDArray[np.str_])
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """Velocities just before an event.
+
+    Attributes
+    ----------
+    vx : float
+        Velocity of the centre along the plane [m/s].
+    vy : float
+        Velocity of the centre away from the plane [m/s].
+    omega : float
+        Angular velocity θ̇ [rad/s].
+    slip : float
+        Slip velocity v_t of the lowest point [m/s].
+    """
+
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+
+
+@dataclass(frozen=True)
+class EventRecord:
+    """One event; the state is the one just after it.
+
+    Attributes
+    ----------
+    t : float
+        Time [s].
+    kind : EventKind
+        What happened, such as 'slip_start'.
+    from_mode : ModeLetter or None
+        Letter of the mode before; None at the start.
+    to_mode : ModeLetter
+        Letter of the mode after.
+    x : float
+        Place of the centre along the plane [m].
+    height : float
+        Gap between rim and plane [m].
+    angle : float
+        θ, from the plane's outward normal to C→G, clockwise; it counts whole turns [rad].
+    vx : float
+        Velocity of the centre along the plane [m/s].
+    vy : float
+        Velocity of the centre away from the plane [m/s].
+    omega : float
+        Angular velocity θ̇ [rad/s].
+    slip : float
+        Slip velocity v_t of the lowest point [m/s].
+    before : Velocity
+        Velocities just before.
+    impulse_normal : float
+        Normal impulse of an impact, else 0 [N s].
+    impulse_tangential : float
+        Impulse of an impact along the plane, else 0 [N s].
+    friction : float
+        Energy lost to friction in slip, from the start to just after the event [J].
+    impact_normal : float
+        Energy lost so far in impacts, normal to the plane [J].
+    impact_tangential : float
+        Energy lost so far in impacts, along the plane [J].
+    rolling_resistance : float
+        Energy lost so far to rolling resistance [J].
+    collision : bool or None
+        Of an impact: whether the rim approached the plane (False: impact without collision).
+    gain : float
+        Energy created by Newton's law in a `kane_gain`, else 0 [J].
+    stable : bool or None
+        Of a `rest`: whether the equilibrium is stable.
+    """
+
+    t: float
+    kind: EventKind
+    from_mode: ModeLetter | None
+    to_mode: ModeLetter
+    x: float
+    height: float
+    angle: float
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+    before: Velocity
+    impulse_normal: float
+    impulse_tangential: float
+    friction: float
+    impact_normal: float
+    impact_tangential: float
+    rolling_resistance: float
+    collision: bool | None
+    gain: float
+    stable: bool | None
+
+    def state_to_dict(self) -> dict[str, float | None]:
+        """State just after the event as JSON has it.
+
+        Returns
+        -------
+        state : dict of float
+            x, height [m], angle [rad], vx, vy [m/s] and omega [rad/s]; None where one is not finite.
+        """
+        return {name: _finite(getattr(self, name)) for name in _STATE}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The event as the JSON of the file format.
+
+        Returns
+        -------
+        event : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        result: dict[str, Any] = {
+            "t": self.t,
+            "kind": self.kind,
+            "from": self.from_mode,
+            "to": self.to_mode,
+            **self.state_to_dict(),
+            "before": {name: _finite(getattr(self.before, name)) for name in ("vx", "vy", "omega")},
+            "impulse": {"normal": self.impulse_normal, "tangential": self.impulse_tangential},
+        }
+        if self.collision is False:
+            result["collision"] = False
+        if self.kind == "kane_gain":
+            result["gain"] = self.gain
+        if self.stable is not None:
+            result["stable"] = self.stable
+        return result
+
+
+_STATE = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+class Events(tuple[EventRecord, ...]):
+    """Events of a motion in order, a tuple; printed as a table."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return text_table(self) if self else "()"
+
+
+def _finite(value: float) -> float | None:
+    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
+    return value if math.isfinite(value) else None
+
+
+@dataclass(frozen=True)
+class Sample(Generic[Numbers, Letters]):
+    """The motion at one time or many; every field is a scalar or an array of the shape of t.
+
+    Attributes
+    ----------
+    t : float or ndarray
+        Time [s].
+    mode : str or ndarray of str
+        Letter of the mode: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
+    x : float or ndarray
+        Place of the centre along the plane [m].
+    height : float or ndarray
+        Gap between rim and plane [m].
+    angle : float or ndarray
+        θ, from the plane's outward normal to C→G, clockwise; it counts whole turns [rad].
+    vx : float or ndarray
+        Velocity of the centre along the plane [m/s].
+    vy : float or ndarray
+        Velocity of the centre away from the plane [m/s].
+    omega : float or ndarray
+        Angular velocity θ̇ [rad/s].
+    slip : float or ndarray
+        Slip velocity v_t of the lowest point [m/s].
+    friction_force : float or ndarray
+        Friction F along +x [N].
+    normal_force : float or ndarray
+        Normal force N [N].
+    kinetic : float or ndarray
+        Kinetic energy [J].
+    potential : float or ndarray
+        Potential energy, zero with the load at the top in contact at x = 0 [J].
+    friction : float or ndarray
+        Energy lost so far to friction in slip [J].
+    impact_normal : float or ndarray
+        Energy lost so far in impacts, normal to the plane [J].
+    impact_tangential : float or ndarray
+        Energy lost so far in impacts, along the plane [J].
+    rolling_resistance : float or ndarray
+        Energy lost so far to rolling resistance [J].
+    spring : float or ndarray
+        Energy stored in a compliant contact; 0 in rigid contact [J].
+    damping : float or ndarray
+        Energy lost so far in the damper of a compliant contact; 0 in rigid contact [J].
+    """
+
+    t: Numbers
+    mode: Letters
+    x: Numbers
+    height: Numbers
+    angle: Numbers
+    vx: Numbers
+    vy: Numbers
+    omega: Numbers
+    slip: Numbers
+    friction_force: Numbers
+    normal_force: Numbers
+    kinetic: Numbers
+    potential: Numbers
+    friction: Numbers
+    impact_normal: Numbers
+    impact_tangential: Numbers
+    rolling_resistance: Numbers
+    spring: Numbers
+    damping: Numbers
+
+    @property
+    def total(self) -> Numbers:
+        """Kinetic and potential energy [J]."""
+        return self.kinetic + self.potential
+
+    @property
+    def friction_loss(self) -> Numbers:
+        """Energy lost to friction so far, in slip and along the plane in impacts [J]."""
+        return self.friction + self.impact_tangential
+
+    @property
+    def normal_loss(self) -> Numbers:
+        """Energy lost normal to the plane so far, in impacts or in a compliant contact's damper [J]."""
+        return self.impact_normal + self.damping
+
+    def utilization(self, plane: Plane, signed: bool = False) -> Numbers:
+        """Share of the friction that is possible, abs(F)/(μ N) with μk in slip and μs else.
+
+        Parameters
+        ----------
+        plane : Plane
+            Whose friction it is.
+        signed : bool, default False
+            With the sign of F, as some plots want it.
+
+        Returns
+        -------
+        utilization : float or ndarray
+            From 0 to 1 [1]: 1 in slip with friction, nan in flight.
+        """
+        share = utilization_of(
+            np.isin(self.mode, ("S", "K")), self.friction_force, self.normal_force, plane.mu_static, plane.mu_kinetic
+        )
+        if signed:
+            # in slip the letter is the sign, also where F vanishes with N
+            sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
+            share = share * sign
+        return cast("Numbers", share if share.ndim else float(share))
+
+
+ScalarSample: TypeAlias = Sample[float, ModeLetter]
+ArraySample: TypeAlias = Sample[NDArray[np.float64], NDArray[np.str_]]
+
+
+@dataclass(frozen=True)
+class EventErrors:
+    """Estimated errors of the events of a motion, one number an event; inf where rounding may change what follows.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Of the time [s].
+    x : ndarray, shape (n,)
+        Of the place of the centre along the plane [m].
+    height : ndarray, shape (n,)
+        Of the gap between rim and plane [m].
+    angle : ndarray, shape (n,)
+        Of θ [rad].
+    vx : ndarray, shape (n,)
+        Of the velocity of the centre along the plane [m/s].
+    vy : ndarray, shape (n,)
+        Of the velocity of the centre away from the plane [m/s].
+    omega : ndarray, shape (n,)
+        Of θ̇ [rad/s].
+    slip : ndarray, shape (n,)
+        Of the slip velocity [m/s].
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    height: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    vx: NDArray[np.float64]
+    vy: NDArray[np.float64]
+    omega: NDArray[np.float64]
+    slip: NDArray[np.float64]
+
+
+class Motion(Protocol):
+    """What a computed motion offers to those that show it or write it: the public face of `hophoop.Trajectory`."""
+
+    scenario: Scenario
+    version: str
+
+    @property
+    def status(self) -> MotionStatus:
+        """How it ended."""
+
+    @property
+    def sequence(self) -> str:
+        """One letter a phase."""
+
+    @property
+    def fingerprint(self) -> str:
+        """Hash of the bits of all events."""
+
+    @property
+    def duration(self) -> float:
+        """How long it lasts [s]."""
+
+    @property
+    def events(self) -> tuple[EventRecord, ...]:
+        """All events in order."""
+
+    @property
+    def tables(self) -> dict[str, np.ndarray]:
+        """What the kernel wrote: events and segments, in its own units."""
+
+    @property
+    def units(self) -> Units:
+        """Those units."""
+
+    @property
+    def kernel_doubt(self) -> float:
+        """Time from which on doubles cannot decide what follows, in those units; inf where everything is certain."""
+
+    @overload
+    def at(self, t: float, side: Side = ...) -> ScalarSample: ...
+
+    @overload
+    def at(self, t: NDArray[np.float64] | Sequence[float], side: Side = ...) -> ArraySample: ...
+
+    @overload
+    def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
+
+    def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
+        """The motion at any time."""
+
+    def times(self, n: int = 1000) -> NDArray[np.float64]:
+        """Equally spaced times over it [s]."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as JSON."""
+
+
+def utilization_of(
+    slips: ArrayLike, friction: ArrayLike, normal: ArrayLike, mu_static: ArrayLike, mu_kinetic: ArrayLike
+) -> NDArray[np.float64]:
+    """Share of the friction that is possible, in slip or not: see `Sample.utilization`.
+
+    Parameters
+    ----------
+    slips : bool or array_like
+    friction, normal : float or array_like
+        F and N, in any one unit [N].
+    mu_static, mu_kinetic : float or array_like
+        μs and μk [1].
+
+    Returns
+    -------
+    utilization : ndarray
+        abs(F)/(μ N) [1].
+    """
+    numbers = (np.asarray(each, float) for each in (friction, normal, mu_static, mu_kinetic))
+    columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)
+    share = np.empty(columns[0].shape)
+    slipping, force, pressure, mu_s, mu_k = (np.array(column).reshape(-1) for column in columns)
+    compiled(utilizations)(slipping, force, pressure, mu_s, mu_k, share.reshape(-1))
+    return share
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Where the energy went, from the start to the end.
+
+    Attributes
+    ----------
+    kinetic : float
+        Kinetic energy at the end [J].
+    potential : float
+        Potential energy at the end, zero with the load at the top in contact at x = 0 [J].
+    friction : float
+        Lost to friction in slip [J].
+    impact_normal : float
+        Lost in impacts, in the direction normal to the plane; may be negative under Newton's and Poisson's laws [J].
+    impact_tangential : float
+        Lost in impacts, along the plane [J].
+    rolling_resistance : float
+        Lost to rolling resistance [J].
+    spring : float
+        Stored in a compliant contact at the end; 0 in rigid contact [J].
+    damping : float
+        Lost in the damper of a compliant contact; 0 in rigid contact [J].
+    residual : float
+        What does not add up: kinetic + potential + spring + losses now, less kinetic + potential at the start [J].
+    range : float
+        Size of the energies that took part, to judge the residual by [J].
+    """
+
+    kinetic: float
+    potential: float
+    friction: float
+    impact_normal: float
+    impact_tangential: float
+    rolling_resistance: float
+    spring: float
+    damping: float
+    residual: float
+    range: float

@@ -1,0 +1,111 @@
+"""SI values of the units in which kernels compute: the hoop's radius and mass, and √(R/g)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.kernel.native import compiled
+from hophoop.kernel.records.times import kernel_times
+from hophoop.kernel.records.units import Scales, scales_from
+from hophoop.scenario import Scenario
+from hophoop.scenario.scenario import time_unit
+
+
+@dataclass(frozen=True)
+class Units:
+    """SI values of the kernel's units."""
+
+    length: float
+    time: float
+    mass: float
+
+    @classmethod
+    def of_scenario(cls, scenario: Scenario) -> Units:
+        """The units of a scenario.
+
+        Parameters
+        ----------
+        scenario : Scenario
+
+        Returns
+        -------
+        units : Units
+        """
+        return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
+
+    @cached_property
+    def scales(self) -> Scales:
+        """All of them, as the kernels have them."""
+        found: Scales = scales_from(self.length, self.time, self.mass)
+        return found
+
+    @property
+    def energy(self) -> float:
+        """Unit of energy [J]."""
+        return self.scales.energy
+
+    def kernel_times(self, segments: np.ndarray, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Times in kernel units, on the same side of each event as they are in seconds.
+
+        Parameters
+        ----------
+        segments : ndarray of records.SEGMENT
+            Of the motion.
+        times : ndarray
+            [s].
+
+        Returns
+        -------
+        times : ndarray
+            At most the end of the motion [√(R/g)].
+        """
+        found: NDArray[np.float64] = np.empty(times.shape)
+        compiled(kernel_times)(np.ascontiguousarray(segments["t"]), float(segments["t_end"][-1]), times, self.time, found)
+        return found
+
+    def of(self, name: str) -> float:
+        """Unit of a quantity by its name.
+
+        Parameters
+        ----------
+        name : str
+            Of a column or an event's number, such as 'vx'.
+
+        Returns
+        -------
+        unit : float
+            How much of the SI unit [1] a kernel unit is.
+
+        Raises
+        ------
+        ValueError
+            If there is no such quantity.
+        """
+        found: float | None = self._sizes.get(name)
+        if found is None:
+            raise ValueError(f"{name!r} has no unit: the quantities are {', '.join(self._sizes)}.")
+        return found
+
+    @cached_property
+    def _sizes(self) -> dict[str, float]:
+        units = self.scales._asdict() | {"angle": 1.0}
+        return {name: units[unit] for unit, names in _QUANTITIES.items() for name in names}
+
+
+# Columns and numbers of events by the unit in which kernels have them.
+_QUANTITIES = {
+    "length": ("x", "height"),
+    "speed": ("vx", "vy", "slip"),
+    "rate": ("omega",),
+    "angle": ("angle",),
+    "force": ("friction_force", "normal_force"),
+    "impulse": ("impulse_normal", "impulse_tangential"),
+    "energy": (
+        "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping",
+        "gain",
+    ),
+}  # fmt: skip

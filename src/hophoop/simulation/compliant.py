@@ -1,0 +1,161 @@
+"""A motion with compliant contact: from a scenario to the kernel's tables, and its state at any time."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop.kernel.compliant.parameters import RTOL, compliance_of, load_contact
+from hophoop.kernel.compliant.records import (
+    FIRST,
+    FLY,
+    HOLD,
+    KIND,
+    MODE,
+    OM,
+    REGIME,
+    SEGMENT,
+    SIZE,
+    TH,
+    TURNS,
+    VN,
+    VT,
+    WIDTH,
+    X,
+    Y,
+)  # fmt: skip
+from hophoop.kernel.compliant.run import MAX_STEPS, run_into
+from hophoop.kernel.compliant.sampling import COLUMNS, sample
+from hophoop.kernel.compliant.tableau import STAGES
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import Body, Mode, Status
+from hophoop.kernel.physics.compliant import Compliance, FrictionLaw, NormalLaw
+from hophoop.kernel.records.layout import EVENT
+from hophoop.kernel.records.layout import SEGMENT as RIGID_SEGMENT
+from hophoop.scenario import Compliant, Scenario
+from hophoop.scenario.scenario import time_unit, to_body
+
+EVENT_LIMIT = int(Status.EVENT_LIMIT)
+FIRST_EVENTS = 256
+FIRST_ROWS = 20_000  # 9 MB, of which only what is written is taken from the system
+
+
+def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) -> tuple[int, np.ndarray, np.ndarray]:
+    """Compute the motion of a scenario with compliant contact.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its contact is Compliant.
+    reached : ndarray, shape (1,), optional
+        Is given the share of the duration that is computed, again and again [1].
+
+    Returns
+    -------
+    status : int
+        A Status.
+    events : ndarray of hophoop.kernel.records.layout.EVENT
+    segments : ndarray of hophoop.kernel.compliant.records.SEGMENT
+        Both in units of R, m and √(R/g).
+    """
+    body, comp, t_end, rtol = to_compliance(scenario)
+    start, touching = to_start(scenario, body, comp)
+    limit = scenario.contact.max_events
+    size = min(FIRST_EVENTS, limit)
+    reached = np.zeros(1) if reached is None else reached
+    room = FIRST_ROWS
+    while True:
+        events = np.empty(size, EVENT)
+        rows = np.empty((room, WIDTH))
+        status, count, pieces = compiled(run_into)(
+            body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT), reached, rows
+        )
+        if pieces > room:
+            room = MAX_STEPS
+            continue
+        if status != EVENT_LIMIT or count < size or size == limit:
+            break
+        size = min(8 * size, limit)
+    if pieces == 0:  # no time has passed before the limit: a piece of no length holds the start
+        pieces = 1
+        rows[0] = 0.0
+        rows[0, KIND] = HOLD if touching else FLY
+        rows[0, MODE] = events[count - 1]["after_mode"]
+        mode = events[count - 1]["after_mode"]
+        rows[0, REGIME] = float(mode == Mode.SKID) - float(mode == Mode.SPIN)
+        rows[0, TURNS] = events[count - 1]["turns"]
+        rows[0, FIRST :: STAGES + 1] = start
+        rows[0, FIRST + TH * (STAGES + 1)] = events[count - 1]["theta"]
+    segments = np.ascontiguousarray(rows[:pieces]).view(SEGMENT)[:, 0]
+    return status, events[:count].copy(), segments
+
+
+def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
+    """The numbers that the kernel takes.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its contact is Compliant.
+
+    Returns
+    -------
+    body : Body
+    compliance : Compliance
+        With every default filled in.
+    duration : float
+    rtol : float
+        All in units of R, m and √(R/g).
+    """
+    contact, hoop, plane = scenario.contact, scenario.hoop, scenario.plane
+    assert isinstance(contact, Compliant)
+    second = time_unit(hoop, plane)
+    body = to_body(hoop, plane)
+    law = int(NormalLaw[contact.law.upper().replace("-", "_")])
+    friction = int(FrictionLaw[contact.friction.upper()])
+    given = [
+        math.nan if value is None else value
+        for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
+    ]
+    compliance: Compliance = compliance_of(body, hoop.radius, second, hoop.mass, law, friction, *given)
+    rtol = RTOL if contact.rtol is None else contact.rtol
+    return body, compliance, scenario.duration / second, rtol
+
+
+def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarray, bool]:
+    """The start of the kernel, and whether the contact acts there.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    body : Body
+    comp : Compliance
+
+    Returns
+    -------
+    start : ndarray, shape (SIZE,)
+    touching : bool
+    """
+    hoop = scenario.hoop
+    second = time_unit(hoop, scenario.plane)
+    speed = hoop.radius / second
+    given = scenario.start.state(hoop)
+    start = np.zeros(SIZE)
+    start[X] = given.x / hoop.radius
+    start[Y] = given.height / hoop.radius
+    start[TH] = given.angle
+    start[VT] = given.slip / speed
+    start[VN] = given.vy / speed
+    start[OM] = given.omega * second
+    touching: bool = load_contact(body, comp, start)
+    return start, touching
+
+
+def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
+    """`sample` into a fresh array, for a scenario."""
+    body, comp, _, _ = to_compliance(scenario)
+    rows = np.ascontiguousarray(segments).view(np.float64).reshape(len(segments), WIDTH)
+    out = np.empty((times.size, len(COLUMNS)))
+    compiled(sample)(body, comp, rows, times, left, out)
+    return out

@@ -1,0 +1,254 @@
+"""Decisions that double precision cannot take: the first events of a motion in more digits, as a script for the kernel.
+
+Where a margin is zero but for rounding, `hophoop.precise` solves the motion from its start, with the given doubles as
+exact numbers, until all margins are clear again. The kernel repeats these events and goes on by itself.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.records.layout import EVENT
+from hophoop.scenario import Scenario, time_unit
+
+DIGITS = 20
+MOST = 12  # decisions of one motion that are taken so
+# Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
+LATEST = 100.0
+FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
+# A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
+LIGHT = 1e-3
+# Steps of all longer computations of one motion, some 1 ms each, so that it ends within 5 s; one with more bits counts for
+# several. What needs more is left as the doubles have it.
+ALL_STEPS = 3500
+MOST_BITS = 100  # below 1: a scenario with smaller numbers, below 1e-30, is left as the doubles have it
+CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
+# Where more events than so many come in less, going on until there are none may never end: so small a part of that time
+# between two of them does.
+FEW, BETWEEN = 4, 1.0 / 16.0
+MOST_TURNED = 10.0  # rad: by so much at most does a fast start turn in this time
+NO_SCRIPT = np.empty(0, EVENT)
+
+_LAST = (Event.REST, Event.JAM, Event.END)
+
+
+def latest(scenario: Scenario) -> float:
+    """Until when the doubts of a motion are decided in more digits.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    t : float
+        −1 without friction, with infinite friction and for a ring without mass [√(R/g)].
+    """
+    light = scenario.hoop.inertia_ratio
+    if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
+        return -1.0
+    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(speed_of(scenario), FAST))
+
+
+def speed_of(scenario: Scenario) -> float:
+    """How fast a motion begins.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    speed : float
+        [√(g R)].
+    """
+    given, radius = scenario.start.state(scenario.hoop), scenario.hoop.radius
+    rate = (abs(given.vx) + abs(given.vy)) / radius + abs(given.omega)
+    return rate * time_unit(scenario.hoop, scenario.plane)
+
+
+def steps_allowed(scenario: Scenario) -> int:
+    """How many steps of the longer computation a motion may take.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+
+    Returns
+    -------
+    steps : int
+        Of 106 bits, at both precisions together; one with more counts for several. 0 with numbers below 1e-30 [1].
+    """
+    from hophoop.precise.problem import Problem
+
+    return 0 if Problem.of(scenario).tiny() > MOST_BITS else ALL_STEPS
+
+
+@dataclass
+class Budget:
+    """What a motion's decisions may still take.
+
+    Attributes
+    ----------
+    steps : float
+        Of the longer computation [1].
+    least : float
+        What the farthest of them took; who goes farther makes all of its steps again [1].
+    reached : float
+        How far it went [√(R/g)].
+    """
+
+    steps: float
+    least: float = 0.0
+    reached: float = 0.0
+
+
+def pause(times: list[float], least: float) -> float | None:
+    """Where events that come one after another leave a time between two of them.
+
+    Parameters
+    ----------
+    times : list of float
+        Of the events, in order.
+    least : float
+        How long the time must be, in their unit.
+
+    Returns
+    -------
+    t : float or None
+        The middle of the first time that is as long; None where there is none, or where the events are few.
+    """
+    if len(times) > FEW:
+        for before, after in pairwise(times):
+            if after - before >= least:
+                return 0.5 * (before + after)
+    return None
+
+
+def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -> np.ndarray:
+    """The events of a motion until it is clear of a doubt.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    end : float
+        Time at which the doubt ends [√(R/g)].
+    budget : Budget, optional
+        Of the motion, from which the steps are taken; its whole one by default.
+
+    Returns
+    -------
+    script : ndarray of records.EVENT, shape (n,)
+        The last one, of kind END, is the state from which the kernel goes on; of length 0 where no more digits help.
+    """
+    from hophoop.precise import solve
+    from hophoop.precise.series import TooManySteps
+
+    clear = min(CLEAR, MOST_TURNED / max(speed_of(scenario), 1.0))
+    until = end + clear
+    last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
+    whole = steps_allowed(scenario)
+    budget = Budget(whole) if budget is None else budget
+    if whole == 0:
+        return NO_SCRIPT
+    between = None
+    for _ in range(8):
+        try:
+            if until >= budget.reached and budget.least > budget.steps:
+                raise TooManySteps
+            solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=budget.steps)
+        except ArithmeticError:
+            budget.steps = 0
+            return NO_SCRIPT
+        left = solution.body.work.left
+        if until >= budget.reached:
+            budget.least, budget.reached = budget.steps - left, until
+        budget.steps = left
+        records = list(solution.records)
+        if solution.status != Status.COMPLETED:
+            break
+        before = [float(record.state.t) for record in records if record.kind != Event.END]
+        if not before or until >= last or until - before[-1] >= 0.5 * clear or until == between:
+            break
+        between = pause([t for t in before if t >= end], BETWEEN * clear)
+        until = before[-1] + clear if between is None else between
+    if solution.status != Status.COMPLETED:
+        # what ends the motion is for the kernel to say: it goes on from the last event before
+        while records and records[-1].kind in _LAST:
+            records.pop()
+        if not records:
+            return NO_SCRIPT
+        records.append(records[-1])
+    script = np.zeros(len(records), EVENT)
+    for row, record in zip(script, records, strict=True):
+        state = record.state
+        turns, theta = solution.turns(state.th)
+        row["t"], row["t_low"] = solution.pair(state.t)
+        row["x"], row["x_low"] = solution.pair(state.x)
+        row["theta"], row["theta_low"] = solution.pair(theta)
+        row["turns"] = turns
+        row["angle"] = float(state.th)
+        row["height"] = float(state.y)
+        row["slip"], row["vy"], row["omega"] = float(state.vt), float(state.vn), float(state.om)
+        row["vx"] = float(state.vt + state.om)
+        row["before_slip"], row["before_vy"] = float(record.before_vt), float(record.before_vn)
+        row["before_omega"] = float(record.before_om)
+        row["before_vx"] = float(record.before_vt + record.before_om)
+        row["impulse_normal"], row["impulse_tangential"] = float(record.p_n), float(record.p_t)
+        row["friction"], row["gain"] = float(state.friction), float(record.gain)
+        row["impact_normal"], row["impact_tangential"] = float(state.impact_n), float(state.impact_t)
+        row["rolling_resistance"] = float(state.resisted)
+        row["kind"] = record.kind
+        row["before_mode"] = -1 if record.before_mode is None else record.before_mode
+        row["after_mode"] = record.after_mode
+        row["collision"] = -1 if record.collision is None else int(record.collision)
+        row["stable"] = -1 if record.stable is None else int(record.stable)
+    late = script["t"] > last  # by the rounding of the duration in these units
+    script["t"][late], script["t_low"][late] = last, 0.0
+    return script
+
+
+class Decisions:
+    """The doubts of a motion that are decided in extended precision, one after the other.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._scenario = scenario
+        self._budget: Budget | None = None
+        self._taken = 0
+
+    def script(self, until: float) -> np.ndarray | None:
+        """The first events of the motion, which decide a doubt.
+
+        Parameters
+        ----------
+        until : float
+            When the doubt ends, nan where there is none [√(R/g)].
+
+        Returns
+        -------
+        script : ndarray of records.EVENT or None
+            None where nothing is to be decided, or cannot be.
+        """
+        last = latest(self._scenario)
+        if self._taken == MOST or not until <= last:
+            return None
+        if self._budget is None:
+            self._budget = Budget(steps_allowed(self._scenario))
+        # later doubts are decided together, so that each is not solved for from the start anew
+        end = min(until * (1.5 if self._taken else 1.0), last)
+        self._taken += 1
+        found = script_until(self._scenario, end, self._budget)
+        return found if 0 < len(found) <= self._scenario.contact.max_events else None

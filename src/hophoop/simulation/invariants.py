@@ -1,0 +1,454 @@
+"""Invariants: what every computed motion keeps, whatever its numbers (docs/limits.md#what-is-tried).
+
+The environment variable `HOPHOOP_CHECK=1`, read when hophoop is imported, makes `simulate` check each motion that it returns.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.results.records import ArraySample, Ledger, Sample
+from hophoop.simulation.trajectory import Trajectory
+
+Floats = NDArray[np.float64]
+
+INVARIANTS = (
+    "time", "finite numbers", "modes", "sequence", "rolling", "direction of slip", "contact", "gap", "normal force",
+    "friction cone", "sliding friction", "losses", "ledger",
+)  # fmt: skip
+PASSING = ("turn", "apex", "kane_gain", "rest")  # events that begin no phase where the mode stays
+SPREAD = 25  # equally spaced times, besides those of events and the middles between them
+IN_FLIGHT = np.array([0.0, 1e-6, 1e-3, 0.03, 0.1, 0.25, 0.5, 0.75, 0.9, 0.97, 0.999, 1.0])  # of the time between two events
+EPSILON = float(np.finfo(float).eps)
+TINY = 1e-290  # numbers below it are near those that have fewer digits
+ROUNDED = 1e-12  # of the forces at work: what rounding leaves of them where they cancel
+SLIPPED = 1e-13  # of the velocities on the way: what rounding leaves of slip where it vanishes
+LEDGER = 1e-11  # of the energies at work, with rigid contact
+RESOLVED = 1e-14  # of v_t and θ̇: what the series of a panel leaves out
+LEDGER_OF_SKIM = 1e-9  # ... of a massless hoop, whose load may be taken for being at the top
+LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
+LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is a thousand times less exact
+STATE = ("x", "height", "angle", "vx", "vy", "omega", "slip")
+LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
+IMPULSES = ("impulse_normal", "impulse_tangential")
+
+
+class Finding(NamedTuple):
+    """The largest deviation of a motion from an invariant.
+
+    Attributes
+    ----------
+    invariant : str
+        One of `INVARIANTS`, 'mirror' or 'units'.
+    value : float
+        The deviation, relative to the size of what is compared; 1 where something is as it must not be [1].
+    allowed : float
+        What rounding explains, or the tolerance of a compliant contact [1].
+    t : float
+        Where [s].
+    words : str
+        What is wrong where it is more than that.
+    """
+
+    invariant: str
+    value: float
+    allowed: float
+    t: float
+    words: str
+
+    @property
+    def broken(self) -> bool:
+        """Whether the deviation is more than is allowed."""
+        return not self.value <= self.allowed
+
+
+class BrokenInvariantError(AssertionError):
+    """A computed motion breaks a law of the model: a defect of hophoop, not of its input."""
+
+
+def check(motion: Trajectory) -> None:
+    """Raise an error if a motion breaks an invariant.
+
+    Parameters
+    ----------
+    motion : Trajectory
+
+    Raises
+    ------
+    BrokenInvariantError
+        With the name of each broken invariant, where it is broken, by how much, and the scenario.
+    """
+    broken = [each for each in findings(motion) if each.broken]
+    if broken:
+        lines = (f"{f.invariant} at t = {f.t!r} s: {f.words} ({f.value:.3g}, allowed {f.allowed:.3g})" for f in broken)
+        where = motion.scenario.to_query()
+        raise BrokenInvariantError(f"A computed motion breaks an invariant. {'; '.join(lines)}. Scenario: {where}")
+
+
+def findings(motion: Trajectory) -> list[Finding]:
+    """Return the largest deviation of a motion from each invariant.
+
+    Parameters
+    ----------
+    motion : Trajectory
+
+    Returns
+    -------
+    found : list of Finding
+        In the order of `INVARIANTS`; it ends with 'time' or 'finite numbers' where these are broken.
+    """
+    found = [_time(motion)]
+    if found[0].broken:
+        return found
+    course = _course(motion)
+    found.append(_finite(course))
+    if found[1].broken:
+        return found
+    found += [_modes(course), _sequence(course), _rolling(course), _direction(course), _contact(course), _gap(course)]
+    return [*found, *_forces(course), *_energies(course)]
+
+
+@dataclass(frozen=True)
+class _Course:
+    """A motion with its events and samples as columns."""
+
+    motion: Trajectory
+    t: Floats  # of events
+    ends: Floats  # of the intervals between events
+    letters: list[str]  # of the intervals
+    begins: list[bool]  # whether an event at the start of the interval begins a phase
+    middles: ArraySample  # of the intervals
+    samples: ArraySample  # all
+    ledger: Ledger
+    contact: str  # rigid, or the friction of a compliant contact
+
+    def of(self, *modes: str) -> NDArray[np.bool_]:
+        """Which samples have one of these modes."""
+        return np.isin(self.samples.mode, modes)
+
+    def against_slip(self, sample: ArraySample) -> Floats:
+        """Sign of the friction that the letters of the modes give."""
+        return np.select([np.equal(sample.mode, "S"), np.equal(sample.mode, "K")], [1.0, -1.0], 0.0)
+
+
+def _course(motion: Trajectory) -> _Course:
+    t = np.array([event.t for event in motion.events])
+    # events that are apart in the kernel's unit may be at one time in seconds
+    kernel_t = motion.tables["events"]["t"]
+    instants, first = np.unique(kernel_t, return_index=True)
+    ends = np.minimum(t[first], motion.duration)
+    if motion.duration > ends[-1]:
+        instants, ends = np.append(instants, math.inf), np.append(ends, motion.duration)
+    # what is shorter has no middle that is on the same side of both ends in both units
+    long = np.diff(ends) > 8.0 * EPSILON * ends[1:]
+    middles = (ends[:-1] + 0.5 * np.diff(ends))[long]
+    spread = np.linspace(0.0, motion.duration, SPREAD)
+    right = motion.at(np.concatenate((middles, spread, ends)))
+    left = motion.at(ends, side="left")
+    names = [each.name for each in fields(Sample)]
+    middle = Sample(**{name: getattr(right, name)[: len(middles)] for name in names})
+    samples = Sample(**{name: np.concatenate((getattr(right, name), getattr(left, name))) for name in names})
+    modes = np.array([event.to_mode for event in motion.events])
+    letters = modes[np.searchsorted(kernel_t, instants[:-1], side="right") - 1]
+    letters[long] = middle.mode
+    begins = {float(at) for at, event in zip(kernel_t, motion.events, strict=False) if event.kind not in PASSING}
+    begin = [at in begins for at in instants[:-1].tolist()]
+    contact = motion.scenario.contact
+    kind = "rigid" if contact.model == "rigid" else contact.friction
+    return _Course(motion, t, ends, letters.tolist(), begin, middle, samples, motion.ledger, kind)
+
+
+def worst(invariant: str, words: str, t: Any, off: Any, size: Any = 1.0, allowed: Any = 0.0) -> Finding:
+    """Return the deviation that is furthest beyond what is allowed.
+
+    Parameters
+    ----------
+    invariant, words : str
+    t : float or array_like
+        Where [s].
+    off, size : float or array_like
+        Deviations, and what they are relative to, in one unit [their units].
+    allowed : float or array_like
+        Of the quotient [1].
+
+    Returns
+    -------
+    found : Finding
+    """
+    off, size, allowed, t = (each.ravel() for each in np.broadcast_arrays(*np.atleast_1d(off, size, allowed, t)))
+    if not off.size:
+        return Finding(invariant, 0.0, 0.0, 0.0, words)
+    value = np.where(off == 0.0, 0.0, off / np.maximum(size, TINY))
+    at = int(np.argmax(np.where(np.isnan(value), np.inf, value - allowed)))
+    return Finding(invariant, float(value[at]), float(allowed[at]), float(t[at]), words)
+
+
+def _time(motion: Trajectory) -> Finding:
+    """Neither an event nor the end of a piece of motion is before what precedes it."""
+    pieces = motion.tables["segments"]
+    second = motion.units.time
+    ends = np.array([event.t for event in motion.events])
+    ends = np.concatenate(([0.0], ends, [motion.duration * (1.0 + 4.0 * EPSILON)]))
+    begin, end = ends[:-1], ends[1:]
+    begin = np.concatenate((begin, pieces["t"] * second))
+    end = np.concatenate((end, pieces["t_end"] * second))
+    wrong = np.where(np.isfinite(end) & np.isfinite(begin), np.maximum(begin - end, 0.0), math.inf)
+    return worst("time", "time runs backward", end, wrong, np.abs(begin) + np.abs(end))
+
+
+def _finite(course: _Course) -> Finding:
+    samples, events = course.samples, course.motion.events
+    bad = np.zeros(samples.t.shape)
+    for each in fields(Sample):
+        if each.name != "mode":
+            odd = ~np.isfinite(getattr(samples, each.name))
+            # the ring of a massless hoop turns without bound just before its load strikes the plane
+            bad += odd & ~((each.name in ("omega", "vx", "slip")) & course.of("M"))
+    names = (*STATE, *IMPULSES, *LOSSES)
+    wrong = np.array([sum(not math.isfinite(getattr(event, name)) for name in names) for event in events])
+    return worst("finite numbers", "numbers are not finite", np.append(samples.t, course.t), np.append(bad, wrong))
+
+
+def _modes(course: _Course) -> Finding:
+    """An event begins in the mode in which the one before it ended, and the samples between them are in it."""
+    events = course.motion.events
+    before = [event.from_mode for event in events[1:]]
+    after = [event.to_mode for event in events]
+    last = np.searchsorted(course.t, course.middles.t, side="right") - 1
+    wrong = [mode != other for mode, other in zip(before, after[:-1], strict=True)]
+    wrong += [mode != after[k] for mode, k in zip(course.middles.mode.tolist(), last.tolist(), strict=True)]
+    where = np.concatenate((course.t[1:], course.middles.t))
+    return worst("modes", "an event and the motion next to it have different modes", where, np.array(wrong, float))
+
+
+def _sequence(course: _Course) -> Finding:
+    """A letter for each phase that the samples go through: from an event that begins one, or from a change of the mode."""
+    events, given = course.motion.events, course.motion.sequence
+    letters: list[tuple[str, float]] = []
+    for t, begins, mode in zip(course.ends.tolist(), course.begins, course.letters, strict=False):
+        if not letters or begins or letters[-1][0] != mode:
+            letters.append((mode, t))
+    expected = "".join(mode for mode, _ in letters) or events[-1].to_mode
+    if given == expected:
+        return Finding("sequence", 0.0, 0.0, 0.0, "")
+    at = next(
+        (k for k, (one, two) in enumerate(zip(given, expected, strict=False)) if one != two), min(len(given), len(expected))
+    )
+    words = f"the sequence goes on with {given[at : at + 8]!r} where the samples are {expected[at : at + 8]!r}"
+    return Finding("sequence", 1.0, 0.0, letters[at][1] if at < len(letters) else course.motion.duration, words)
+
+
+def _rolling(course: _Course) -> Finding:
+    """Slip is 0 in rolling, in rigid contact; others creep."""
+    rigid = course.contact == "rigid"
+    rolls = [event for event in course.motion.events if event.to_mode == "R" and rigid]
+    rolling = course.of("R") & rigid
+    t = np.append(course.samples.t[rolling], [event.t for event in rolls])
+    slip = np.append(course.samples.slip[rolling], [event.slip for event in rolls])
+    return worst("rolling", "a hoop that rolls slips [m/s]", t, np.abs(slip))
+
+
+def _direction(course: _Course) -> Finding:
+    """S slips backward, K forward; a bristle's letter is the direction of its foot, which may slide against v_t."""
+    sample, scenario = course.middles if course.contact != "rigid" else course.samples, course.motion.scenario
+    wrong = np.maximum(course.against_slip(sample) * sample.slip, 0.0) * (course.contact != "bristle")
+    # v_t is a difference of velocities as large as this, and where θ is rounded beside an equilibrium a hoop starts to move
+    every = course.samples
+    speed = np.max(scenario.hoop.radius * np.abs(every.omega) + np.abs(every.vx) + np.abs(every.slip))
+    size = speed + math.sqrt(scenario.plane.gravity * scenario.hoop.radius)
+    if scenario.plane.mu_kinetic == 0.0 < scenario.hoop.inertia_ratio:
+        # v_t may have the rounding of the speed that the rim has where the load passes its lowest point
+        eccentricity, inertia = scenario.hoop.eccentricity, scenario.hoop.inertia_ratio
+        size *= 1.0 + (1.0 - eccentricity) * math.sqrt(4.0 * eccentricity / inertia)
+    share = _shares(course)
+    allowed = SLIPPED + (EPSILON / np.min(share) if share.size else 0.0)
+    return worst("direction of slip", "slip is against its mode", sample.t, wrong, size, allowed)
+
+
+def _contact(course: _Course) -> Finding:
+    """A rim in rigid contact has no gap and does not leave the plane."""
+    samples = course.samples
+    off = np.where(course.of("R", "S", "K"), np.abs(samples.height) + np.abs(samples.vy), np.maximum(-samples.height, 0.0))
+    words = "the rim is not on the plane [m, m/s]"
+    return worst("contact", words, samples.t, off * (course.contact == "rigid"))
+
+
+def _gap(course: _Course) -> Finding:
+    """In flight from event to event the gap, computed here as that of a projectile, is never negative."""
+    scenario, t = course.motion.scenario, np.append(course.t, course.motion.duration)
+    rigid = course.contact == "rigid"
+    flying = [k for k, event in enumerate(course.motion.events) if rigid and event.to_mode == "H" and t[k + 1] > t[k]]
+    events = [course.motion.events[k] for k in flying]
+    end = t[np.array(flying, int) + 1][:, None]
+    begin, height, angle, vy, omega = (
+        np.array([getattr(event, name) for event in events])[:, None] for name in ("t", "height", "angle", "vy", "omega")
+    )
+    gravity = scenario.plane.gravity * math.cos(scenario.plane.slope)
+    arm = scenario.hoop.radius * scenario.hoop.eccentricity
+    tau = IN_FLIGHT * (end - begin)
+    turn = omega * tau
+    rise = vy - arm * omega * np.sin(angle)
+    fall = 0.5 * gravity * tau**2
+    gap = height + rise * tau - fall + 2.0 * arm * np.sin(angle + 0.5 * turn) * np.sin(0.5 * turn)
+    # what the last digits of t, of θ and of the velocities move the rim by
+    turned = np.minimum(np.abs(angle) + np.abs(omega) * end, 1.0 / EPSILON)
+    size = scenario.hoop.radius + height + fall + (np.abs(rise) + np.abs(vy) + gravity * tau) * (tau + end)
+    size += arm * (1.0 + np.abs(turn)) * (1.0 + turned)
+    return worst("gap", "the rim is in the plane", begin + tau, np.maximum(-gap, 0.0), size, 16.0 * EPSILON)
+
+
+def _forces(course: _Course) -> list[Finding]:
+    """N ≥ 0 in contact, no force in flight, abs(F) ≤ μs N in rolling, and F = ∓μk N in slip."""
+    samples, scenario = course.samples, course.motion.scenario
+    static, kinetic = scenario.plane.mu_static, scenario.plane.mu_kinetic
+    normal, friction = samples.normal_force, samples.friction_force
+    touching, rigid = course.of("R", "S", "K"), course.contact == "rigid"
+    tiny = TINY * max(course.motion.units.of("normal_force"), 1.0)
+    size = scenario.hoop.mass * (scenario.plane.gravity + scenario.hoop.radius * samples.omega**2) + np.abs(normal) + tiny
+    pull = np.where(touching, np.maximum(-normal, 0.0), np.abs(normal) + np.abs(friction))
+    words = "the plane pulls, or pushes what does not touch it"
+    found = [worst("normal force", words, samples.t, pull, size, ROUNDED + _loss_of_digits(course))]
+    limit = static * np.maximum(normal, 0.0) if math.isfinite(static) else math.inf
+    excess = np.where(course.of("R") if rigid else touching, np.maximum(np.abs(friction) - limit, 0.0), 0.0)
+    reach = size * (max(1.0, static) if math.isfinite(static) else 1.0) + np.abs(friction)
+    # a compliant contact comes to the edge of its cone as exactly as it is solved
+    allowed = ROUNDED if scenario.contact.model == "rigid" else 10.0 * (scenario.contact.rtol or 1e-9)
+    found.append(worst("friction cone", "friction is beyond its cone", samples.t, excess, reach, allowed))
+    if course.contact in ("rigid", "bristle"):
+        law = course.against_slip(samples) * kinetic * normal if math.isfinite(kinetic) else friction
+        off = np.where(course.of("S", "K"), np.abs(friction - law), 0.0)
+        size = np.abs(friction) + tiny if rigid else reach
+        return [*found, worst("sliding friction", "F is not μ N against the slip", samples.t, off, size, 8.0 * EPSILON)]
+    # the sign of a slip velocity that may be rounding is not known
+    known = np.abs(samples.slip) > SLIPPED * _slip_of_step(course)
+    along = np.where(touching & known, np.maximum(friction * np.sign(samples.slip), 0.0), 0.0)
+    return [*found, worst("sliding friction", "friction drives the slip", samples.t, along, reach, ROUNDED)]
+
+
+def _loss_of_digits(course: _Course) -> Floats:
+    """Rounding of N over the forces at work at each sample: beside p_σ = 0, N = −f_n/p_σ has the last digits of f_n."""
+    samples, body = course.samples, course.motion.scenario.to_body()
+    loss = np.zeros(samples.t.shape)
+    slips = course.of("S", "K") & (course.contact == "rigid")
+    if not (body.kap > 0.0 and math.isfinite(body.mu_k) and np.any(slips)):
+        return loss
+    sigma = -course.against_slip(samples)[slips]
+    lever = body.eps * np.sin(samples.angle[slips])
+    arm = 1.0 + body.eps * np.cos(samples.angle[slips])
+    couple = body.resist * np.sign(samples.omega[slips])
+    stiffness = 1.0 + lever * (lever + sigma * body.mu_k * arm - couple) / body.kap
+    loss[slips] = 4.0 * EPSILON / np.maximum(np.abs(stiffness), EPSILON)
+    return loss
+
+
+def _largest_in_piece(course: _Course, values: Floats) -> Floats:
+    """Of a number per segment, that of the segment which holds each sample; at a border the larger of both."""
+    motion = course.motion
+    begins = motion.tables["segments"]["t"]
+    t = motion.units.kernel_times(motion.tables["segments"], course.samples.t)
+    later = np.maximum(np.searchsorted(begins, t, side="right") - 1, 0)
+    before = np.maximum(np.searchsorted(begins, t, side="left") - 1, 0)
+    found: Floats = np.maximum(values[later], values[before])
+    return found
+
+
+def _slip_of_step(course: _Course) -> Floats:
+    """The slip velocities that each sample of a compliant motion is a sum of: the terms of its step's polynomial [m/s]."""
+    pieces = course.motion.tables["segments"]
+    names = [name for name in pieces.dtype.names or () if name.startswith("slip_")]
+    terms = np.sum([np.abs(pieces[name]) for name in names], axis=0) * course.motion.units.of("slip")
+    return _largest_in_piece(course, terms)
+
+
+def _unresolved(course: _Course) -> Floats:
+    """The energy that the last digits of v_t and θ̇ are at each sample of slip [J].
+
+    They are not added up, as in `rounded_away`, but are more: each panel is resolved to `RESOLVED`.
+    """
+    samples, pieces, hoop = course.samples, course.motion.tables["segments"], course.motion.scenario.hoop
+    energy = np.zeros(samples.t.shape)
+    slips = course.of("S", "K")
+    if course.contact == "rigid" and np.any(slips):
+        largest = _largest_in_piece(course, np.abs(pieces["slip"]) + np.abs(pieces["omega"])) * course.motion.units.of("slip")
+        arm = hoop.radius * hoop.eccentricity * np.cos(samples.angle[slips])
+        along = np.abs(samples.vx[slips] + samples.omega[slips] * arm)
+        energy[slips] = hoop.mass * along * RESOLVED * largest[slips]
+    return energy
+
+
+def _energies(course: _Course) -> list[Finding]:
+    """Nothing gives lost energy back; energy and losses add up to the energy at the start, at every sample and at the end."""
+    samples, ledger = course.samples, course.ledger
+    parts = [getattr(samples, name) for name in ("kinetic", "potential", "spring", "damping", *LOSSES)]
+    start = sum(getattr(ledger, name) for name in ("kinetic", "potential", "spring", "damping", *LOSSES)) - ledger.residual
+    size = max(ledger.range, *(float(np.max(np.abs(part))) for part in parts))
+    allowed = _ledger_allowed(course, size)
+    lost = np.array([(event.friction, event.rolling_resistance, event.impact_tangential) for event in course.motion.events])
+    back = np.max(np.maximum(lost[:-1] - lost[1:], 0.0), axis=1, initial=0.0)
+    off = np.append(np.abs(sum(parts) - start), abs(ledger.residual))
+    t = np.append(samples.t, course.motion.duration)
+    unresolved = _unresolved(course) / max(size, TINY)
+    unresolved = np.append(unresolved, unresolved[np.argmax(samples.t)])
+    return [
+        worst("losses", "energy that was lost comes back", course.t[1:], back, size, allowed),
+        worst("ledger", "the ledger of energy does not close", t, off, size, allowed + unresolved),
+    ]
+
+
+def _ledger_allowed(course: _Course, size: float) -> float:
+    motion, hoop, plane = course.motion, course.motion.scenario.hoop, course.motion.scenario.plane
+    if motion.scenario.contact.model != "rigid":
+        rtol = motion.scenario.contact.rtol or 1e-9
+        allowed = 1e-8 + (LEDGER_OF_STEPS + LEDGER_OF_STEP * len(motion.tables["segments"])) * rtol
+        return allowed * (LEDGER_OF_STEPS if hoop.inertia_ratio < LIGHT or plane.mu_static > ROUGH else 1.0)
+    # the friction in slip is so many times the load, whose last digits it has
+    exact = LEDGER if hoop.inertia_ratio > 0.0 else LEDGER_OF_SKIM
+    allowed = exact + EPSILON * (plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else 0.0)
+    share = _shares(course)
+    lost = float(np.max(course.samples.friction)) / size if size > 0.0 else 0.0
+    return allowed + (rounded_away(motion) / size if size > 0.0 else 0.0) + lost * float(np.sum(EPSILON / share**2))
+
+
+def _shares(course: _Course) -> Floats:
+    """Shares of their panels, of a power of ten less than 1, after which slip ends.
+
+    The work of such a slip, a product of two numbers that grow along the panel, is the last digits of the panel's: of
+    the square of the share.
+    """
+    if course.contact != "rigid":
+        return np.empty(0)
+    pieces = course.motion.tables["segments"]
+    share = 0.5 * (1.0 + pieces["xi"][(pieces["sigma"] != 0) & (pieces["kind"] < 3)])
+    found: Floats = share[(share < 0.1) & (share > 0.0)]
+    return found
+
+
+def rounded_away(motion: Trajectory) -> float:
+    """Return the energy that the last bits of the velocities are, added up over the panels of a rigid motion.
+
+    Parameters
+    ----------
+    motion : Trajectory
+
+    Returns
+    -------
+    energy : float
+        [J].
+
+    Notes
+    -----
+    Every panel ends in v_t and θ̇ as doubles. The rounding of either moves the mass, whose velocity is their sum, and where
+    they are 10⁶ to 10⁹ times that sum, it is seen. Half of the last bit is counted of v_t, and a whole one of θ̇, which
+    is the root of a sum that was rounded before.
+    """
+    segments, body = motion.tables["segments"], motion.scenario.to_body()
+    slip, omega, theta = (segments[name] for name in ("slip", "omega", "theta"))
+    slips = slip != 0.0  # rolling has no such difference
+    along = slip + omega * (1.0 - body.eps + body.eps * (1.0 + np.cos(theta)))
+    moved = np.abs(along) * (0.5 * np.spacing(np.abs(slip)) + np.spacing(np.abs(omega)))
+    return float(np.sum(moved[slips])) * motion.units.energy

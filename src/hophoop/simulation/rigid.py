@@ -1,0 +1,154 @@
+"""A rigid motion: from a scenario to the kernel's tables, and its state at any time."""
+
+from __future__ import annotations
+
+import math
+import struct
+import threading
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import Body, Status
+from hophoop.kernel.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows
+from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.scenario import Scenario
+from hophoop.scenario.scenario import cell_of, to_body
+from hophoop.simulation.exact_start import NO_SCRIPT, Decisions
+
+FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
+BUFFER = int(Status.BUFFER)
+
+
+class _Own(threading.local):
+    """The tables that every motion of this thread is first written into, and copied from."""
+
+    def __init__(self) -> None:
+        self.tables = Tables(np.empty((len(CELL), 1)), np.empty(FIRST_EVENTS, EVENT), np.empty(FIRST_SEGMENTS, SEGMENT))
+
+
+_own = _Own()
+_run: Callable[[Tables, np.ndarray], Outcome] = compiled("hophoop.kernel.rigid.run.run_cell")
+_sample = compiled("hophoop.kernel.rigid.sampling.sample")
+_fill = struct.Struct(f"{len(CELL)}d").pack_into  # a fifth of the time of an assignment
+
+
+class RigidMotion(NamedTuple):
+    """A motion in units of R, m and √(R/g)."""
+
+    status: int
+    events: np.ndarray
+    segments: np.ndarray
+    doubt: float  # from when on doubles alone do not decide what follows; inf where they do
+
+
+def simulate_rigid(scenario: Scenario) -> RigidMotion:
+    """Compute the motion of a scenario with rigid contact.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    motion : RigidMotion
+    """
+    outcome, tables, script = _ran(scenario, NO_SCRIPT)
+    doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
+    if not math.isnan(outcome.doubt_until):
+        outcome, tables, script = _decided(scenario, outcome, tables)
+    events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
+    if len(script) > 1:
+        segments = np.concatenate((segments_of_script(scenario.to_body(), script), segments))
+    if not len(segments):  # the motion ends at its start: a piece of no length holds its state
+        segments = np.empty(1, SEGMENT)
+        _hold_at(events[-1], segments[0])
+    return RigidMotion(outcome.status, events, segments, doubt)
+
+
+def _ran(scenario: Scenario, script: np.ndarray) -> tuple[Outcome, Tables, np.ndarray]:
+    """Run the kernel, in tables that grow until they are long enough."""
+    tables = _own.tables
+    _fill(tables.cell, 0, *cell_of(scenario))
+    while True:
+        outcome = _run(tables, script)
+        if outcome.status == BUFFER:
+            tables = tables._replace(segments=np.empty(min(16 * len(tables.segments), MOST_PANELS), SEGMENT))
+        elif outcome.events_full and len(tables.events) < scenario.contact.max_events:  # not where the panels are used up
+            tables = tables._replace(events=np.empty(min(4 * len(tables.events), scenario.contact.max_events), EVENT))
+        else:
+            return outcome, tables, script
+
+
+def _decided(scenario: Scenario, outcome: Outcome, tables: Tables) -> tuple[Outcome, Tables, np.ndarray]:
+    """Decide the doubts of a motion in extended precision, one after the other."""
+    found = outcome, tables, NO_SCRIPT
+    decisions = Decisions(scenario)
+    while not found[0].panels_used and (script := decisions.script(found[0].doubt_until)) is not None:
+        found = _ran(scenario, script)
+        if found[0].panels_used:  # the last of its events may lie beyond what the panels reach
+            return _ran(scenario, NO_SCRIPT)
+    return found
+
+
+def script_of(scenario: Scenario) -> np.ndarray:
+    """The first events of a motion that doubles do not decide.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+
+    Returns
+    -------
+    script : ndarray of records.EVENT, shape (n,)
+        In kernel units; of length 0 where doubles decide everything [1].
+    """
+    outcome, tables, script = _ran(scenario, NO_SCRIPT)
+    return script if math.isnan(outcome.doubt_until) else _decided(scenario, outcome, tables)[2]
+
+
+def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:
+    """The segments of the phases between the events of a script.
+
+    Parameters
+    ----------
+    body : Body
+    script : ndarray of records.EVENT, shape (n,)
+        In kernel units [1].
+
+    Returns
+    -------
+    segments : ndarray of records.SEGMENT, shape (k,)
+        In kernel units [1]; `run` does not write them when it repeats the script.
+    """
+    from hophoop.kernel.records.scratch import new_scratch
+    from hophoop.kernel.rigid.script import fill_script
+
+    length = FIRST_SEGMENTS
+    while True:
+        segments = np.empty(length, SEGMENT)
+        with np.errstate(all="ignore"):
+            count = fill_script(body, script, segments, new_scratch())
+        if count >= 0:
+            return first_rows(segments, count)
+        length *= 16
+
+
+def _hold_at(event: np.void, segment: np.void) -> None:
+    from hophoop.kernel.panels.panel import FLY
+
+    for name in segment.dtype.names or ():
+        segment[name] = event[name] if name in (event.dtype.names or ()) else 0
+    segment["t_end"] = event["t"]
+    segment["mode"] = event["after_mode"]
+    segment["kind"] = FLY  # as it is, without forces: what they would be is not known
+
+
+def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
+    """`sample` into a fresh array, for a scenario."""
+    out = np.empty((times.size, len(COLUMNS)))
+    _sample(to_body(scenario.hoop, scenario.plane), segments, times, left, out)
+    return out

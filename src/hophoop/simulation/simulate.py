@@ -1,0 +1,188 @@
+"""simulate(hoop, plane, start, …) → Trajectory, with either contact model."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+
+from hophoop._version import __version__
+from hophoop.scenario import Compliant, Hoop, InputError, Plane, Rigid, Scenario, Start
+from hophoop.simulation.rigid import simulate_rigid
+from hophoop.simulation.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from hophoop.derivatives.results.sensitivity import Sensitivity
+    from hophoop.precise import PreciseMotion
+
+# Read once: a look at the environment takes a tenth of a motion.
+CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
+
+
+@overload
+def simulate(scenario: Scenario, /) -> Trajectory: ...
+
+
+@overload
+def simulate(scenario: Scenario, /, *, digits: int) -> PreciseMotion: ...
+
+
+@overload
+def simulate(
+    hoop: Hoop,
+    plane: Plane | None = ...,
+    start: Start | None = ...,
+    duration: float | None = ...,
+    contact: Rigid | Compliant | None = ...,
+) -> Trajectory: ...
+
+
+@overload
+def simulate(
+    hoop: Hoop,
+    plane: Plane | None = ...,
+    start: Start | None = ...,
+    duration: float | None = ...,
+    contact: Rigid | Compliant | None = ...,
+    *,
+    digits: int,
+) -> PreciseMotion: ...
+
+
+def simulate(
+    hoop: Hoop | Scenario,
+    plane: Plane | None = None,
+    start: Start | None = None,
+    duration: float | None = None,
+    contact: Rigid | Compliant | None = None,
+    *,
+    digits: int | None = None,
+) -> Trajectory | PreciseMotion:
+    """Compute a motion.
+
+    Parameters
+    ----------
+    hoop : Hoop or Scenario
+        The hoop, with the four arguments that follow; or a whole scenario, without them. To change a part of a scenario, call
+        `Scenario.replace` or `Scenario.with_values` first.
+    plane : Plane, optional
+        The reference plane by default.
+    start : Start, optional
+        At rest with the load at the top by default.
+    duration : float, optional
+        Above 0; 6 s by default [s].
+    contact : Rigid or Compliant, optional
+        Rigid() by default.
+    digits : int, optional
+        Solve in so many digits, 15 to 1000, by another method than the kernel's; the given doubles are taken as exact
+        numbers. Takes some tenths of a second [1].
+
+    Returns
+    -------
+    motion : Trajectory or PreciseMotion
+        Also where the motion has no answer: see its `status`. With `digits` it is a `PreciseMotion`, with events only.
+
+    Raises
+    ------
+    ValueError
+        If the duration is not positive, the parts do not go together, a scenario is given with another part, or digits is out
+        of range or asked for with a compliant contact.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=2.0)
+    >>> motion.sequence
+    'RKRSHR'
+    >>> round(motion.find("takeoff")[0].t, 9)
+    1.044713027
+    >>> exact = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=2.0, digits=30)
+    >>> exact.find("takeoff")[0].t
+    Decimal('1.04471302680335833630776765131')
+    """
+    if isinstance(hoop, Scenario):
+        scenario = hoop
+        if plane is not None or start is not None or duration is not None or contact is not None:
+            _refuse_parts(plane=plane, start=start, duration=duration, contact=contact)
+    else:
+        scenario = Scenario(
+            hoop=hoop,
+            plane=Plane() if plane is None else plane,
+            start=Start() if start is None else start,
+            duration=6.0 if duration is None else duration,
+            contact=Rigid() if contact is None else contact,
+        )
+    if digits is not None:
+        motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, __version__)
+        return motion
+    return simulate_watched(scenario)
+
+
+def _refuse_parts(**parts: Any) -> None:
+    given = [name for name, part in parts.items() if part is not None]
+    what = f"{given[0]} is" if len(given) == 1 else f"{', '.join(given[:-1])} and {given[-1]} are"
+    how = (
+        f'scenario.replace("{given[0]}", …)'
+        if len(given) == 1
+        else "scenario.with_values({" + ", ".join(f'"{name}": …' for name in given) + "})"
+    )
+    raise InputError(f"{what} part of the scenario and cannot be given as well: simulate {how} instead.")
+
+
+def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> Trajectory:
+    """`simulate`, for who shows from another thread how far a compliant motion is.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    reached : ndarray, shape (1,), optional
+        Is given the share of the duration that is computed, again and again, with a compliant contact [1].
+
+    Returns
+    -------
+    motion : Trajectory
+    """
+    doubt = None
+    if isinstance(scenario.contact, Compliant):
+        from hophoop.simulation.compliant import simulate_compliant
+
+        status, events, segments = simulate_compliant(scenario, reached)
+    else:
+        status, events, segments, doubt = simulate_rigid(scenario)
+    motion = Trajectory(scenario, status, events, segments, __version__, doubt)
+    if CHECKED:
+        import_module("hophoop.simulation.invariants").check(motion)
+    return motion
+
+
+def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
+    """Derivatives of quantities of a motion with respect to parameters, through all events.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    of, wrt : str or sequence of str
+        Quantities such as ``"takeoff.angle"`` and paths such as ``"plane.mu"``, as `Trajectory.sensitivity` takes them.
+
+    Returns
+    -------
+    sensitivity : Sensitivity
+        Derivatives in SI units; nan, with the reason, where there is none.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, the motion has no such event, or its contact is compliant.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> result = hh.sensitivity(hh.Scenario(duration=2.0), of="hop.height", wrt=["start.speed", "plane.mu"])
+    >>> [round(float(rate), 6) for rate in result.derivatives[0]]
+    [1.511834, -0.328315]
+    """
+    return simulate(scenario).sensitivity(of, wrt)

@@ -1,0 +1,157 @@
+"""Symmetries of the model that its arithmetic keeps: left and right, and units that are powers of two."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from hophoop.scenario import InputError, Scenario
+from hophoop.simulation.invariants import EPSILON, IMPULSES, LOSSES, TINY, Finding, worst
+from hophoop.simulation.trajectory import Trajectory
+
+_SIGNED = {"x", "angle", "speed", "vx", "omega", "slope"}
+_SWAPPED = str.maketrans("SK", "KS")
+# Lengths times 4ᵃ, times 2ᵇ, masses 2ᶜ; speeds and gravity follow. The first that the ranges allow is tried.
+_POWERS = ((1, 1, 1), (-1, -1, -1), (2, 3, -5), (0, 1, 3), (0, -1, 3), (1, 0, 0), (-1, 0, 0), (-3, -4, 2))
+
+
+def mirrored(scenario: Scenario) -> Scenario | None:
+    """The scenario with left and right exchanged, where rounding leaves them alike.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    mirrored : Scenario or None
+        None with compliant contact; at starts with the load at the bottom, where −π and π are one angle; and with kinetic
+        friction that is as good as none below some static friction, since rounding decides there whether slip begins.
+    """
+    plane, angle = scenario.plane, scenario.start.angle
+    bottom = math.cos(angle) < 0.0 and abs(math.sin(angle)) < 1e-6
+    if scenario.contact.model != "rigid" or bottom or (plane.mu_kinetic < 1e-12 and plane.mu_static > 0.0):
+        return None
+    keys = scenario.to_dict()
+    for section in ("plane", "start"):  # 0 stays 0, not −0
+        keys[section] = {name: 0.0 - value if name in _SIGNED else value for name, value in keys[section].items()}
+    return Scenario.from_dict(keys)
+
+
+def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
+    """Compare a motion with that of the mirrored scenario, to the last bit.
+
+    Parameters
+    ----------
+    motion, image : Trajectory
+
+    Returns
+    -------
+    found : Finding
+
+    Notes
+    -----
+    Rounding is allowed in angle and place where the hoop is massless, since its angle is computed within one turn whose halves
+    have other last bits, and where more digits decided and gave the place of an event.
+    """
+    odd = ("x", "angle", "vx", "omega", "slip", "impulse_tangential")
+    factors = dict.fromkeys(("t", "height", "vy", "impulse_normal", *LOSSES), 1.0) | dict.fromkeys(odd, -1.0)
+    allowed = 4.0 * EPSILON if motion.scenario.hoop.massless or math.isfinite(motion.doubt) else 0.0
+    return _alike("mirror", motion, image, factors, _SWAPPED, allowed)
+
+
+def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | None:
+    """The scenario in units that are powers of two of its own.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    scaled : Scenario
+    factors : tuple of float
+        Of lengths, times and masses [1].
+    None instead, if the ranges allow none, or a number is so small that it has fewer digits.
+    """
+    keys = scenario.to_dict()
+    if _smallest(keys) < TINY:
+        return None
+    for powers in _POWERS:
+        length, time, mass = 4.0 ** powers[0], 2.0 ** powers[1], 2.0 ** powers[2]
+        if scenario.plane.gravity == 0.0:  # 1 m/s² gives the unit of time
+            time = math.sqrt(length)
+        try:
+            return Scenario.from_dict(_in_other_units(keys, length, time, mass)), (length, time, mass)
+        except InputError:
+            continue
+    return None
+
+
+def units_finding(motion: Trajectory, other: Trajectory, factors: tuple[float, float, float]) -> Finding:
+    """Compare a motion with that of the scaled scenario, to the last bit.
+
+    Parameters
+    ----------
+    motion, other : Trajectory
+    factors : tuple of float
+        Of lengths, times and masses [1].
+
+    Returns
+    -------
+    found : Finding
+    """
+    length, time, mass = factors
+    speed = length / time
+    units = {"t": time, "x": length, "height": length, "angle": 1.0, "omega": 1.0 / time}
+    units |= dict.fromkeys(("vx", "vy", "slip"), speed) | dict.fromkeys(IMPULSES, mass * speed)
+    return _alike("units", motion, other, units | dict.fromkeys(LOSSES, mass * speed**2), {}, 0.0)
+
+
+def _smallest(value: Any) -> float:
+    """The smallest magnitude of the numbers of a scenario, 0 left out."""
+    if isinstance(value, dict | list):
+        return min(map(_smallest, value.values() if isinstance(value, dict) else value), default=math.inf)
+    return abs(value) if isinstance(value, float) and value != 0.0 else math.inf
+
+
+def _in_other_units(keys: dict[str, Any], length: float, time: float, mass: float) -> dict[str, Any]:
+    damper = mass / time if keys["contact"].get("law") == "kelvin-voigt" else time / length
+    units = {"duration": time, "mass": mass, "gravity": length / time**2, "omega": 1.0 / time, "damping": damper}
+    units |= dict.fromkeys(("radius", "inner_radius", "outer_radius", "at", "length", "x", "height"), length)
+    units |= dict.fromkeys(("speed", "vx", "vy", "slip_speed"), length / time)
+    units |= dict.fromkeys(("stiffness", "tangential_stiffness"), mass / time**2)
+
+    def other(name: str, value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: other(key, each) for key, each in value.items()}
+        if isinstance(value, list):
+            return [other(name, each) for each in value]
+        return value * units[name] if name in units and value is not None else value
+
+    result: dict[str, Any] = other("", keys)
+    return result
+
+
+def _alike(
+    invariant: str, motion: Trajectory, other: Trajectory, factors: dict[str, float], letters: dict[int, int], allowed: float
+) -> Finding:
+    mine, theirs = motion.events, other.events
+    for one, two in zip(mine, theirs, strict=False):
+        if (one.kind, one.to_mode.translate(letters)) != (two.kind, two.to_mode):
+            words = f"{two.kind} to {two.to_mode} instead of {one.kind} to {one.to_mode.translate(letters)}"
+            return Finding(invariant, 1.0, 0.0, one.t, words)
+    if (len(mine), motion.status) != (len(theirs), other.status):
+        words = f"{other.status} after {len(theirs)} events instead of {motion.status} after {len(mine)}"
+        return Finding(invariant, 1.0, 0.0, mine[-1].t, words)
+    found = []
+    t = [event.t for event in mine]
+    for name, factor in factors.items():
+        expected, got = (np.array([getattr(event, name) for event in events]) for events in (mine, theirs))
+        expected *= factor
+        off = np.where((expected == got) | (np.abs(got) < TINY), 0.0, np.abs(expected - got))  # tiny numbers have fewer digits
+        loose = allowed if name in ("angle", "x", "height") else 0.0
+        found.append(worst(invariant, f"{name} of an event differs", t, off, np.max(np.abs(got)), loose))
+    return max(found, key=lambda each: each.value - each.allowed)

@@ -1,0 +1,521 @@
+"""Trajectory: a computed motion, its events, samples at any time and energy ledger, in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop._support.fingerprint import STATE, fingerprint
+from hophoop.kernel.physics.body import EVENT_NAMES, Event, Status
+from hophoop.kernel.physics.energy import energies_after
+from hophoop.results.records import ArraySample, EventErrors, EventRecord, Events, Ledger, Sample, ScalarSample, Side, Velocity
+from hophoop.results.units import Units
+from hophoop.scenario import InputError, Scenario
+from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
+
+if TYPE_CHECKING:
+    import xarray
+
+    from hophoop.derivatives.results.sensitivity import Sensitivity
+    from hophoop.derivatives.results.uncertainty import Uncertainty
+
+Floats = NDArray[np.float64]
+
+
+class Trajectory:
+    """A computed motion: exact events, and the state at any time between them.
+
+    Made by `hophoop.simulate`. Nothing is interpolated from a table: sampling solves the piece of motion
+    that holds the time again.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        status: int,
+        events: np.ndarray,
+        segments: np.ndarray,
+        version: str,
+        doubt: float | None = None,
+    ) -> None:
+        self.scenario = scenario
+        self.version = version
+        self._status = status
+        self._events = events
+        self._segments = segments
+        self._doubt = doubt
+
+    # --- what happened -------------------------------------------------------------------------
+
+    @property
+    def status(self) -> MotionStatus:
+        """How the motion ended: completed, at_rest, jammed, undetermined or event_limit."""
+        return MOTION_STATUSES[self._status]
+
+    @property
+    def ok(self) -> bool:
+        """Whether the motion reached its end: completed or at rest."""
+        return self._status in (Status.COMPLETED, Status.AT_REST)
+
+    @cached_property
+    def sequence(self) -> str:
+        """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
+        marks = [*(row for row in self._events[:-1] if row["kind"] not in _PASSING), self._events[-1]]
+        letters = []
+        for row, following in pairwise(marks):
+            if following["t"] > row["t"]:
+                letters.append(MODE_LETTERS[row["after_mode"]])
+        if not letters and len(self._events):
+            letters = [MODE_LETTERS[self._events[-1]["after_mode"]]]
+        return "".join(letters)
+
+    @cached_property
+    def events(self) -> Events:
+        """All events in order: a tuple of `EventRecord`, printed as a table."""
+        return Events(self._event_record(row) for row in self._events)
+
+    def find(self, kind: str) -> Events:
+        """The events of one kind.
+
+        Parameters
+        ----------
+        kind : str
+            Such as 'takeoff'.
+
+        Returns
+        -------
+        events : tuple of EventRecord
+            Printed as a table.
+
+        Raises
+        ------
+        ValueError
+            If there is no such kind.
+        """
+        if kind not in EVENT_NAMES:
+            raise InputError.of_field("kind", kind, ", ".join(EVENT_NAMES), rule="is not one of")
+        return Events(event for event in self.events if event.kind == kind)
+
+    @property
+    def duration(self) -> float:
+        """Time from the start to the end of the motion, however it ended [s]."""
+        return self._seconds(float(self._events["t"][-1]))
+
+    @cached_property
+    def fingerprint(self) -> str:
+        """Hash of the bits of all events; equal on every machine, and in the browser, with one version of hophoop.
+
+        Notes
+        -----
+        The first 16 hexadecimal digits of the SHA-256 of the events in order: for each the name of its kind in UTF-8 and
+        t, x, height, angle, vx, vy, omega and slip as little-endian binary64, in SI units and radians. −0 is hashed as 0,
+        any nan as the quiet nan 0x7ff8000000000000.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> scenario = hh.Scenario(duration=2.0)
+        >>> hh.simulate(scenario).fingerprint == hh.simulate(scenario).fingerprint
+        True
+        """
+        events, unit = self._events, self.units
+        times = np.array([self._seconds(t) for t in events["t"].tolist()])
+        columns = [times, *(events[name] * unit.of(name) for name in STATE[1:])]
+        return fingerprint((EVENT_NAMES[kind] for kind in events["kind"]), np.column_stack(columns))
+
+    # --- the motion ----------------------------------------------------------------------------
+
+    @overload
+    def at(self, t: float, side: Side = ...) -> ScalarSample: ...
+
+    @overload
+    def at(self, t: Floats | Sequence[float], side: Side = ...) -> ArraySample: ...
+
+    @overload
+    def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
+
+    def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
+        """The motion at any time.
+
+        Parameters
+        ----------
+        t : float or array_like
+            Times from 0 to `duration` [s].
+        side : {'right', 'left'}, default 'right'
+            At the instant of an event: just after all events of that instant, or just before the first of them.
+
+        Returns
+        -------
+        sample : Sample
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion, or `side` is neither.
+
+        Notes
+        -----
+        A time belongs to an event if it equals the event's `t`. At an event that begins a phase the sample is the event's
+        own state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite:
+        the rim turns without bound. The energy is then that of the load. Where nothing follows an event, both sides are the
+        state at the end.
+        """
+        if side not in ("left", "right"):
+            raise InputError.of_field("side", side, "'left' or 'right'")
+        times = np.asarray(t, dtype=float)
+        end = self.duration
+        bad = ~((times >= 0.0) & (times <= end * (1 + 1e-15)))
+        if bad.any():
+            raise InputError.of_field("t", times[bad].flat[0], f"from 0 to the motion's end at {end!r} s")
+        raw = self._sample(self.units.kernel_times(self._segments, times.ravel()), side == "left")
+        names, factors = self._sampled
+        values: dict[str, Any]
+        if times.ndim == 0:
+            values = dict(zip(names, (raw[0] * factors).tolist(), strict=True))
+            values["mode"], values["t"] = MODE_LETTERS[int(raw[0, 0])], float(times)
+        else:
+            table = np.ascontiguousarray((raw * factors).T)
+            values = {name: column.reshape(times.shape) for name, column in zip(names, table, strict=True)}
+            values["mode"], values["t"] = _LETTERS[raw[:, 0].astype(int)].reshape(times.shape), times
+        for name in _INTERNAL:
+            values.pop(name, None)
+        if "spring" not in values:
+            values["spring"], values["damping"] = (0.0 if times.ndim == 0 else np.zeros(times.shape) for _ in range(2))
+        return Sample(**values)
+
+    def times(self, n: int = 1000) -> Floats:
+        """Equally spaced times over the motion, both ends included.
+
+        Parameters
+        ----------
+        n : int, default 1000
+            How many, at least 2.
+
+        Returns
+        -------
+        t : ndarray, shape (n,)
+            [s].
+
+        Raises
+        ------
+        ValueError
+            If n is below 2.
+        """
+        if n < 2:
+            raise InputError.of_field("n", n, "at least 2")
+        return np.linspace(0.0, self.duration, n)
+
+    @cached_property
+    def errors(self) -> EventErrors:
+        """Estimated error of each event: rounding times what the motion makes of it, good to a factor of ten.
+
+        Raises
+        ------
+        ValueError
+            If the contact is compliant, whose errors follow from its rtol.
+        """
+        return event_errors_watched(self)
+
+    @cached_property
+    def ledger(self) -> Ledger:
+        """Energies at the end, all that was lost on the way, and what does not add up."""
+        unit = self.units
+        first, last = self._events[0], self._events[-1]
+        begin_kinetic, begin_potential = self._energies(first)
+        kinetic, potential = self._energies(last)
+        friction, normal, tangential, rolling = (float(last[name]) * unit.energy for name in LOSSES)
+        begin_spring, spring, damping = 0.0, 0.0, 0.0
+        if self.scenario.contact.model != "rigid":
+            begin_spring = self._stored(0.0, True)["spring"]
+            # many steps may share the last digit of a late time: all of one of them
+            end = self._stored(float(last["t"]), False)
+            spring, damping, kinetic, potential = (end[name] for name in ("spring", "damping", "kinetic", "potential"))
+            friction, rolling = end["friction"], end["rolling_resistance"]
+        # in the order of operations of `module.motions.write_energies`
+        residual = (kinetic + potential + spring + damping + friction + normal + tangential + rolling) - (
+            begin_kinetic + begin_potential + begin_spring
+        )
+        hoop, plane = self.scenario.hoop, self.scenario.plane
+        weight = hoop.mass * plane.gravity * hoop.radius
+        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, rolling, weight, spring, abs(damping))
+        return Ledger(kinetic, potential, friction, normal, tangential, rolling, spring, damping, residual, size)
+
+    @property
+    def tables(self) -> dict[str, np.ndarray]:
+        """What the simulation wrote: structured arrays of events and segments, in the units of `units` [1]."""
+        return {"events": self._events, "segments": self._segments}
+
+    @cached_property
+    def units(self) -> Units:
+        """SI values of the units in which the kernels compute."""
+        return Units.of_scenario(self.scenario)
+
+    @property
+    def doubt(self) -> float:
+        """Time from which on double precision cannot decide what follows; inf where everything is certain [s].
+
+        There a quantity only touches the value that would cause an event, or the motion is on the boundary of two classes.
+        With rigid contact.
+        """
+        return self._seconds(self.kernel_doubt)
+
+    @property
+    def kernel_doubt(self) -> float:
+        """`doubt` in the kernels' unit of time, to compare with `tables` [`units`]."""
+        if self._doubt is None:  # of a motion that was loaded
+            from hophoop.derivatives.results.propagation import doubtful_from
+
+            self._doubt = doubtful_from(self)
+        return self._doubt
+
+    def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
+        """Derivatives of quantities of the motion with respect to parameters, through all events.
+
+        Parameters
+        ----------
+        of : str or sequence of str
+            Of an event, ``"takeoff.angle"``, ``"impact[1].t"``, ``"stick[-1].omega"``; of a hop, ``"hop.height"``,
+            ``"hop[1].distance"``; of a time in s, ``"at(0.8).angle"``; of the whole motion, ``"end.x"``,
+            ``"distance"``, ``"energy_lost"``; and a map's names such as ``"hop_height"``.
+        wrt : str or sequence of str
+            Paths of the scenario's numbers, such as ``"start.speed"``, ``"hoop.load_fraction"``, ``"plane.mu"``.
+
+        Returns
+        -------
+        sensitivity : Sensitivity
+            Derivatives in SI units; nan, with the reason, where there is none.
+
+        Raises
+        ------
+        ValueError
+            If a name is unknown, the motion has no such event, or its contact is compliant.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> motion = hh.simulate(hh.Scenario(duration=2.0))
+        >>> print(motion.sensitivity("takeoff.angle", ["hoop.load_fraction", "plane.mu"]))
+        takeoff.angle  by hoop.load_fraction: -5.14606248 rad
+        takeoff.angle  by plane.mu: +0.221788164 rad
+        """
+        from hophoop.derivatives.results.sensitivity import sensitivity_of
+
+        return sensitivity_of(self, of, wrt)
+
+    def uncertainty(
+        self, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
+    ) -> Uncertainty:
+        """How uncertain the motion is whose parameters are, to first order.
+
+        Parameters
+        ----------
+        spread : mapping of str to float
+            Standard deviations of parameters by path, such as ``{"plane.mu": 0.02, "start.speed": 0.01}`` [their units].
+        correlations : mapping of (str, str) to float, optional
+            From −1 to 1; none by default [1].
+
+        Returns
+        -------
+        uncertainty : Uncertainty
+
+        Raises
+        ------
+        ValueError
+            If a deviation is negative, a path no parameter, a correlation not possible, or the contact compliant.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> motion = hh.simulate(hh.Scenario(duration=2.0))
+        >>> spread = motion.uncertainty({"plane.mu": 0.02, "start.speed": 0.01})
+        >>> [round(float(each), 4) for each in spread.deviation(["takeoff.angle", "hop.height"])]
+        [0.0111, 0.0165]
+        """
+        from hophoop.derivatives.results.uncertainty import uncertainty_of
+
+        return uncertainty_of(self, spread, correlations)
+
+    # --- other forms ---------------------------------------------------------------------------
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as the JSON of the file format: scenario, status, sequence, fingerprint, events, final state, energy.
+
+        Returns
+        -------
+        result : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        final = self.events[-1]
+        ledger = self.ledger
+        energy = {name: getattr(ledger, name) for name in ("kinetic", "potential", *LOSSES, "residual")}
+        if self.scenario.contact.model != "rigid":
+            energy |= {"spring": ledger.spring, "damping": ledger.damping}
+        return {
+            "schema": "hophoop/1",
+            "version": self.version,
+            "scenario": self.scenario.to_dict(),
+            "status": self.status,
+            "sequence": self.sequence,
+            "fingerprint": self.fingerprint,
+            "events": [event.to_dict() for event in self.events],
+            "final": {"t": final.t, "mode": final.to_mode, **final.state_to_dict()},
+            "energy": energy,
+        }
+
+    def to_xarray(self, n: int = 1000, t: ArrayLike | None = None) -> xarray.Dataset:
+        """The motion as an xarray.Dataset over time.
+
+        Parameters
+        ----------
+        n : int, default 1000
+            Number of equally spaced times.
+        t : array_like, optional
+            Times to use instead [s].
+
+        Returns
+        -------
+        dataset : xarray.Dataset
+            Every variable has units and long_name.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion or n is below 2.
+        ImportError
+            If xarray is missing.
+        """
+        from hophoop.results import save as export
+
+        return export.to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
+
+    def save(self, path: str | Path) -> None:
+        """Write the motion to a file that `hophoop.load` reads back, sampling alike to the last bit.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in .nc (netCDF) or .zarr.
+
+        Raises
+        ------
+        ValueError
+            If it ends otherwise.
+        ImportError
+            If the library that writes it is missing.
+        """
+        from hophoop.results import save as export
+
+        export.save(self, path)
+
+    def _repr_html_(self) -> str:
+        from hophoop.results import notebook as portrait
+
+        return portrait.html(self)
+
+    def __str__(self) -> str:
+        from hophoop.results import notebook as portrait
+
+        ending = f"{plain(self.status)} after {self.duration:.6g} s"
+        return f"{self.events!r}\n\nphases {portrait.shortened(self.sequence, 60)}, {ending}"
+
+    def __repr__(self) -> str:
+        return f"<Trajectory {self.sequence} {self.status}: {len(self._events)} events in {self.duration:.6g} s>"
+
+    # --- inside --------------------------------------------------------------------------------
+
+    @cached_property
+    def _model(self) -> Any:
+        if self.scenario.contact.model == "rigid":
+            from hophoop.simulation import rigid
+
+            return rigid
+        from hophoop.simulation import compliant
+
+        return compliant
+
+    @cached_property
+    def _sampled(self) -> tuple[tuple[str, ...], Floats]:
+        """Names of what a sample has of its model, and their units [SI]; the modes come first."""
+        names = self._model.COLUMNS
+        return names, np.array([1.0 if name in ("mode", *_INTERNAL) else self.units.of(name) for name in names])
+
+    def _sample(self, times: Floats, left: bool) -> Floats:
+        result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
+        return result
+
+    def _seconds(self, t: float) -> float:
+        # the end of the motion is the duration asked for, not its rounding through kernel units
+        if t == self.scenario.duration / self.units.time:
+            return self.scenario.duration
+        return t * self.units.time
+
+    def _energies(self, row: np.void) -> tuple[float, float]:
+        """Kinetic and potential energy just after an event."""
+        kinetic, potential = energies_after(self.scenario.to_body(), row)
+        return float(kinetic) * self.units.energy, float(potential) * self.units.energy
+
+    def _stored(self, t: float, left: bool) -> dict[str, float]:
+        """Energies of the state at a time in kernel units."""
+        (raw,) = self._sample(np.array([t]), left).tolist()
+        return {name: value * self.units.energy for name, value in zip(self._model.COLUMNS, raw, strict=True)}
+
+    def _event_record(self, row: np.void) -> EventRecord:
+        unit = self.units
+        value = {name: float(row[name]) * unit.of(name) for name in _EVENT_NUMBERS}
+        before = Velocity(*(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip")))
+        before_mode = int(row["before_mode"])
+        return EventRecord(
+            t=self._seconds(float(row["t"])),
+            kind=EVENT_KINDS[row["kind"]],
+            from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
+            to_mode=MODE_LETTERS[row["after_mode"]],
+            before=before,
+            collision=None if row["collision"] < 0 else bool(row["collision"]),
+            stable=None if row["stable"] < 0 else bool(row["stable"]),
+            **value,
+        )
+
+
+def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) -> EventErrors:
+    """`Trajectory.errors`, for who shows from another thread how far they are.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    reached : ndarray, shape (1,), optional
+        Is given the share that is computed, again and again [1].
+
+    Returns
+    -------
+    errors : EventErrors
+
+    Raises
+    ------
+    ValueError
+        If the contact is compliant.
+    """
+    if motion.scenario.contact.model != "rigid":
+        raise InputError("motion.errors needs rigid contact; a compliant contact keeps to contact.rtol.")
+    from hophoop.kernel.rigid.errors import FIELDS, event_errors
+
+    unit = motion.units
+    events = motion.tables["events"]
+    table = event_errors(motion.scenario.to_body(), events, motion.scenario.duration / unit.time, reached)
+    sizes = {name: unit.time if name == "t" else unit.of(name) for name in FIELDS}
+    return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
+
+
+LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
+_INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
+_PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
+_LETTERS = np.array(list(MODE_LETTERS))
+_EVENT_NUMBERS = (
+    "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
+    *LOSSES, "gain",
+)  # fmt: skip
