@@ -9,9 +9,9 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.compliant.events import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
-from hophoop.kernel.compliant.parameters import to_compliance
 from hophoop.kernel.compliant.records import SIZE, VT, Y, Z
 from hophoop.kernel.compliant.tableau import STAGES
+from hophoop.simulation.compliant import to_compliance
 
 WIDTH = 0.2 / SAMPLES
 FRICTIONS = {"linear": 1.0, "tanh": 4.0}  # the slip speeds below which they roll

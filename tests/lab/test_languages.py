@@ -122,7 +122,7 @@ def test_no_text_is_left_over():
     vocabulary = lab.parent / "vocabulary"
     rooms = [*lab.glob("*.py"), *vocabulary.glob("*.py"), *(lab.parent / "scenario").glob("*.py")]
     sources += "|".join([*REASONS.values(), EDGE, SIDED])
-    for path in [*rooms, lab.parent / "maps" / "evaluate.py"]:
+    for path in [*rooms, lab.parent / "maps" / "grid" / "evaluate.py"]:
         text = path.read_text(encoding="utf-8")
         text = re.sub(r'"\s*\n\s*f?"', "", text)
         sources += re.sub(r"\{[^{}]*\}", "{}", text)

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 import hophoop as hh
 from hophoop import maps
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, parse_axis
+from hophoop.maps.grid.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, ordered, parse_axis
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import make_plan, run_cells
+from hophoop.maps.grid.evaluate import make_plan, run_cells, thread_limit
 from hophoop.maps.grid.quantities import make_span, unpack
 from hophoop.scenario import paths
 
@@ -89,7 +89,7 @@ def test_cells_are_the_scenarios_that_they_stand_for(base, values):
     assume(sum(values.keys() >= {a, b} for a, b in OVERRIDING) == 0)
     wrapped = {path: np.array([value, value]) for path, value in values.items()}
     try:
-        cells = make_cells(base, {path: wrapped[path] for path in maps.axes.ordered(wrapped)}, 2)
+        cells = make_cells(base, {path: wrapped[path] for path in ordered(wrapped)}, 2)
         scenario = maps.scenario_at(base, values)
     except ValueError:
         # what is wrong with one value alone is found when the axes are made
@@ -301,7 +301,7 @@ def test_equal_bits_for_one_thread_and_many():
     span = make_span("first_revolution")
     wanted = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
     alone = run_cells(cells, span, wanted, "serial")
-    with maps.evaluate.thread_limit(1):
+    with thread_limit(1):
         one = run_cells(cells, span, wanted)
     many = run_cells(cells, span, wanted)
     for a, b, c in zip(alone, one, many, strict=True):

@@ -110,7 +110,7 @@ def test_a_gpu_is_not_for_a_cluster(tmp_path):
 
 
 def test_kernels_keep_to_what_a_gpu_can_do():
-    package = Path(hh.__file__).parent
+    package = Path(hh.__file__).parent / "kernel"
     files = [*(package / "physics").glob("*.py"), *(package / "rigid").glob("*.py")]
     # the arrays are made there, or energies and errors of a motion that is computed
     outside = ("records.py", "sampling.py", "energy.py", "errors.py")

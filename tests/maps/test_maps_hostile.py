@@ -14,7 +14,6 @@ import pytest
 import xarray as xr
 import zarr
 
-import hophoop as hh
 from damage import REFUSED, SAME, tally
 from hophoop import maps
 from hophoop.maps.grid import store
@@ -227,7 +226,7 @@ def test_a_map_of_another_version_is_not_taken_up(tmp_path, monkeypatch):
 
     with pytest.raises(KeyboardInterrupt):
         make(path, progress=stop)
-    monkeypatch.setattr(hh, "__version__", "0.0.9")
+    monkeypatch.setattr("hophoop.maps.grid.evaluate.__version__", "0.0.9")
     with pytest.raises(ValueError, match=r"map\.zarr holds a map of hophoop .*, which this version 0\.0\.9 cannot take up\.$"):
         make(path, resume=True)
 

@@ -17,6 +17,7 @@ from hophoop.kernel.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_pa
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice, panel_events
+from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import limits_of
 from hophoop.kernel.rigid.phase import opening_of
 from newton_euler import accelerations
@@ -140,7 +141,7 @@ def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0, vt=1.0):
 @pytest.mark.parametrize("mu", [0.5, 0.0])
 def test_slip_ends_or_the_rim_lifts_whichever_is_first(sigma, mu):
     one = np.full(16, 1.0)
-    stop, lift = panel_events.STOP, panel_events.LIFT
+    stop, lift = Ending.SLIP_END, Ending.LIFT_OFF
     for first, second, what in ((0.25 - NODES, one, stop), (one, 0.25 - NODES, lift), (0.25 - NODES, 0.75 - NODES, stop)):
         found = end_of_slip(first, second, mu=mu, sigma=sigma)
         assert found[:2] == (pytest.approx(0.25, abs=1e-14), what)
@@ -157,18 +158,18 @@ def test_slip_that_has_ended_before_the_first_node():
     one, slip = np.full(16, 1.0), -(1.0 + NODES)
     # where the panel's series begins a rounding above zero it ends there
     at_once = pytest.approx(-1.0, rel=0.0, abs=1e-15)
-    assert end_of_slip(slip, one, fresh=True)[:2] == (at_once, panel_events.STOP)
-    assert end_of_slip(slip, one)[:2] == (at_once, panel_events.STOP)
+    assert end_of_slip(slip, one, fresh=True)[:2] == (at_once, Ending.SLIP_END)
+    assert end_of_slip(slip, one)[:2] == (at_once, Ending.SLIP_END)
     assert end_of_slip(1.0 + NODES, one, fresh=True)[0] == NOT_FOUND
     # begun at no speed: with friction the mode says the direction, without it rounding of θ may be wrong
     assert end_of_slip(slip, one, fresh=True, zeros=1)[0] == NOT_FOUND
-    assert end_of_slip(slip, one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(slip, one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
     assert end_of_slip((1.0 + NODES) * NODES, one, fresh=True, zeros=1, mu=0.0)[0] == NOT_FOUND
 
 
 def test_slip_that_ends_at_the_first_node_or_beside_it():
     """An end before the first node is believed, unless the speed is lost in what the panel makes of it."""
-    one, stop = np.full(16, 1.0), panel_events.STOP
+    one, stop = np.full(16, 1.0), Ending.SLIP_END
     assert end_of_slip(-0.999 - NODES, one, fresh=True)[:2] == (pytest.approx(-0.999, abs=1e-13), stop)
     assert end_of_slip(-0.999 - NODES, one, fresh=True, vt=1e-150)[:2] == (-1.0, stop)
     assert end_of_slip(-0.96 - NODES, one, fresh=True)[:2] == (pytest.approx(-0.96, abs=1e-13), stop)
@@ -185,28 +186,28 @@ def test_slip_that_begins_with_no_speed_may_end_at_once(zeros, mu):
     one, begins = np.full(16, 1.0), (1.0 + NODES) ** zeros
     for end in (1e-9, 1e-3, 1.25):
         xi, what, _, _ = end_of_slip(begins * (end - (1.0 + NODES)), one, fresh=True, zeros=zeros, mu=mu)
-        assert (xi, what) == (pytest.approx(end - 1.0, abs=1e-14), panel_events.STOP)
+        assert (xi, what) == (pytest.approx(end - 1.0, abs=1e-14), Ending.SLIP_END)
     assert end_of_slip(0.3 * begins, one, fresh=True, zeros=zeros, mu=mu)[0] == NOT_FOUND
 
 
 def test_slip_without_friction_that_begins_slowly_to_the_other_side():
     one = np.full(16, 1.0)
-    assert end_of_slip(-0.1 * (1.0 + NODES), one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(-0.1 * (1.0 + NODES), one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
 
 
 def test_slip_and_load_below_zero_at_the_begin_of_a_panel():
     """However much they are above it at its nodes."""
     one, steep = np.full(16, 1.0), 1e4 * (1.0 + NODES) - 1.0
     assert steep.min() > 1.0
-    assert end_of_slip(one, steep)[:2] == (-1.0, panel_events.LIFT)
-    assert end_of_slip(steep, one)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(one, steep)[:2] == (-1.0, Ending.LIFT_OFF)
+    assert end_of_slip(steep, one)[:2] == (-1.0, Ending.SLIP_END)
 
 
 def test_slip_without_friction_is_zero_within_its_rounding():
     one, little = np.full(16, 1.0), np.full(16, -1e-15)
     assert end_of_slip(little, one, mu=0.0)[0] == NOT_FOUND
-    assert end_of_slip(100.0 * little, one, mu=0.0)[:2] == (-1.0, panel_events.STOP)
-    assert end_of_slip(little, one)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(100.0 * little, one, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
+    assert end_of_slip(little, one)[:2] == (-1.0, Ending.SLIP_END)
 
 
 @pytest.mark.parametrize("fresh", [True, False])
@@ -260,7 +261,7 @@ def test_rolling_ends_where_it_needs_all_friction(way, resist, th, om):
     tight = body._replace(mu_s=abs(friction) / normal)
     xi, what, doubtful = end_of_rolling(tight, panel, scratch)
     assert xi == pytest.approx(place, abs=1e-12)
-    assert what == (panel_events.CONE_AHEAD if friction > 0.0 else panel_events.CONE_BACK)
+    assert what == (Ending.CONE_FORWARD if friction > 0.0 else Ending.CONE_BACKWARD)
     assert not doubtful
     found = end_of_rolling(body._replace(mu_s=2.0 * need[-1]), panel, scratch)
     assert (found[0], bool(found[2])) == (NOT_FOUND, False)
@@ -277,7 +278,7 @@ def test_without_a_limit_of_friction_rolling_ends_ahead(way):
     panel, _, scratch = rolled(body, way * 0.5, way * 0.75, level=0)
     xi, what, doubtful = end_of_rolling(body, panel, scratch)
     assert -1.0 < xi < 1.0
-    assert what == (panel_events.CONE_AHEAD if way > 0.0 else panel_events.CONE_BACK)
+    assert what == (Ending.CONE_FORWARD if way > 0.0 else Ending.CONE_BACKWARD)
     assert not doubtful
 
 
@@ -346,7 +347,7 @@ def test_a_panel_ends_at_the_angle_or_the_time_that_is_the_limit(way):
     state = start_state(0.0, 0.0, way * 0.5, 0.0, 0.0, way)
     panel, totals, scratch = rolled(body, way * 0.5, way, level=0)
     assert totals.time == pytest.approx(0.9, rel=1e-15)
-    on, angle, time = panel_events.ON, panel_events.FULL_ANGLE, panel_events.LIMIT
+    on, angle, time = Ending.CONTINUES, Ending.ANGLE_LIMIT, Ending.TIME_LIMIT
     for span, xi, what in ((0.225, -0.5, angle), (0.9, 1.0, angle), (0.901, 1.0, on), (1e-9, 2e-9 / 0.9 - 1.0, angle)):
         assert earliest(body, panel, totals, state, scratch, span=span) == (pytest.approx(xi, abs=1e-15), what)
     # of what is left where the motion began before; nothing is
@@ -363,7 +364,7 @@ def test_a_panel_ends_at_the_angle_or_the_time_that_is_the_limit(way):
     assert earliest(body, panel, totals, state, scratch, **limits) == (-1.0, angle)
     steep = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.125, slope=0.75)).to_body()
     panel, totals, scratch = rolled(steep, way * 0.5, way, level=0)
-    assert earliest(steep, panel, totals, state, scratch, **limits) == (-1.0, panel_events.CONE_BACK)
+    assert earliest(steep, panel, totals, state, scratch, **limits) == (-1.0, Ending.CONE_BACKWARD)
     assert earliest(steep, panel, totals, state, scratch, blind=True, **limits) == (-1.0, angle)
     assert earliest(steep, panel, totals, state, scratch, blind=True) == (1.0, on)
 
@@ -377,10 +378,10 @@ def test_the_limits_of_a_panel_up_to_a_turning_point(way):
     with np.errstate(all="ignore"):  # of panels that are given up
         panel, totals, _ = panel_choice.choose_panel(body, 0, state, *sines_of(state), 2, scratch)
     assert panel.kind == ARRIVE
-    assert earliest(body, panel, totals, state, scratch) == (1.0, panel_events.TURNED)
+    assert earliest(body, panel, totals, state, scratch) == (1.0, Ending.TURNING_POINT)
     for part in (0.25, 0.75):
         xi, what = earliest(body, panel, totals, state, scratch, span=part * panel.extent)
-        assert (1.0 - part, what) == (pytest.approx((0.5 * (1.0 - xi)) ** 2, rel=1e-13), panel_events.FULL_ANGLE)
+        assert (1.0 - part, what) == (pytest.approx((0.5 * (1.0 - xi)) ** 2, rel=1e-13), Ending.ANGLE_LIMIT)
 
 
 def test_a_ring_that_slips_until_it_rolls():
@@ -390,7 +391,7 @@ def test_a_ring_that_slips_until_it_rolls():
     panel, totals, _ = panel_choice.choose_panel(body, 1, state, *sines_of(state), 2, scratch)
     xi, what = earliest(body, panel, totals, state, scratch)
     turned = 2.0 * 0.125 + 0.5 * 0.5 * 0.125**2  # in 1/8
-    assert (xi, what) == (pytest.approx(2.0 * turned / panel.extent - 1.0, abs=1e-13), panel_events.STOP)
+    assert (xi, what) == (pytest.approx(2.0 * turned / panel.extent - 1.0, abs=1e-13), Ending.SLIP_END)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])

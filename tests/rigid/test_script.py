@@ -20,7 +20,7 @@ from hophoop.kernel.rigid import script as scripts
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.kernel.rigid.run import run
 from hophoop.kernel.rigid.sampling import sample
-from hophoop.simulation.simulate import segments_of_script
+from hophoop.simulation.rigid import segments_of_script
 
 # (hoop, plane, start in units of R and √(g R), duration)
 MOTIONS = {

@@ -145,7 +145,7 @@ def test_no_decision_without_need(monkeypatch):
     def refuse(*_):
         raise AssertionError("asked")
 
-    monkeypatch.setattr("hophoop.simulation.simulate.script_until", refuse)
+    monkeypatch.setattr("hophoop.simulation.exact_start.script_until", refuse)
     for speed in (0.0, 0.1, 2.0, 2.8, 3.1, 4.0):
         hh.simulate(scenario(speed))
         hh.simulate(scenario(speed, mu=0.3))

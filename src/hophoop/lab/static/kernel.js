@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources d4904f601e8b42ed711c85a9bd11248c */
-var c={sources:"6af07387dc2c615b03d61d4d746c41f0",module:"67858aa18ea5efdd",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources fe8f2fbd83676ec471a7882c2301f6eb */
+var c={sources:"a80409bdd4ac682523a35dabe94c9d6d",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
