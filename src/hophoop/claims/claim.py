@@ -6,17 +6,44 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any
+from typing import Annotated, Any
+
+import pydantic.dataclasses
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, StrictFloat
 
 from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING
+from hophoop.cite import references
+from hophoop.claims import numbers
 
 NOT_READ = "not read"
 VERDICTS = (AGREES, WITHIN_READING, DIFFERS, NOT_READ, FAILS)
 
 
-@dataclass(frozen=True)
+def _known_work(key: str) -> str:
+    if key not in references():
+        raise ValueError(f"{key} is no key of references.bib")
+    return key
+
+
+def _known_verdict(verdict: str) -> str:
+    if verdict not in VERDICTS:
+        raise ValueError(f"{verdict} must be one of {', '.join(VERDICTS)}")
+    return verdict
+
+
+def _function(name: Any) -> Any:
+    """The function of `numbers` that has this name; anything other than a name is left as it is."""
+    if not isinstance(name, str):
+        return name
+    found = getattr(numbers, name, None)
+    if name.startswith("_") or getattr(found, "__module__", "") != numbers.__name__:
+        raise ValueError(f"{name} is no function of {numbers.__name__}")
+    return found
+
+
+@pydantic.dataclasses.dataclass(frozen=True, kw_only=True, config=ConfigDict(extra="forbid"))
 class Claim:
-    """What a work says, and the number that we set beside it.
+    """A claim of a work, and our number to compare with it: an entry of ``claims.toml``.
 
     Attributes
     ----------
@@ -38,9 +65,9 @@ class Claim:
         'agrees'; 'agrees within reading accuracy', where theirs is rounded; 'differs', where we know why;
         'not read', where we have not had what it says.
     why : str
-        What stands behind the verdict.
+        The reason for the verdict.
     compute : callable
-        Computes our number anew [unit].
+        Computes our number [unit]; in the file the name of a function of ``hophoop.claims.numbers``.
     theirs_number : float, optional
         Its number, where there is one that ours is to be compared with [unit].
     reading : float
@@ -48,17 +75,17 @@ class Claim:
     """
 
     key: str
-    work: str
+    work: Annotated[str, AfterValidator(_known_work)]
     claim: str
     theirs: str
     quantity: str
-    ours: str
-    unit: str
-    verdict: str
+    ours: Annotated[str, Field(pattern=r"^-?\d+(\.\d+)?$")]
+    unit: str = ""
+    verdict: Annotated[str, AfterValidator(_known_verdict)]
     why: str
-    compute: Callable[[], float]
-    theirs_number: float | None = None
-    reading: float = 0.0
+    compute: Annotated[Callable[[], float], BeforeValidator(_function)]
+    theirs_number: StrictFloat | None = None
+    reading: StrictFloat = 0.0
 
 
 @dataclass(frozen=True)
