@@ -10,10 +10,10 @@ from pydantic import ValidationError
 from typer.testing import CliRunner
 
 import hophoop as hh
-from hophoop.article.statement import AGREES, DIFFERS, FAILS
+from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, VERDICTS
 from hophoop.cite import references
 from hophoop.claims import numbers, registry
-from hophoop.claims.claim import VERDICTS, decimals, judged, with_unit
+from hophoop.claims.claim import decimals, judged, with_unit
 from hophoop.claims.literature import FROM_ARTICLE, claims_of
 from hophoop.claims.pages import END, filled
 from hophoop.cli import app
@@ -229,6 +229,11 @@ def test_json_has_every_digit():
     (one,) = data["claims"]
     assert list(one) == ["key", "work", "claim", "theirs", "ours", "value", "verdict", "why"]
     assert one["value"] == numbers.kane_gain()
+
+
+def test_json_has_a_word_for_a_number_that_it_does_not_have():
+    found = dataclasses.replace(judged(CLAIMS[0]), value=math.inf)
+    assert found.to_dict()["value"] == "inf"
 
 
 def test_quiet_prints_nothing():

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import partial
 from typing import Annotated, Any
 
 import pydantic.dataclasses
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, StrictFloat
 
-from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING
+from hophoop.article.verdicts import AGREES, FAILS, VERDICTS, WITHIN_READING, Judged
 from hophoop.cite import references
 from hophoop.claims import numbers
-
-NOT_READ = "not read"
-VERDICTS = (AGREES, WITHIN_READING, DIFFERS, NOT_READ, FAILS)
 
 
 def _known_work(key: str) -> str:
@@ -88,8 +85,8 @@ class Claim:
     reading: StrictFloat = 0.0
 
 
-@dataclass(frozen=True)
-class Finding:
+@dataclass(frozen=True, kw_only=True)
+class Finding(Judged):
     """A claim with our number as it comes out now.
 
     Attributes
@@ -107,43 +104,17 @@ class Finding:
     verdict : str
         As of the claim; 'fails' where our number has not come out again or no longer bears the verdict.
     why : str
-        What stands behind the verdict.
+        The reason for the verdict.
     value : float or None
         Our number in full precision, in the unit of `ours`; None where there are several [unit].
     """
 
-    key: str
     work: str
     claim: str
     theirs: str
-    ours: str
-    verdict: str
-    why: str
     value: float | None = None
 
-    @property
-    def holds(self) -> bool:
-        """Whether the verdict still stands."""
-        return self.verdict != FAILS
-
-    def to_dict(self) -> dict[str, Any]:
-        """The finding as JSON has it.
-
-        Returns
-        -------
-        keys : dict
-        """
-        value = self.value if self.value is None or math.isfinite(self.value) else str(self.value)
-        return {
-            "key": self.key,
-            "work": self.work,
-            "claim": self.claim,
-            "theirs": self.theirs,
-            "ours": self.ours,
-            "value": value,
-            "verdict": self.verdict,
-            "why": self.why,
-        }
+    _json = ("key", "work", "claim", "theirs", "ours", "value", "verdict", "why")
 
 
 def with_unit(number: str, unit: str) -> str:
@@ -169,11 +140,12 @@ def judged(claim: Claim) -> Finding:
         'fails' where the number does not come out to the digits written down, where the comparison with the work's number
         gives another verdict, or where the motion no longer has what the claim is about.
     """
+    finding = partial(Finding, key=claim.key, work=claim.work, claim=claim.claim, theirs=claim.theirs)
     try:
         value = float(claim.compute())
     except (IndexError, StopIteration, ValueError):
         why = "The computed motion does not have what the claim is about."
-        return Finding(claim.key, claim.work, claim.claim, claim.theirs, "–", FAILS, why)
+        return finding(ours="–", verdict=FAILS, why=why)
     places = decimals(claim.ours)
     again = abs(value - float(claim.ours)) <= 0.5000001 * 10.0**-places
     ours = with_unit(f"{value:.{places}f}", claim.unit)
@@ -184,4 +156,4 @@ def judged(claim: Claim) -> Finding:
         near = abs(value - claim.theirs_number) <= claim.reading
         if near != (claim.verdict in (AGREES, WITHIN_READING)):
             verdict = FAILS
-    return Finding(claim.key, claim.work, claim.claim, claim.theirs, f"{claim.quantity} {ours}", verdict, why, value)
+    return finding(ours=f"{claim.quantity} {ours}", verdict=verdict, why=why, value=value)

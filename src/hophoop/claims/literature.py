@@ -158,4 +158,12 @@ def _judges(work: str) -> list[Callable[[], Finding]]:
 
 def _of_article(check: Check, runs: Runs) -> Finding:
     one = checked(check, runs)
-    return Finding(one.key, ARTICLE, one.statement, one.article, one.ours, one.verdict, one.why)
+    return Finding(
+        key=one.key,
+        work=ARTICLE,
+        claim=one.statement,
+        theirs=one.article,
+        ours=one.ours,
+        verdict=one.verdict,
+        why=one.why,
+    )
