@@ -5,10 +5,13 @@ from __future__ import annotations
 import ast
 import contextlib
 import itertools
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from types import CodeType
 from typing import Any, NamedTuple
+
+SOURCE = Path(__file__).parents[1] / "src" / "hophoop"
 
 # Each operator of Cosmic Ray that is used; all pairs of operators would only say the same more often.
 OPERATORS = (
@@ -31,24 +34,43 @@ OPERATORS = (
 )
 
 
+class Key(NamedTuple):
+    """The name of a change where it is explained: it stays the same when the line moves, is formatted or has other names."""
+
+    module: str  # its path below src/hophoop, without .py
+    function: str
+    operator: str  # of Cosmic Ray, such as "Lt_LtE"
+    ordinal: int  # among the operator's changes of the function, from 1
+
+
 class Mutant(NamedTuple):
     """One change of a module."""
 
     path: Path
     function: str  # the outermost function or method that it is in, "" outside of any
     line: int
+    operator: str
+    ordinal: int
     text: str  # the line as it stands
     changed: str  # the line as it is with the change
     source: str  # of the whole module, changed
 
     @property
-    def key(self) -> tuple[str, str, str, str]:
-        """What names it where it is explained: stays the same when lines move."""
-        return self.path.stem, self.function, self.text, self.changed
+    def key(self) -> Key:
+        """What names it where it is explained."""
+        return Key(module_of(self.path), self.function, self.operator, self.ordinal)
 
 
-def mutants(path: Path) -> list[Mutant]:
-    """All changes of a module that change what it does, in the order of its lines."""
+def module_of(path: Path) -> str:
+    """The path of a module below src/hophoop, without .py."""
+    return path.relative_to(SOURCE).with_suffix("").as_posix()
+
+
+def mutants(path: Path, chosen: Collection[tuple[str, str]] | None = None) -> list[Mutant]:
+    """All changes of a module that change what it does, in the order of its lines; or those of some functions and operators.
+
+    `chosen` has their names as a mutant has them. There may be some more.
+    """
     from cosmic_ray.ast import get_ast
     from cosmic_ray.mutating import mutate_code
     from cosmic_ray.plugins import get_operator
@@ -56,16 +78,20 @@ def mutants(path: Path) -> list[Mutant]:
     text = path.read_text(encoding="utf-8")
     places = functions(text)
     found = []
+    ordinals: Counter[tuple[str, str]] = Counter()
     before = ""
     # one statement of the module at a time: to parse it all for each change takes long
     for child in get_ast(text).children:
         chunk = child.get_code()
         after = text[len(before) + len(chunk) :]
-        found += [
-            _mutant(path, text, before + changed + after, places)
-            for name in OPERATORS
-            for changed in _changes(chunk, get_operator(f"core/{name}")(), get_ast, mutate_code)
-        ]
+        first = before.count("\n") + 1
+        here = {places.get(line, "") for line in range(first, first + chunk.count("\n") + 1)}
+        for name in OPERATORS:
+            operator = name.rpartition("Operator_")[2]
+            if chosen is not None and not any((function, operator) in chosen for function in here):
+                continue
+            for changed in _changes(chunk, get_operator(f"core/{name}")(), get_ast, mutate_code):
+                found.append(_mutant(path, text, before + changed + after, places, operator, ordinals))
         before += chunk
     return sorted(found, key=lambda one: one.line)
 
@@ -81,13 +107,18 @@ def _changes(chunk: str, operator: Any, get_ast: Any, mutate_code: Any) -> Itera
                 yield changed
 
 
-def _mutant(path: Path, text: str, source: str, places: dict[int, str]) -> Mutant:
+def _mutant(
+    path: Path, text: str, source: str, places: dict[int, str], operator: str, ordinals: Counter[tuple[str, str]]
+) -> Mutant:
     # what stands on one line for us may stand on several for Python
     line = next(
         i for i, pair in enumerate(itertools.zip_longest(text.split("\n"), source.split("\n")), 1) if len(set(pair)) > 1
     )
     before, after = text.split("\n")[line - 1], source.split("\n")[line - 1]
-    return Mutant(path, places.get(line, ""), line, before.strip(), " ".join(after.split()), source)
+    function = places.get(line, "")
+    ordinals[function, operator] += 1
+    ordinal = ordinals[function, operator]
+    return Mutant(path, function, line, operator, ordinal, before.strip(), " ".join(after.split()), source)
 
 
 def _nodes(node: Any) -> Iterator[Any]:

@@ -27,7 +27,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, NamedTuple
 
-from mutants import Mutant, codes, functions
+from mutants import Key, Mutant, codes, functions
 from mutation_reach import Reach, noted, silence
 
 # s of the processor, which others may share, that a test may take with a change, beside ten times what it took without: what
@@ -67,7 +67,7 @@ class Tests(NamedTuple):
     paths: Sequence[str]
     patience: float  # s that the tests of one change take together, without the change; one test may take longer
     reach: Path  # where it is kept which test comes to which statement
-    explained: Collection[tuple[str, str, str, str]]  # changes that nothing can see, as is said: tried briefly
+    explained: Collection[Key]  # changes that nothing can see, as is said: tried briefly
     compiled: bool  # whether kernels are: they are loaded before the processes part
 
 

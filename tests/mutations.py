@@ -2,7 +2,7 @@
 
 The operators of Cosmic Ray (signs, factors, comparisons, numbers, conditions, loops) change one place of a room at a time, and
 the tests of that room run. A change that no test sees is printed, and makes the exit status 1, unless
-`mutations_explained` says why nothing can see it. Kernels are interpreted (HOPHOOP_KERNELS=interpreted) where they are
+`mutations_explained.toml` says why nothing can see it. Kernels are interpreted (HOPHOOP_KERNELS=interpreted) where they are
 changed.
 
 Cosmic Ray's own runner starts Python for every change, which takes longer here than the tests: `mutation_runs.py` forks
@@ -22,6 +22,7 @@ import random
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -133,28 +134,40 @@ def try_room(name: str, modules: list[str], tests: list[str], sample: int, only_
         run_all(missing, names, Tests(room.tests, room.patience, reach, EXPLAINED, not room.interpreted), report)
     found = []
     entries = [(mutant, journal.entry(mutant)) for mutant in made] if not only_reach else []
-    unseen = {mutant.key for mutant, entry in entries if entry and entry["status"] != SEEN}
     for mutant, entry in entries:
         assert entry is not None
         status = entry["status"]
-        _tell(mutant, status, mutant.key in unseen)
+        _tell(mutant, status)
         explained = status != SEEN and mutant.key in EXPLAINED
         found.append({"module": mutant.path.stem, "status": status, "explained": explained, "on": entry["on"]})
     results.write_text(json.dumps({"room": name, "there": there, "found": found}), encoding="utf-8")
 
 
-def _tell(mutant: Mutant, status: str, unseen: bool) -> None:
-    """Print a change that no test sees and nothing explains, and an explanation of one that a test sees.
-
-    Several lines may be alike: `unseen` is whether one of them is not seen.
-    """
+def _tell(mutant: Mutant, status: str) -> None:
+    """Print a change that no test sees and nothing explains, and an explanation of one that a test sees."""
     if status == SEEN:
-        if mutant.key in EXPLAINED and not unseen:
-            print(f"{mutant.path.name}:{mutant.line} is seen, and needs no explanation: {mutant.changed}", flush=True)
+        if mutant.key in EXPLAINED:
+            print(f"seen, and needs no explanation: {_place(mutant)}", flush=True)
     elif mutant.key not in EXPLAINED:
         words = "no test comes here" if status == UNREACHED else "not seen"
-        print(f"{mutant.path.name}:{mutant.line} in {mutant.function or 'the module'}: {words}", flush=True)
-        print(f"    {mutant.text}\n    {mutant.changed}", flush=True)
+        print(f"{words}: {_place(mutant)}", flush=True)
+
+
+def _place(mutant: Mutant) -> str:
+    """The line of a change and what names it in the table of explained ones, then the line as it is and with the change."""
+    module, function, operator, ordinal = mutant.key
+    where = f"{module}:{function}" if function else module
+    return f"{mutant.path.name}:{mutant.line} {where} {operator} {ordinal}\n    {mutant.text}\n    {mutant.changed}"
+
+
+def explain(names: Iterable[str]) -> None:
+    """Print the lines of the explained changes of some rooms, by the reason."""
+    made = {one.key: one for name in names for path in paths_of(ROOMS[name]) for one in kept_mutants(path, RESULTS)}
+    before = ""
+    for key, entry in EXPLAINED.items():
+        if key in made:
+            print(*([f"\n{entry.reason}"] if entry.reason != before else []), _place(made[key]), sep="\n")
+            before = entry.reason
 
 
 def file_of(name: str) -> Path:
@@ -245,16 +258,21 @@ def main() -> int:
     parser.add_argument("--anew", action="store_true", help="try again what was tried before")
     parser.add_argument("--markdown", type=Path, help="put the last run of every room here into the table of this file")
     parser.add_argument("--reach", action="store_true", help="only find out which test comes to which statement")
+    parser.add_argument("--explained", action="store_true", help="print the changes that are explained, and try none")
     parser.add_argument("--results", type=Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.results is not None:  # one room, in a process of its own
         try_room(options.rooms[0], options.module, options.tests, options.sample, options.reach, options.results)
         return 0
+    for name in options.rooms:
+        if name not in ROOMS:
+            parser.error(f"{name} is not one of {', '.join(ROOMS)}.")
+    if options.explained:
+        explain(options.rooms or ROOMS)
+        return 0
     rooms = []
     RESULTS.mkdir(parents=True, exist_ok=True)
     for name in options.rooms or ROOMS:
-        if name not in ROOMS:
-            parser.error(f"{name} is not one of {', '.join(ROOMS)}.")
         file = file_of(name)
         if options.module or options.tests:  # the table is of whole rooms
             file = file.with_suffix(".part.json")

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,8 @@ from scipy.stats import binomtest
 
 import mutations
 from hophoop.kernel.physics import slip
+from mutants import SOURCE, Key, mutants
+from mutations_explained import EXPLAINED, Entry, explained
 
 READS = "import os; from mutation_reach import silence\nwith silence(): os._exit(len(os.read(0, 1)))"
 
@@ -75,3 +78,60 @@ def test_rooms_that_were_not_tried_here_keep_their_rows(tmp_path, monkeypatch):
     ]
     assert all(rows[name] == kept[name] for name in rows)
     assert sum(map(len, rows.values())) > 40
+
+
+MODULE = """
+def first(x):
+    return x + 1.0 - (2.0 if x < 3.0 else x)
+
+
+class Second:
+    def third(self):
+        return [k for k in range(5) if k < 4 and k < 2]
+"""
+
+
+def test_a_change_keeps_its_name_when_lines_move_or_have_other_names(tmp_path, monkeypatch):
+    monkeypatch.setattr("mutants.SOURCE", tmp_path)
+    path = tmp_path / "folder" / "module.py"
+    path.parent.mkdir()
+    path.write_text(MODULE, encoding="utf-8")
+    before = {one.key: one.changed for one in mutants(path)}
+    assert before[Key("folder/module", "first", "NumberReplacer", 4)] == "return x + 1.0 - ( 1.0 if x < 3.0 else x)"
+    assert before[Key("folder/module", "Second.third", "Lt_LtE", 2)] == "return [k for k in range(5) if k < 4 and k <= 2]"
+    renamed = (
+        MODULE.replace("x", "speed").replace(" + 1.0", "\\\n        + 1.0").replace("def first", "A = None\n\n\ndef first")
+    )
+    path.write_text(renamed, encoding="utf-8")
+    after = {one.key: one.changed for one in mutants(path)}
+    assert set(after) == set(before)
+    assert after[Key("folder/module", "first", "NumberReplacer", 4)] == "+ 1.0 - ( 1.0 if speed < 3.0 else speed)"
+    chosen = [one.key for one in mutants(path, {("Second.third", "Lt_LtE")})]
+    assert chosen == [key for key in after if key[1:3] == ("Second.third", "Lt_LtE")]
+
+
+def test_explanations_are_read():
+    text = '["a reason"]\n"a/b:f" = { Lt_LtE = "1 3 of 4" }\n"a/b" = { AddNot = "2 of 2" }\n'
+    entry = Entry("a reason", 4)
+    assert explained(text) == {
+        Key("a/b", "f", "Lt_LtE", 1): entry,
+        Key("a/b", "f", "Lt_LtE", 3): entry,
+        Key("a/b", "", "AddNot", 2): Entry("a reason", 2),
+    }
+    with pytest.raises(ValueError, match="a/b:f has Lt_LtE 3 twice: a reason; another"):
+        explained(text + '["another"]\n"a/b:f" = { Lt_LtE = "3 of 4" }\n')
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("module", sorted({key.module for key in EXPLAINED}))
+def test_every_explanation_is_of_a_change_that_there_is(module):
+    path = SOURCE / f"{module}.py"
+    assert any(path in mutations.paths_of(room) for room in mutations.ROOMS.values())
+    entries = {key: entry for key, entry in EXPLAINED.items() if key.module == module}
+    counts = Counter(one.key[:3] for one in mutants(path, {key[1:3] for key in entries}))
+    wrong = {
+        f"{key.function} has {counts[key[:3]]} changes by {key.operator}, not {entry.count}"
+        for key, entry in entries.items()
+        if not 1 <= key.ordinal <= entry.count == counts[key[:3]]
+    }
+    assert not wrong, "look at these entries of mutations_explained.toml again"

@@ -17,8 +17,8 @@ from hophoop.article import rolling, slipping
 from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
 from hophoop.article.slow_end import slow_end
-from hophoop.article.statement import AGREES, DIFFERS, FAILS, VERDICTS, WITHIN_READING, agreement, difference
 from hophoop.article.statements import count
+from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, VERDICTS, WITHIN_READING, agreement, difference
 from hophoop.cli import app
 
 # the package gives its name to the function

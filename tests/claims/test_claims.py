@@ -6,21 +6,21 @@ import math
 from pathlib import Path
 
 import pytest
+from pydantic import ValidationError
 from typer.testing import CliRunner
 
 import hophoop as hh
-from hophoop.article.statement import AGREES, DIFFERS, FAILS
+from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, VERDICTS
 from hophoop.cite import references
-from hophoop.claims import numbers
-from hophoop.claims import registry as claims_of
-from hophoop.claims.claim import VERDICTS, decimals, judged, with_unit
-from hophoop.claims.literature import FROM_ARTICLE
+from hophoop.claims import numbers, registry
+from hophoop.claims.claim import decimals, judged, with_unit
+from hophoop.claims.literature import FROM_ARTICLE, claims_of
 from hophoop.claims.pages import END, filled
 from hophoop.cli import app
 from hophoop.cli.claims import COLORS
 
 LITERATURE = Path(__file__).parents[2] / "docs" / "literature"
-CLAIMS = claims_of()
+CLAIMS = registry()
 G = 9.81
 
 
@@ -102,6 +102,50 @@ def test_keys_works_and_verdicts():
         assert claim.verdict != FAILS
         assert all((claim.claim, claim.theirs, claim.quantity, claim.ours, claim.why)), claim.key
         assert claim.verdict not in (DIFFERS,) or len(claim.why) > 30
+
+
+ENTRY = """
+[hop]
+work = "Littlewood1953"
+claim = "It hops."
+theirs = "hop"
+quantity = "the rim rises by"
+ours = "0.000000"
+unit = "m"
+verdict = "differs"
+why = "Nothing lifts it."
+compute = "massless_height"
+"""
+
+
+def test_a_claim_is_read_from_toml():
+    (claim,) = claims_of(ENTRY)
+    assert (claim.key, claim.compute, claim.theirs_number, claim.reading) == ("hop", numbers.massless_height, None, 0.0)
+    assert claims_of(ENTRY.replace('unit = "m"\n', ""))[0].unit == ""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "field", "message"),
+    [
+        ("why =", "because =", "because", "Unexpected keyword argument"),
+        ('why = "Nothing lifts it."\n', "", "why", "Field required"),
+        ("massless_height", "massless_hight", "compute", "massless_hight is no function of hophoop.claims.numbers"),
+        ("massless_height", "_skimming", "compute", "_skimming is no function of hophoop.claims.numbers"),
+        ("massless_height", "simulate", "compute", "simulate is no function of hophoop.claims.numbers"),
+        ("massless_height", "HOOP", "compute", "HOOP is no function of hophoop.claims.numbers"),
+        ("Littlewood1953", "Littlewood1935", "work", "Littlewood1935 is no key of references.bib"),
+        ("differs", "differ", "verdict", "differ must be one of agrees, "),
+        ('"0.000000"', "0.0", "ours", "valid string"),
+        ("0.000000", "none", "ours", "should match pattern"),
+        ("\ncompute", '\nreading = "1"\ncompute', "reading", "valid number"),
+    ],
+)
+def test_a_wrong_claim_is_refused(old, new, field, message):
+    assert old in ENTRY
+    with pytest.raises(ValidationError) as caught:
+        claims_of(ENTRY.replace(old, new))
+    found = {error["loc"]: error["msg"] for error in caught.value.errors()}
+    assert message in found["hop", field]
 
 
 def test_the_article_is_not_written_down_twice():
@@ -187,6 +231,11 @@ def test_json_has_every_digit():
     assert one["value"] == numbers.kane_gain()
 
 
+def test_json_has_a_word_for_a_number_that_it_does_not_have():
+    found = dataclasses.replace(judged(CLAIMS[0]), value=math.inf)
+    assert found.to_dict()["value"] == "inf"
+
+
 def test_quiet_prints_nothing():
     done = run("Kane1984", "--quiet")
     assert (done.exit_code, done.stdout, done.stderr) == (0, "", "")
@@ -194,7 +243,7 @@ def test_quiet_prints_nothing():
 
 def test_a_number_that_no_longer_holds_ends_with_status_1(monkeypatch):
     wrong = dataclasses.replace(next(one for one in CLAIMS if one.work == "Kane1984"), ours="0.573662")
-    monkeypatch.setattr("hophoop.claims.literature.IMPACTS", (wrong,))
+    monkeypatch.setattr("hophoop.claims.literature.registry", lambda: (wrong,))
     done = run("Kane1984")
     assert done.exit_code == 1
     assert "A number of ours no longer holds: kane_gain." in done.stderr

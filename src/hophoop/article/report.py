@@ -20,8 +20,9 @@ from hophoop.article.formulas import FORMULAS
 from hophoop.article.inks import for_both
 from hophoop.article.runs import Runs
 from hophoop.article.scenarios import scenarios
-from hophoop.article.statement import VERDICTS, Statement
+from hophoop.article.statement import Statement
 from hophoop.article.typeset import typeset
+from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, WITHIN_READING
 from hophoop.plots.curves import phases
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
@@ -46,7 +47,7 @@ MORE = {
     "low": ("path_low_friction", "velocity_low_friction", "energy_low_friction"),
 }
 FILM_SIZE = (960, 540)
-CLASSES = dict(zip(VERDICTS, ("agrees", "reading", "differs", "fails"), strict=True))
+CLASSES = {AGREES: "agrees", WITHIN_READING: "reading", DIFFERS: "differs", FAILS: "fails"}
 DARK_TEXT = 0.45  # lightness of a colour from which on letters on it are black
 
 
@@ -118,13 +119,8 @@ def figures_of(story: str) -> list[str]:
 
 
 def _badges(statements: Sequence[Statement]) -> str:
-    counts = {verdict: sum(one.verdict == verdict for one in statements) for verdict in VERDICTS}
-    words = {
-        "agrees": "agree",
-        "agrees within reading accuracy": "within reading accuracy",
-        "differs": "differ",
-        "fails": "fail",
-    }
+    counts = {verdict: sum(one.verdict == verdict for one in statements) for verdict in CLASSES}
+    words = {AGREES: "agree", WITHIN_READING: "within reading accuracy", DIFFERS: "differ", FAILS: "fail"}
     return " ".join(
         f"<span class='badge {CLASSES[verdict]}'>{count} {words[verdict]}</span>" for verdict, count in counts.items() if count
     )

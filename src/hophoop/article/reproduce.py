@@ -20,7 +20,7 @@ from hophoop._version import __version__
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, drawn
 from hophoop.article.runs import Runs
-from hophoop.article.statement import FAILS, Statement
+from hophoop.article.statement import Statement
 from hophoop.article.statements import count, statements
 
 DPI = 160
@@ -51,7 +51,7 @@ class Reproduction:
     @property
     def failed(self) -> tuple[Statement, ...]:
         """Statements that are neither confirmed nor explained."""
-        return tuple(one for one in self.statements if one.verdict == FAILS)
+        return tuple(one for one in self.statements if not one.holds)
 
 
 def reproduce(out: str | Path = "article", progress: Progress | None = None, with_films: bool = True) -> Reproduction:

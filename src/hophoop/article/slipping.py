@@ -11,7 +11,8 @@ import numpy as np
 from hophoop import theory
 from hophoop.article.runs import LONG, Runs, crossings, largest
 from hophoop.article.slow_end import slow_end
-from hophoop.article.statement import WITHIN_READING, Check, Statement, agreement, difference
+from hophoop.article.statement import Check, Statement
+from hophoop.article.verdicts import WITHIN_READING, agreement, difference
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
@@ -24,16 +25,16 @@ def slips(runs: Runs) -> Statement:
     apart = largest(motion, sample.t, lambda state: np.abs(state.vx - state.omega))
     begin = motion.find("slip_start")[0]
     return Statement(
-        "slips",
-        "Increase the Speed",
-        "At 2.8 m/s the friction used levels out at 1: the hoop slips, and v and Rθ̇ part.",
-        "slip",
-        f"phases {motion.sequence[:7]}…; skids from {math.degrees(begin.angle):.2f}° (t = {begin.t:.4f} "
+        key="slips",
+        section="Increase the Speed",
+        statement="At 2.8 m/s the friction used levels out at 1: the hoop slips, and v and Rθ̇ part.",
+        article="slip",
+        ours=f"phases {motion.sequence[:7]}…; skids from {math.degrees(begin.angle):.2f}° (t = {begin.t:.4f} "
         "s), v and Rθ̇ "
         f"up to {apart:.3f} m/s apart",
-        agreement("K" in motion.sequence and "S" in motion.sequence and bool(np.all(np.abs(used - 1.0) < 1e-9))),
-        "It skids (slides ahead) on the way down and spins (over-rotates) on the way up, with rolling between.",
-        {"sequence": motion.sequence, "slip_angle": begin.angle, "largest_slip": apart},
+        verdict=agreement("K" in motion.sequence and "S" in motion.sequence and bool(np.all(np.abs(used - 1.0) < 1e-9))),
+        why="It skids (slides ahead) on the way down and spins (over-rotates) on the way up, with rolling between.",
+        numbers={"sequence": motion.sequence, "slip_angle": begin.angle, "largest_slip": apart},
     )
 
 
@@ -49,12 +50,12 @@ def peaks_fall(runs: Runs) -> Statement:
     motion = simulate(runs.motion("slipping").scenario.replace("duration", 9.0))
     peaks = peaks_of(motion, 6)
     return Statement(
-        "peaks_fall",
-        "Increase the Speed",
-        "At 2.8 m/s the peak of the velocity decreases with each cycle.",
-        "decreasing",
-        ", ".join(f"{peak:.3f}" for peak in peaks) + " m/s",
-        agreement(len(peaks) >= 5 and all(b < a for a, b in pairwise(peaks))),
+        key="peaks_fall",
+        section="Increase the Speed",
+        statement="At 2.8 m/s the peak of the velocity decreases with each cycle.",
+        article="decreasing",
+        ours=", ".join(f"{peak:.3f}" for peak in peaks) + " m/s",
+        verdict=agreement(len(peaks) >= 5 and all(b < a for a, b in pairwise(peaks))),
         numbers={"peaks": peaks},
     )
 
@@ -75,21 +76,21 @@ def ends_rolling(runs: Runs) -> Statement:
     algebraic = 0.0 < missing[1] < 0.7 * missing[0] and missing[1] < 0.03
     still = motion.sequence[-8:].count("S") + motion.sequence[-8:].count("K") >= 3 and min(excess.values()) > 0.0
     return Statement(
-        "ends_rolling",
-        "Increase the Speed",
-        "Continued, the motion at 2.8 m/s would end in pure rolling, once enough energy has been dissipated.",
-        "ends in pure rolling (no time given)",
-        f"it tends to rolling with {critical:.6f} m/s at the top, but never gets there: what it has above "
+        key="ends_rolling",
+        section="Increase the Speed",
+        statement="Continued, the motion at 2.8 m/s would end in pure rolling, once enough energy has been dissipated.",
+        article="ends in pure rolling (no time given)",
+        ours=f"it tends to rolling with {critical:.6f} m/s at the top, but never gets there: what it has above "
         "that energy "
         f"falls in the end as {limit:.3f} J s/t ({excess[30.0]:.3f} J after 30 s, {excess[LONG]:.4f} J after "
         f"{LONG:.0f} s, which is {products[1]:.2f} J s/t); "
         f"slip stays below 0.1 m/s after {times[0.1]:.1f} s, below 1 cm/s after {times[0.01]:.1f} s",
-        difference(algebraic and still),
-        "The nearer to the critical speed, the shorter and slower the slip: the loss of a cycle goes as "
+        verdict=difference(algebraic and still),
+        why="The nearer to the critical speed, the shorter and slower the slip: the loss of a cycle goes as "
         "the square of "
         "the excess energy, and an excess that falls as 1/t never is zero. On a plot it soon looks like "
         "rolling.",
-        {
+        numbers={
             "critical_speed": critical,
             "excess_energy": {f"{t:g}": float(value) for t, value in excess.items()},
             "excess_times_t": products,
@@ -137,16 +138,16 @@ def hops(runs: Runs) -> Statement:
     least = float(theory.first_hop_speed(runs.hoop, runs.plane))
     angle = math.degrees(off.angle)
     return Statement(
-        "hops",
-        "Let's Hop!",
-        "At 3.1 m/s the hoop jumps, just before a full revolution is completed.",
-        "before 360°",
-        f"takes off at {angle:.3f}° (t = {off.t:.6f} s), rises {top:.4f} m, lands at "
+        key="hops",
+        section="Let's Hop!",
+        statement="At 3.1 m/s the hoop jumps, just before a full revolution is completed.",
+        article="before 360°",
+        ours=f"takes off at {angle:.3f}° (t = {off.t:.6f} s), rises {top:.4f} m, lands at "
         f"{math.degrees(down.angle):.3f}° "
         f"(t = {down.t:.6f} s)",
-        agreement(270.0 < angle < 360.0),
-        f"It hops in its first turn from v₀ = {least:.6f} m/s on; at 2.8 m/s it does not.",
-        {
+        verdict=agreement(270.0 < angle < 360.0),
+        why=f"It hops in its first turn from v₀ = {least:.6f} m/s on; at 2.8 m/s it does not.",
+        numbers={
             "takeoff_angle_deg": angle,
             "takeoff_t": off.t,
             "rise": top,
@@ -162,12 +163,12 @@ def spin_in_flight(runs: Runs) -> Statement:
     rates = sample.omega[sample.mode == "H"]
     spread = float(np.ptp(rates))
     return Statement(
-        "constant_rotation",
-        "Let's Hop!",
-        "In flight the angular velocity is constant.",
-        "constant",
-        f"{rates[0]:.6f} rad/s throughout, " + (f"to {spread:.0e}" if spread else "to the last bit"),
-        agreement(spread <= 1e-12 * rates[0]),
+        key="constant_rotation",
+        section="Let's Hop!",
+        statement="In flight the angular velocity is constant.",
+        article="constant",
+        ours=f"{rates[0]:.6f} rad/s throughout, " + (f"to {spread:.0e}" if spread else "to the last bit"),
+        verdict=agreement(spread <= 1e-12 * rates[0]),
         numbers={"omega": float(rates[0]), "spread": spread},
     )
 
@@ -186,16 +187,16 @@ def center_in_flight(runs: Runs) -> Statement:
     highest = largest(motion, sample.t[air], lambda state: state.vx)
     level = float(np.ptp(along[inner]))
     return Statement(
-        "centre_in_flight",
-        "Let's Hop!",
-        "In flight the velocity of the centre varies, that of the centre of gravity along the plane does "
+        key="centre_in_flight",
+        section="Let's Hop!",
+        statement="In flight the velocity of the centre varies, that of the centre of gravity along the plane does "
         "not; its "
         "path is a parabola.",
-        "varies; constant; parabola",
-        f"centre from {slowest:.4f} to {highest:.4f} m/s; centre of gravity "
+        article="varies; constant; parabola",
+        ours=f"centre from {slowest:.4f} to {highest:.4f} m/s; centre of gravity "
         f"{along[inner][0]:.6f} m/s to "
         f"{level:.0e}, off a parabola with g = {-2.0 * bend:.6f} m/s² by {off_line:.0e} m",
-        agreement(highest - slowest > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8),
+        verdict=agreement(highest - slowest > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8),
         numbers={"least": slowest, "largest": highest, "gravity": -2.0 * bend},
     )
 
@@ -208,14 +209,14 @@ def positive_potential(runs: Runs) -> Statement:
     highest = largest(motion, sample.t, lambda state: state.potential)
     near = len(angles) >= 2 and abs(angles[0] - 350.0) < 2.5 and abs(angles[1] - 395.0) < 2.5
     return Statement(
-        "positive_potential",
-        "Let's Hop!",
-        "The potential energy is above zero for a while, since the centre has moved up.",
-        "between 350° and 395°",
-        f"between {angles[0]:.3f}° and {angles[1]:.3f}°, up to {highest:.4f} J",
-        WITHIN_READING if near else difference(False),
-        "The article's bounds are read off its plot, to some 5°.",
-        {"angles_deg": angles[:2], "largest": highest},
+        key="positive_potential",
+        section="Let's Hop!",
+        statement="The potential energy is above zero for a while, since the centre has moved up.",
+        article="between 350° and 395°",
+        ours=f"between {angles[0]:.3f}° and {angles[1]:.3f}°, up to {highest:.4f} J",
+        verdict=WITHIN_READING if near else difference(False),
+        why="The article's bounds are read off its plot, to some 5°.",
+        numbers={"angles_deg": angles[:2], "largest": highest},
     )
 
 
@@ -233,18 +234,18 @@ def landing(runs: Runs) -> Statement:
         )
     )
     return Statement(
-        "landing",
-        "Let's Hop!",
-        "After the landing there is pure rolling (a result that, it says, cannot be trusted).",
-        "pure rolling",
-        f"the landing ends the slip at once, and the hoop rolls{again}",
-        agreement(rolls) if slip is None else difference(rolls),
-        "The first part agrees: during a plastic impact on μ = 1 the slip stops before the normal "
+        key="landing",
+        section="Let's Hop!",
+        statement="After the landing there is pure rolling (a result that, it says, cannot be trusted).",
+        article="pure rolling",
+        ours=f"the landing ends the slip at once, and the hoop rolls{again}",
+        verdict=agreement(rolls) if slip is None else difference(rolls),
+        why="The first part agrees: during a plastic impact on μ = 1 the slip stops before the normal "
         "velocity does. "
         "But the landing leaves more speed than rolling on to the top allows, so that slip returns on "
         "the way up. "
         "The article's simulation may end before it.",
-        {"mode_after": down.to_mode, "slips_again_deg": None if slip is None else math.degrees(slip.angle)},
+        numbers={"mode_after": down.to_mode, "slips_again_deg": None if slip is None else math.degrees(slip.angle)},
     )
 
 
@@ -254,18 +255,18 @@ def impact_loss(runs: Runs) -> Statement:
     total = down.impact_normal + down.impact_tangential
     before = down.friction
     return Statement(
-        "impact_loss",
-        "Let's Hop!",
-        "The energy lost in the impact is significantly larger than the frictional loss at the same moment.",
-        "significantly larger",
-        f"{total:.4f} J lost in the impact, {down.impact_tangential:.4f} J of it to friction and "
+        key="impact_loss",
+        section="Let's Hop!",
+        statement="The energy lost in the impact is significantly larger than the frictional loss at the same moment.",
+        article="significantly larger",
+        ours=f"{total:.4f} J lost in the impact, {down.impact_tangential:.4f} J of it to friction and "
         f"{down.impact_normal:.4f} J in the normal direction; all slip before it took {before:.4f} J",
-        agreement(total > 1.5 * down.impact_tangential),
-        "The loss is as much the contact model's as the hoop's, as the article says itself: here a "
+        verdict=agreement(total > 1.5 * down.impact_tangential),
+        why="The loss is as much the contact model's as the hoop's, as the article says itself: here a "
         "plastic impact of "
         "rigid bodies with Coulomb friction (Routh's impulse), where nothing is left to numerical "
         "parameters.",
-        {
+        numbers={
             "lost": total,
             "normal": down.impact_normal,
             "tangential": down.impact_tangential,
@@ -281,15 +282,15 @@ def low_friction(runs: Runs) -> Statement:
     angles = [math.degrees(event.angle) for event in turns]
     rocks = len(angles) >= 2 and highest < 360.0
     return Statement(
-        "low_friction_rocks",
-        "Revisiting Low Friction",
-        "At 0.1 m/s on μ = 0.3 the hoop slips; too little energy is left to lift the load to the top "
+        key="low_friction_rocks",
+        section="Revisiting Low Friction",
+        statement="At 0.1 m/s on μ = 0.3 the hoop slips; too little energy is left to lift the load to the top "
         "again. It turns "
         "back and rocks to and fro.",
-        "turns back, rocks",
-        f"slips first at {math.degrees(motion.find('slip_start')[0].angle):.2f}°; turns back at "
+        article="turns back, rocks",
+        ours=f"slips first at {math.degrees(motion.find('slip_start')[0].angle):.2f}°; turns back at "
         + ", ".join(f"{angle:.1f}°" for angle in angles),
-        agreement(rocks and motion.sequence.startswith("RS")),
+        verdict=agreement(rocks and motion.sequence.startswith("RS")),
         numbers={"turning_angles_deg": angles, "sequence": motion.sequence},
     )
 
@@ -299,12 +300,12 @@ def low_friction_slips(runs: Runs) -> Statement:
     slips_ = motion.find("slip_start")
     lost = motion.ledger.friction
     return Statement(
-        "low_friction_slips",
-        "Revisiting Low Friction",
-        "The lower friction lets the hoop slip several times.",
-        "several times",
-        f"{len(slips_)} times in {motion.duration:g} s, with {lost:.3f} J lost",
-        agreement(len(slips_) >= 3),
+        key="low_friction_slips",
+        section="Revisiting Low Friction",
+        statement="The lower friction lets the hoop slip several times.",
+        article="several times",
+        ours=f"{len(slips_)} times in {motion.duration:g} s, with {lost:.3f} J lost",
+        verdict=agreement(len(slips_) >= 3),
         numbers={"slips": len(slips_), "friction": lost},
     )
 
@@ -319,18 +320,18 @@ def littlewood(runs: Runs) -> Statement:
     angle = math.degrees(skim[0].angle) if skim else math.nan
     rises = any(event.height > 0.0 for event in motion.events) or "H" in motion.sequence
     return Statement(
-        "littlewood",
-        "A First Attempt",
-        "With all mass in the load there should be a hop already at θ = 90° (Littlewood).",
-        "hop at 90°",
-        f"the contact force vanishes at {limit:.6f}° (computed motion: {angle:.6f}°), but the rim does "
+        key="littlewood",
+        section="A First Attempt",
+        statement="With all mass in the load there should be a hop already at θ = 90° (Littlewood).",
+        article="hop at 90°",
+        ours=f"the contact force vanishes at {limit:.6f}° (computed motion: {angle:.6f}°), but the rim does "
         "not rise: it "
         f"skims the plane, phases {motion.sequence}",
-        difference(abs(limit - 90.0) < 1e-9 and abs(angle - 90.0) < 1e-6 and not rises),
-        "Littlewood's angle is right, and needs μ > 1. But the load then falls freely, and a massless "
+        verdict=difference(abs(limit - 90.0) < 1e-9 and abs(angle - 90.0) < 1e-6 and not rises),
+        why="Littlewood's angle is right, and needs μ > 1. But the load then falls freely, and a massless "
         "rim has nothing "
         "that would lift it: it stays in touch without force (Butler; Theron and du Plessis).",
-        {"angle_deg": limit, "computed_deg": angle, "sequence": motion.sequence},
+        numbers={"angle_deg": limit, "computed_deg": angle, "sequence": motion.sequence},
     )
 
 

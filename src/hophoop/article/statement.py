@@ -1,4 +1,4 @@
-"""What the article says, beside what we find."""
+"""What the article says, next to what we find."""
 
 from __future__ import annotations
 
@@ -6,15 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-AGREES = "agrees"
-WITHIN_READING = "agrees within reading accuracy"
-DIFFERS = "differs"
-FAILS = "fails"
-VERDICTS = (AGREES, WITHIN_READING, DIFFERS, FAILS)
+from hophoop.article.verdicts import Judged
 
 
-@dataclass(frozen=True)
-class Statement:
+@dataclass(frozen=True, kw_only=True)
+class Statement(Judged):
     """One statement of the article, checked.
 
     Attributes
@@ -33,47 +29,17 @@ class Statement:
         'agrees'; 'agrees within reading accuracy', where the article gives a rounded value or one read off a
         plot; 'differs', where we know why and have checked the reason itself; 'fails', where neither holds.
     why : str
-        What stands behind the verdict.
+        The reason for the verdict.
     numbers : dict
         The numbers behind `ours`, in full precision.
     """
 
-    key: str
     section: str
     statement: str
     article: str
-    ours: str
-    verdict: str
-    why: str = ""
     numbers: dict[str, Any] = field(default_factory=dict)
 
-    def to_dict(self) -> dict[str, Any]:
-        """The statement as it stands in ``statements.json``.
-
-        Returns
-        -------
-        keys : dict
-        """
-        return {
-            "key": self.key,
-            "section": self.section,
-            "statement": self.statement,
-            "article": self.article,
-            "ours": self.ours,
-            "verdict": self.verdict,
-            "why": self.why,
-            "numbers": self.numbers,
-        }
-
-
-def agreement(holds: bool, exact: bool = True) -> str:
-    """The verdict on a statement that either holds or fails."""
-    return (AGREES if exact else WITHIN_READING) if holds else FAILS
-
-
-def difference(reason_holds: bool) -> str:
-    """The verdict where the article is not confirmed: only a checked reason makes it more than a failure."""
-    return DIFFERS if reason_holds else FAILS
+    _json = ("key", "section", "statement", "article", "ours", "verdict", "why", "numbers")
 
 
 Check = Callable[[Any], Statement]

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
-from hophoop.article.statement import FAILS, Check, Statement
+from hophoop.article.statement import Check, Statement
+from hophoop.article.verdicts import FAILS
 
 SECTIONS = ("A First Attempt", "Increase the Speed", "Let's Hop!", "Revisiting Low Friction")
 
@@ -46,7 +47,9 @@ def checked(check: Check, runs: Runs) -> Statement:
         return check(runs)
     except (IndexError, StopIteration, ValueError):
         why = "The computed motion does not have what the statement is about."
-        return Statement(check.__name__, SECTIONS[0], check.__name__, "–", "–", FAILS, why)
+        return Statement(
+            key=check.__name__, section=SECTIONS[0], statement=check.__name__, article="–", ours="–", verdict=FAILS, why=why
+        )
 
 
 def count() -> int:

@@ -2,21 +2,45 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any
+from functools import partial
+from typing import Annotated, Any
 
-from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING
+import pydantic.dataclasses
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, StrictFloat
 
-NOT_READ = "not read"
-VERDICTS = (AGREES, WITHIN_READING, DIFFERS, NOT_READ, FAILS)
+from hophoop.article.verdicts import AGREES, FAILS, VERDICTS, WITHIN_READING, Judged
+from hophoop.cite import references
+from hophoop.claims import numbers
 
 
-@dataclass(frozen=True)
+def _known_work(key: str) -> str:
+    if key not in references():
+        raise ValueError(f"{key} is no key of references.bib")
+    return key
+
+
+def _known_verdict(verdict: str) -> str:
+    if verdict not in VERDICTS:
+        raise ValueError(f"{verdict} must be one of {', '.join(VERDICTS)}")
+    return verdict
+
+
+def _function(name: Any) -> Any:
+    """The function of `numbers` that has this name; anything other than a name is left as it is."""
+    if not isinstance(name, str):
+        return name
+    found = getattr(numbers, name, None)
+    if name.startswith("_") or getattr(found, "__module__", "") != numbers.__name__:
+        raise ValueError(f"{name} is no function of {numbers.__name__}")
+    return found
+
+
+@pydantic.dataclasses.dataclass(frozen=True, kw_only=True, config=ConfigDict(extra="forbid"))
 class Claim:
-    """What a work says, and the number that we set beside it.
+    """A claim of a work, and our number to compare with it: an entry of ``claims.toml``.
 
     Attributes
     ----------
@@ -38,9 +62,9 @@ class Claim:
         'agrees'; 'agrees within reading accuracy', where theirs is rounded; 'differs', where we know why;
         'not read', where we have not had what it says.
     why : str
-        What stands behind the verdict.
+        The reason for the verdict.
     compute : callable
-        Computes our number anew [unit].
+        Computes our number [unit]; in the file the name of a function of ``hophoop.claims.numbers``.
     theirs_number : float, optional
         Its number, where there is one that ours is to be compared with [unit].
     reading : float
@@ -48,21 +72,21 @@ class Claim:
     """
 
     key: str
-    work: str
+    work: Annotated[str, AfterValidator(_known_work)]
     claim: str
     theirs: str
     quantity: str
-    ours: str
-    unit: str
-    verdict: str
+    ours: Annotated[str, Field(pattern=r"^-?\d+(\.\d+)?$")]
+    unit: str = ""
+    verdict: Annotated[str, AfterValidator(_known_verdict)]
     why: str
-    compute: Callable[[], float]
-    theirs_number: float | None = None
-    reading: float = 0.0
+    compute: Annotated[Callable[[], float], BeforeValidator(_function)]
+    theirs_number: StrictFloat | None = None
+    reading: StrictFloat = 0.0
 
 
-@dataclass(frozen=True)
-class Finding:
+@dataclass(frozen=True, kw_only=True)
+class Finding(Judged):
     """A claim with our number as it comes out now.
 
     Attributes
@@ -80,43 +104,17 @@ class Finding:
     verdict : str
         As of the claim; 'fails' where our number has not come out again or no longer bears the verdict.
     why : str
-        What stands behind the verdict.
+        The reason for the verdict.
     value : float or None
         Our number in full precision, in the unit of `ours`; None where there are several [unit].
     """
 
-    key: str
     work: str
     claim: str
     theirs: str
-    ours: str
-    verdict: str
-    why: str
     value: float | None = None
 
-    @property
-    def holds(self) -> bool:
-        """Whether the verdict still stands."""
-        return self.verdict != FAILS
-
-    def to_dict(self) -> dict[str, Any]:
-        """The finding as JSON has it.
-
-        Returns
-        -------
-        keys : dict
-        """
-        value = self.value if self.value is None or math.isfinite(self.value) else str(self.value)
-        return {
-            "key": self.key,
-            "work": self.work,
-            "claim": self.claim,
-            "theirs": self.theirs,
-            "ours": self.ours,
-            "value": value,
-            "verdict": self.verdict,
-            "why": self.why,
-        }
+    _json = ("key", "work", "claim", "theirs", "ours", "value", "verdict", "why")
 
 
 def with_unit(number: str, unit: str) -> str:
@@ -142,11 +140,12 @@ def judged(claim: Claim) -> Finding:
         'fails' where the number does not come out to the digits written down, where the comparison with the work's number
         gives another verdict, or where the motion no longer has what the claim is about.
     """
+    finding = partial(Finding, key=claim.key, work=claim.work, claim=claim.claim, theirs=claim.theirs)
     try:
         value = float(claim.compute())
     except (IndexError, StopIteration, ValueError):
         why = "The computed motion does not have what the claim is about."
-        return Finding(claim.key, claim.work, claim.claim, claim.theirs, "–", FAILS, why)
+        return finding(ours="–", verdict=FAILS, why=why)
     places = decimals(claim.ours)
     again = abs(value - float(claim.ours)) <= 0.5000001 * 10.0**-places
     ours = with_unit(f"{value:.{places}f}", claim.unit)
@@ -157,4 +156,4 @@ def judged(claim: Claim) -> Finding:
         near = abs(value - claim.theirs_number) <= claim.reading
         if near != (claim.verdict in (AGREES, WITHIN_READING)):
             verdict = FAILS
-    return Finding(claim.key, claim.work, claim.claim, claim.theirs, f"{claim.quantity} {ours}", verdict, why, value)
+    return finding(ours=f"{claim.quantity} {ours}", verdict=verdict, why=why, value=value)

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable, Iterable
-from functools import partial
+from functools import cache, partial
+from importlib.resources import files
+
+from pydantic import TypeAdapter
 
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
 from hophoop.article.statement import Check
 from hophoop.article.statements import checked
 from hophoop.claims.claim import Claim, Finding, judged
-from hophoop.claims.contact import DETACHMENT, IMPACTS, PARADOX
-from hophoop.claims.hoop import MASSLESS, ON_SLOPES, WITH_MASS
 from hophoop.scenario import InputError
 
 ARTICLE = "Sonnerlind2023"
@@ -32,8 +34,31 @@ FROM_ARTICLE: tuple[Check, ...] = (
 Progress = Callable[[int, int], None]
 
 
+def claims_of(text: str) -> tuple[Claim, ...]:
+    """Read claims from TOML.
+
+    Parameters
+    ----------
+    text : str
+        One table per claim, named by its key.
+
+    Returns
+    -------
+    claims : tuple of Claim
+        In the order of the text.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        If a field is missing or unknown, or a claim names a work or a function that does not exist.
+    """
+    entries = {key: {"key": key, **entry} for key, entry in tomllib.loads(text).items()}
+    return tuple(TypeAdapter(dict[str, Claim]).validate_python(entries).values())
+
+
+@cache
 def registry() -> tuple[Claim, ...]:
-    """All claims with a number, but for those of the article.
+    """All claims with a number, except those of the article.
 
     Returns
     -------
@@ -45,8 +70,8 @@ def registry() -> tuple[Claim, ...]:
     >>> registry()[0].work
     'Routh1877'
     """
-    every = (*MASSLESS, *WITH_MASS, *ON_SLOPES, *DETACHMENT, *PARADOX, *IMPACTS)
-    return tuple(sorted(every, key=lambda claim: claim.work[-4:]))
+    text = files("hophoop.claims").joinpath("claims.toml").read_text(encoding="utf-8")
+    return tuple(sorted(claims_of(text), key=lambda claim: claim.work[-4:]))
 
 
 def works() -> tuple[str, ...]:
@@ -133,4 +158,12 @@ def _judges(work: str) -> list[Callable[[], Finding]]:
 
 def _of_article(check: Check, runs: Runs) -> Finding:
     one = checked(check, runs)
-    return Finding(one.key, ARTICLE, one.statement, one.article, one.ours, one.verdict, one.why)
+    return Finding(
+        key=one.key,
+        work=ARTICLE,
+        claim=one.statement,
+        theirs=one.article,
+        ours=one.ours,
+        verdict=one.verdict,
+        why=one.why,
+    )
