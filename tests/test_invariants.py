@@ -215,7 +215,8 @@ def test_simulate_checks_where_it_is_asked_to(motion, monkeypatch):
 
 
 def test_the_environment_variable():
-    code = "from hophoop import Scenario, simulation; simulation.simulate(Scenario(duration=0.1)); print(simulation.CHECKED)"
+    code = "from hophoop import Scenario; from hophoop.simulation import simulate; "
+    code += "simulate.simulate(Scenario(duration=0.1)); print(simulate.CHECKED)"
     for value, expected in (("1", "True"), ("0", "False"), ("", "False")):
         environment = {**os.environ, "HOPHOOP_CHECK": value, "HOPHOOP_KERNELS": "interpreted"}
         done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)

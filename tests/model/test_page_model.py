@@ -17,11 +17,12 @@ import pytest
 import hophoop as hh
 import random_scenarios
 from hophoop import theory
+from hophoop._support import errors
 from hophoop.lab import calls, presets, tables, thresholds, words
 from hophoop.lab.python_code import python_code
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
-from hophoop.scenario import InputError, sentences
+from hophoop.scenario import InputError
 from model.requests_drawn import NUMBERS, given_of, request
 
 HERE = Path(__file__).parent
@@ -118,7 +119,7 @@ def test_texts_are_quoted_and_read_as_numbers_as_python_does():
         except ValueError:
             number = None
         read = calls.finite({"nan": math.nan, "inf": math.inf}.get(found[4], found[4])) if found[4] is not None else None
-        assert [*found[:4], read] == [repr(text), sentences.plain(text), sentences.shortened(text), json.dumps(text), number]
+        assert [*found[:4], read] == [repr(text), errors.plain(text), errors.shortened(text), json.dumps(text), number]
 
 
 def test_a_key_that_was_meant_is_the_one_that_python_finds():

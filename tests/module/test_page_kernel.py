@@ -22,7 +22,7 @@ from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host
 from module.module_tools import cell_of, drawn, given_of
 
-KERNEL = HERE.parent / "lab" / "static" / "kernel.js"
+KERNEL = HERE.parent / "static" / "kernel.js"
 
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's kernel here")
 
