@@ -37,6 +37,7 @@ from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, REL
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, words
+from hophoop.vocabulary.events import EVENTS, SIGNS
 from hophoop.vocabulary.labels import VARIABLES
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
 
@@ -68,7 +69,10 @@ def tables() -> dict[str, Any]:
             "letters": MODE_LETTERS,
             "modes": words.MODES,
             "verbs": words.VERBS,
-            "events": {kind: event.verb for kind, event in words.EVENTS.items()},
+            "events": {
+                kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
+            },
+            "signs": SIGNS,
             "statuses": words.STATUSES,
             "sequence": words.LETTERS,
             "story": STORY,

@@ -5,17 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
-from itertools import pairwise
 from typing import Any
 
-from hophoop.kernel.physics.body import Event, Mode
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, EventKind, ModeLetter, MotionStatus
+from hophoop.vocabulary.events import EVENT_KINDS, EventKind, sequence_of
+from hophoop.vocabulary.words import MODE_LETTERS, MOTION_STATUSES, ModeLetter, MotionStatus
 
-PASSING = {"turn", "apex", "kane_gain", "rest"}
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
@@ -290,16 +288,6 @@ def ledger(solution: Solution) -> dict[str, Number]:
     }
 
 
-def sequence_of(solution: Solution) -> str:
-    """One letter a phase that lasts."""
-    passing = {Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST}
-    marks = [*(record for record in solution.records[:-1] if record.kind not in passing), solution.records[-1]]
-    letters = [MODE_LETTERS[a.after_mode] for a, b in pairwise(marks) if b.state.t > a.state.t]
-    if not letters:
-        letters = [MODE_LETTERS[min(solution.records[-1].after_mode, Mode.SKIM)]]
-    return "".join(letters)
-
-
 def simulate_precisely(scenario: Scenario, digits: int, version: str) -> PreciseMotion:
     """The motion of a scenario to a number of digits, in SI units.
 
@@ -326,4 +314,6 @@ def simulate_precisely(scenario: Scenario, digits: int, version: str) -> Precise
     events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
     status = MOTION_STATUSES[solution.status]
-    return PreciseMotion(scenario, digits, status, sequence_of(solution), events, energy, version)
+    kinds, modes = [record.kind for record in solution.records], [record.after_mode for record in solution.records]
+    sequence = sequence_of(kinds, modes, [record.state.t for record in solution.records])
+    return PreciseMotion(scenario, digits, status, sequence, events, energy, version)

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
         ScalarSample,
         Velocity,
     )  # fmt: skip
-    from hophoop.vocabulary.words import EventKind, ModeLetter, MotionStatus
+    from hophoop.vocabulary.events import EventKind
+    from hophoop.vocabulary.words import ModeLetter, MotionStatus
 
 __all__ = [
     "ArraySample", "EventErrors", "EventKind", "EventRecord", "Events", "Ledger", "ModeLetter", "Motion", "MotionStatus",

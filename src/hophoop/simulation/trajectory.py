@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -12,12 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.fingerprint import STATE, fingerprint
-from hophoop.kernel.physics.body import EVENT_NAMES, Event, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.kernel.physics.energy import energies_after
 from hophoop.results.records import ArraySample, EventErrors, EventRecord, Events, Ledger, Sample, ScalarSample, Side, Velocity
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
+from hophoop.vocabulary.events import EVENT_KINDS, sequence_of
+from hophoop.vocabulary.words import MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
 
 if TYPE_CHECKING:
     import xarray
@@ -66,14 +66,7 @@ class Trajectory:
     @cached_property
     def sequence(self) -> str:
         """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
-        marks = [*(row for row in self._events[:-1] if row["kind"] not in _PASSING), self._events[-1]]
-        letters = []
-        for row, following in pairwise(marks):
-            if following["t"] > row["t"]:
-                letters.append(MODE_LETTERS[row["after_mode"]])
-        if not letters and len(self._events):
-            letters = [MODE_LETTERS[self._events[-1]["after_mode"]]]
-        return "".join(letters)
+        return sequence_of(*(self._events[name].tolist() for name in ("kind", "after_mode", "t")))
 
     @cached_property
     def events(self) -> Events:
@@ -513,7 +506,6 @@ def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) 
 
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 _INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
-_PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))
 _EVENT_NUMBERS = (
     "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",

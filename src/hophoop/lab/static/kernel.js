@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources d4904f601e8b42ed711c85a9bd11248c */
-var c={sources:"6af07387dc2c615b03d61d4d746c41f0",module:"67858aa18ea5efdd",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 972ecd9564d162a7a911625c3b303968 */
+var c={sources:"a85c3e9d30c83f900acf81abc1b8bd27",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
@@ -21,8 +21,8 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain",
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
-"jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
-compliant_segment_bytes:536};var A=s=>Object.fromEntries(s.map((t,e)=>[t,e])),Rt=A(c.cell),w=A(c.heads),m=A(c.events),O=A(c.samples),Ct=A(c.changes),G=A(c.numbers),T=A(c.words),it={newton:0,
+"jam","kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event\
+_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var A=s=>Object.fromEntries(s.map((t,e)=>[t,e])),Rt=A(c.cell),w=A(c.heads),m=A(c.events),O=A(c.samples),Ct=A(c.changes),G=A(c.numbers),T=A(c.words),it={newton:0,
 poisson:1,stronge:2};function k(s){let t=new Float64Array(c.cell.length),e={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="number")),law:it[s.
 impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return c.cell.forEach((n,o)=>{t[o]=e[n]??0}),t}function B(s){let t=e=>e??Number.NaN;
 return Float64Array.of(c.laws.indexOf(s.law),c.friction_laws.indexOf(s.friction),t(s.stiffness),t(s.damping),t(s.restitution),t(s.slip_speed),t(s.tangential_stiffness),
@@ -70,49 +70,49 @@ buffer)}},C=class extends R{constructor(){super(32,Y)}};var Q=K(()=>new C,V(1));
 Number.isNaN(f)?o.setBigUint64(8*d,yt,!0):o.setFloat64(8*d,f+0,!0)}),n.update(i)}return Array.from(n.digest(),a=>a.toString(16).padStart(2,"0")).join("").slice(
 0,_t)}function et(s,t){let e=new Map,n=new Float64Array(t);for(let o=0;o<t;o++){let i=wt(s.subarray(o*c.keys,(o+1)*c.keys));if(i===""){n[o]=Number.NaN;continue}let r=e.
 get(i);r===void 0&&(r=e.size,e.set(i,r)),n[o]=r}return{values:n,sequences:[...e.keys()]}}function wt(s){let t="";for(let e of s){let n=e;for(let o=0;o<c.letters_a_key&&
-n;o++){let i=Number(n&7n);n>>=3n,i&&(t+=i===c.more?"+":c.letters[i-1])}}return t}var Et=256,At=2048,kt=4096,St=2e5,vt=c.statuses.indexOf("buffer"),Ht=new Set(["turn","apex","kane_gain","rest"]),D=s=>Number.isFinite(s)?s:null,L=class{constructor(t){
-this.exports=new WebAssembly.Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new S(this.exports),this.mostEvents=Et,this.mostSegments=At,this.mostRows=
-kt}call(t,...e){let n=this.exports[t](...e);if(n)throw new Error(`The kernel ended ${t} with ${n}.`)}compute(t){let{memory:e}=this,n=c.events.length;for(;;){let o=e.
-room("table",8*n*this.mostEvents),i=e.room("heads",8*c.heads.length);t.contact?this.computeCompliant(t,t.contact,o,i):this.computeRigid(t,o,i);let r=e.floats(i,
-c.heads.length).slice(),a=r[w.events];if(r[w.status]===vt)this.makeRoom(t,r[w.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=4;else{let l=e.
-floats(o,a*n).slice();return{given:t,head:r,rows:l,count:a,duration:r[w.duration],segments:r[w.segments]}}}}computeRigid(t,e,n){let{memory:o}=this,i=o.put("cell",
-k(t)),r=o.room("events",c.event_bytes*this.mostEvents),a=o.room("segments",c.segment_bytes*this.mostSegments);this.call("motion",i,r,this.mostEvents,a,this.mostSegments,
-e,n)}computeCompliant(t,e,n,o){let{memory:i}=this,r=i.put("cell",k(t)),a=i.put("contact",B(e)),l=i.room("events",c.event_bytes*this.mostEvents),h=i.room("rows",
-c.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,St,h,this.mostRows,n,o)}makeRoom(t,e){t.contact?this.mostRows=e:this.
-mostSegments*=4}motion(t){return st(this.compute(t))}film(t){let e=this.compute(t);return{motion:st(e),columns:j(this,e)}}columns(t,e){return j(this,this.compute(
-t),e)}samples(t,e){let n=this.states(this.compute(t),e,!1),o=c.samples.length;return Object.fromEntries(c.samples.map((i,r)=>[i,Float64Array.from(e,(a,l)=>n[l*o+
-r])]))}states(t,e,n){return this.rows("samples",c.samples.length,t,e,n)}margins(t,e,n=!1){if(t.contact)throw new TypeError("A compliant contact has no such rule\
-s.");let o=c.margins.length,i=this.rows("margins",o,this.compute(t),e,n);return Object.fromEntries(c.margins.map((r,a)=>[r,Float64Array.from(e,(l,h)=>i[h*o+a])]))}rows(t,e,n,o,i){
-let{memory:r}=this,a=o.length*e,l=r.put("times",o),h=r.room("states",8*Math.max(a,1)),d=r.room("cell",8),f=[n.segments,l,o.length,Number(i),h];return n.given.contact?
-this.call("compliant_samples",d,r.room("contact",8),r.room("rows",8),...f):this.call(t,d,r.room("segments",8),...f),r.floats(h,a).slice()}changes(t,e){let{memory:n}=this,
-o=this.compute(t),i=n.put("rates",e),r=this.side(o,i,1),{reason:a,sided:l}=r,h=l||a==="border"||a==="contact"?this.side(o,i,-1):r;return{count:o.count,larger:r,
-smaller:h}}side({count:t,segments:e,head:n},o,i){let{memory:r}=this,a=t*c.changes.length,l=r.room("changes",8*a),h=r.room("why",16),[d,f,p]=["cell","events","se\
-gments"].map(u=>r.room(u,8)),x=n[w.doubt_from];this.call("changes",d,o,1,i,f,t,p,e,x,l,h);let[_,b]=r.floats(h,2);return{rates:r.floats(l,a).slice(),reason:c.reasons[Math.
-max(_,0)],sided:_<0,failed:b}}thresholds(t){let{memory:e}=this,n=e.put("cell",k(t)),o=e.room("answers",8*c.thresholds.length),i=t.rolling&&t.angle===0;this.call(
-"thresholds",n,i?t.vx:Number.NaN,o);let r=e.floats(o,c.thresholds.length),a=h=>{let d=r[c.thresholds.indexOf(h)];return Number.isNaN(d)?null:d},l=["jam_angle","\
-jam_angle_2","jam_angle_3","jam_angle_4"].map(a);return{first_slip_speed:a("first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immed\
-iate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:l.filter(h=>h!==null),
-stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angle"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(t,[e,n,o,i],r,a){
-let{memory:l}=this,h=l.put("cell",k(t)),d=l.room("modes",r*a),f=l.room("sides",r);this.call("regions",h,e,n,o,i,r,a,d,f);let{buffer:p}=this.exports.memory;return{
-modes:new Uint8Array(p,d,r*a).slice(),paradox:Float32Array.from(new Int8Array(p,f,r))}}map({count:t,rows:e},n,o){let{memory:i}=this,r=i.put("cells",e),a=i.room(
-"numbers",8*t*c.numbers.length),l=i.room("words",4*t*c.words.length),h=i.room("keys",8*t*c.keys),{angle:d,stop:f,timed:p}=c.spans[o],x=c.wanted[n];this.call("ma\
-p_cells",r,t,d??Number.NaN,f,p,x,a,l,h);let{buffer:_}=this.exports.memory;if(n==="sequence")return et(new BigUint64Array(_,h,t*c.keys),t);let b=new Float64Array(
-t);if(n in T){let u=new Int32Array(_,l,t*c.words.length);for(let g=0;g<t;g++)b[g]=u[g*c.words.length+T[n]]}else{let u=i.floats(a,t*c.numbers.length);for(let g=0;g<
-t;g++)b[g]=u[g*c.numbers.length+G[n]]}return{values:b}}ideal(t){let e=this.memory.room("answers",8*c.thresholds.length);return this.call("ideal_hoop",t,e),this.
-memory.floats(e,1)[0]}resistance(t,e){let n=this.memory.room("answers",8*c.thresholds.length);return this.call("resistance_limit",t,e,n),this.memory.floats(n,1)[0]}combine(t,e){
-let{memory:n}=this,o=n.put("parts",e.flatMap(Lt)),i=n.room("answers",8*c.thresholds.length),r=n.room("reaches",8*e.length);this.call("hoop_of_parts",t,o,e.length,
-i,r);let[a,l,h]=n.floats(i,3);return{mass:a,eccentricity:l,inertia_ratio:h,reaches:[...n.floats(r,e.length)]}}compliance(t){let{memory:e}=this;if(!t.contact)throw new TypeError(
-"The contact is rigid.");let n=e.put("cell",k(t)),o=e.put("contact",B(t.contact)),i=e.room("answers",8*c.thresholds.length);this.call("compliance",n,o,i);let r=e.
-floats(i,c.chosen.length),a=l=>r[c.chosen.indexOf(l)];return{stiffness:a("stiffness"),tangential_stiffness:a("tangential_stiffness"),slip_speed:a("slip_speed"),
-depth:a("depth"),automatic:{stiffness:a("stiffness_si"),slip_speed:a("slip_speed_si")}}}};function Lt(s){let t=s.shape==="rod"?`${s.direction}_rod`:s.shape,e=c.
-shapes.indexOf(t);return s.shape==="ring"?[e,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[e,s.mass,s.radius,0,s.at]:s.shape==="rod"?[e,s.mass,s.length,
-0,s.at]:[e,s.mass,0,0,s.at]}var Ot=["friction","impact_normal","impact_tangential","rolling_resistance"],Tt=["kinetic","potential",...Ot,"residual"],nt=["x","he\
-ight","angle","vx","vy","omega"];function st({given:s,head:t,rows:e,count:n,duration:o}){let i=c.events.length,r=Array.from({length:n},(d,f)=>Bt(e.subarray(f*i,
-(f+1)*i))),a=r[n-1],l=Object.fromEntries([...Tt,...s.contact?["spring","damping"]:[]].map(d=>[d,t[w[d]]])),h=D(t[w.doubt_from]);return{status:c.statuses[t[w.status]],
-sequence:jt(r),fingerprint:h===null?tt(e,n):null,duration:o,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(nt.map(d=>[d,a[d]]))},energy:l,doubt:h}}function Bt(s){
-let t=c.kinds[s[m.kind]],e=s[m.from_mode],n={t:s[m.t],kind:t,from:e<0?null:c.letters[e],to:c.letters[s[m.to_mode]]};for(let o of nt)n[o]=D(s[m[o]]);return n.before=
-Object.fromEntries(["vx","vy","omega"].map(o=>[o,D(s[m[`before_${o}`]])])),n.impulse={normal:s[m.impulse_normal],tangential:s[m.impulse_tangential]},s[m.collision]===
-0&&(n.collision=!1),t==="kane_gain"&&(n.gain=s[m.gain]),s[m.stable]>=0&&(n.stable=s[m.stable]===1),n}function jt(s){let t=s.filter((n,o)=>o===s.length-1||!Ht.has(
-n.kind));return t.slice(0,-1).map((n,o)=>t[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var ot;function Nt(s){let t=new Set,e=n=>{ArrayBuffer.isView(n)?t.add(n.buffer):n&&typeof n=="object"&&!Array.isArray(n)&&Object.values(n).forEach(e)};return e(
+n;o++){let i=Number(n&7n);n>>=3n,i&&(t+=i===c.more?"+":c.letters[i-1])}}return t}var Et=256,At=2048,kt=4096,St=2e5,vt=c.statuses.indexOf("buffer"),Ht=new Set(c.passing),D=s=>Number.isFinite(s)?s:null,L=class{constructor(t){this.exports=new WebAssembly.
+Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new S(this.exports),this.mostEvents=Et,this.mostSegments=At,this.mostRows=kt}call(t,...e){let n=this.
+exports[t](...e);if(n)throw new Error(`The kernel ended ${t} with ${n}.`)}compute(t){let{memory:e}=this,n=c.events.length;for(;;){let o=e.room("table",8*n*this.
+mostEvents),i=e.room("heads",8*c.heads.length);t.contact?this.computeCompliant(t,t.contact,o,i):this.computeRigid(t,o,i);let r=e.floats(i,c.heads.length).slice(),
+a=r[w.events];if(r[w.status]===vt)this.makeRoom(t,r[w.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=4;else{let l=e.floats(o,a*n).slice();
+return{given:t,head:r,rows:l,count:a,duration:r[w.duration],segments:r[w.segments]}}}}computeRigid(t,e,n){let{memory:o}=this,i=o.put("cell",k(t)),r=o.room("even\
+ts",c.event_bytes*this.mostEvents),a=o.room("segments",c.segment_bytes*this.mostSegments);this.call("motion",i,r,this.mostEvents,a,this.mostSegments,e,n)}computeCompliant(t,e,n,o){
+let{memory:i}=this,r=i.put("cell",k(t)),a=i.put("contact",B(e)),l=i.room("events",c.event_bytes*this.mostEvents),h=i.room("rows",c.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,St,h,this.mostRows,n,o)}makeRoom(t,e){t.contact?this.mostRows=e:this.mostSegments*=4}motion(t){return st(
+this.compute(t))}film(t){let e=this.compute(t);return{motion:st(e),columns:j(this,e)}}columns(t,e){return j(this,this.compute(t),e)}samples(t,e){let n=this.states(
+this.compute(t),e,!1),o=c.samples.length;return Object.fromEntries(c.samples.map((i,r)=>[i,Float64Array.from(e,(a,l)=>n[l*o+r])]))}states(t,e,n){return this.rows(
+"samples",c.samples.length,t,e,n)}margins(t,e,n=!1){if(t.contact)throw new TypeError("A compliant contact has no such rules.");let o=c.margins.length,i=this.rows(
+"margins",o,this.compute(t),e,n);return Object.fromEntries(c.margins.map((r,a)=>[r,Float64Array.from(e,(l,h)=>i[h*o+a])]))}rows(t,e,n,o,i){let{memory:r}=this,a=o.
+length*e,l=r.put("times",o),h=r.room("states",8*Math.max(a,1)),d=r.room("cell",8),f=[n.segments,l,o.length,Number(i),h];return n.given.contact?this.call("compli\
+ant_samples",d,r.room("contact",8),r.room("rows",8),...f):this.call(t,d,r.room("segments",8),...f),r.floats(h,a).slice()}changes(t,e){let{memory:n}=this,o=this.
+compute(t),i=n.put("rates",e),r=this.side(o,i,1),{reason:a,sided:l}=r,h=l||a==="border"||a==="contact"?this.side(o,i,-1):r;return{count:o.count,larger:r,smaller:h}}side({
+count:t,segments:e,head:n},o,i){let{memory:r}=this,a=t*c.changes.length,l=r.room("changes",8*a),h=r.room("why",16),[d,f,p]=["cell","events","segments"].map(u=>r.
+room(u,8)),x=n[w.doubt_from];this.call("changes",d,o,1,i,f,t,p,e,x,l,h);let[_,b]=r.floats(h,2);return{rates:r.floats(l,a).slice(),reason:c.reasons[Math.max(_,0)],
+sided:_<0,failed:b}}thresholds(t){let{memory:e}=this,n=e.put("cell",k(t)),o=e.room("answers",8*c.thresholds.length),i=t.rolling&&t.angle===0;this.call("threshol\
+ds",n,i?t.vx:Number.NaN,o);let r=e.floats(o,c.thresholds.length),a=h=>{let d=r[c.thresholds.indexOf(h)];return Number.isNaN(d)?null:d},l=["jam_angle","jam_angle\
+_2","jam_angle_3","jam_angle_4"].map(a);return{first_slip_speed:a("first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immediate_hop_\
+speed"),needed_friction:a("needed_friction"),painleve_friction:a("painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:l.filter(h=>h!==null),stable_angle:a(
+"stable_angle"),massless_loss_angle:a("massless_loss_angle"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(t,[e,n,o,i],r,a){let{memory:l}=this,
+h=l.put("cell",k(t)),d=l.room("modes",r*a),f=l.room("sides",r);this.call("regions",h,e,n,o,i,r,a,d,f);let{buffer:p}=this.exports.memory;return{modes:new Uint8Array(
+p,d,r*a).slice(),paradox:Float32Array.from(new Int8Array(p,f,r))}}map({count:t,rows:e},n,o){let{memory:i}=this,r=i.put("cells",e),a=i.room("numbers",8*t*c.numbers.
+length),l=i.room("words",4*t*c.words.length),h=i.room("keys",8*t*c.keys),{angle:d,stop:f,timed:p}=c.spans[o],x=c.wanted[n];this.call("map_cells",r,t,d??Number.NaN,
+f,p,x,a,l,h);let{buffer:_}=this.exports.memory;if(n==="sequence")return et(new BigUint64Array(_,h,t*c.keys),t);let b=new Float64Array(t);if(n in T){let u=new Int32Array(
+_,l,t*c.words.length);for(let g=0;g<t;g++)b[g]=u[g*c.words.length+T[n]]}else{let u=i.floats(a,t*c.numbers.length);for(let g=0;g<t;g++)b[g]=u[g*c.numbers.length+
+G[n]]}return{values:b}}ideal(t){let e=this.memory.room("answers",8*c.thresholds.length);return this.call("ideal_hoop",t,e),this.memory.floats(e,1)[0]}resistance(t,e){
+let n=this.memory.room("answers",8*c.thresholds.length);return this.call("resistance_limit",t,e,n),this.memory.floats(n,1)[0]}combine(t,e){let{memory:n}=this,o=n.
+put("parts",e.flatMap(Lt)),i=n.room("answers",8*c.thresholds.length),r=n.room("reaches",8*e.length);this.call("hoop_of_parts",t,o,e.length,i,r);let[a,l,h]=n.floats(
+i,3);return{mass:a,eccentricity:l,inertia_ratio:h,reaches:[...n.floats(r,e.length)]}}compliance(t){let{memory:e}=this;if(!t.contact)throw new TypeError("The con\
+tact is rigid.");let n=e.put("cell",k(t)),o=e.put("contact",B(t.contact)),i=e.room("answers",8*c.thresholds.length);this.call("compliance",n,o,i);let r=e.floats(
+i,c.chosen.length),a=l=>r[c.chosen.indexOf(l)];return{stiffness:a("stiffness"),tangential_stiffness:a("tangential_stiffness"),slip_speed:a("slip_speed"),depth:a(
+"depth"),automatic:{stiffness:a("stiffness_si"),slip_speed:a("slip_speed_si")}}}};function Lt(s){let t=s.shape==="rod"?`${s.direction}_rod`:s.shape,e=c.shapes.indexOf(
+t);return s.shape==="ring"?[e,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[e,s.mass,s.radius,0,s.at]:s.shape==="rod"?[e,s.mass,s.length,0,s.at]:[e,
+s.mass,0,0,s.at]}var Ot=["friction","impact_normal","impact_tangential","rolling_resistance"],Tt=["kinetic","potential",...Ot,"residual"],nt=["x","height","angl\
+e","vx","vy","omega"];function st({given:s,head:t,rows:e,count:n,duration:o}){let i=c.events.length,r=Array.from({length:n},(d,f)=>Bt(e.subarray(f*i,(f+1)*i))),
+a=r[n-1],l=Object.fromEntries([...Tt,...s.contact?["spring","damping"]:[]].map(d=>[d,t[w[d]]])),h=D(t[w.doubt_from]);return{status:c.statuses[t[w.status]],sequence:jt(
+r),fingerprint:h===null?tt(e,n):null,duration:o,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(nt.map(d=>[d,a[d]]))},energy:l,doubt:h}}function Bt(s){let t=c.
+kinds[s[m.kind]],e=s[m.from_mode],n={t:s[m.t],kind:t,from:e<0?null:c.letters[e],to:c.letters[s[m.to_mode]]};for(let o of nt)n[o]=D(s[m[o]]);return n.before=Object.
+fromEntries(["vx","vy","omega"].map(o=>[o,D(s[m[`before_${o}`]])])),n.impulse={normal:s[m.impulse_normal],tangential:s[m.impulse_tangential]},s[m.collision]===0&&
+(n.collision=!1),t==="kane_gain"&&(n.gain=s[m.gain]),s[m.stable]>=0&&(n.stable=s[m.stable]===1),n}function jt(s){let t=s.filter((n,o)=>o===s.length-1||!Ht.has(n.
+kind));return t.slice(0,-1).map((n,o)=>t[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var ot;function Nt(s){let t=new Set,e=n=>{ArrayBuffer.isView(n)?t.add(n.buffer):n&&typeof n=="object"&&!Array.isArray(n)&&Object.values(n).forEach(e)};return e(
 s),[...t]}function Ut({data:{number:s,compiled:t,call:e,values:n}}){try{if(t){ot=new L(t);return}let o=ot[e](...n);self.postMessage({number:s,answer:o},{transfer:Nt(
 o)})}catch(o){self.postMessage({number:s,error:o.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",Ut);export{L as HoopModule};

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources d4904f601e8b42ed711c85a9bd11248c */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 972ecd9564d162a7a911625c3b303968 */
 var Ol=Object.create;var ao=Object.defineProperty;var Cl=Object.getOwnPropertyDescriptor;var ql=Object.getOwnPropertyNames;var jl=Object.getPrototypeOf,Bl=Object.prototype.hasOwnProperty;var Wl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Fl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ql(e))!Bl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Cl(e,i))||n.enumerable});
 return s};var $l=(s,e,t)=>(t=s!=null?Ol(jl(s)):{},Fl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Wl(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1364,21 +1364,21 @@ return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function ah(
 e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function xn(s){let e=getComputedStyle(
 s),t=i=>e.getPropertyValue(i).trim(),n=i=>ah(t(i));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--paper"),panel:n("--panel"),ground:n("--gro\
 und"),font:t("--font"),dark:wt(n("--paper"))<.2}}function at(s,e){let t=m("a",{href:URL.createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),
-setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var x=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
 s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[i,o]=s.toExponential(e-1).split("e");n=`${xo(i)}·10${rh(Number(o))}`}else
 n=xo(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return ge(n.replace("-","−"))}function xo(s){return s.includes(".")&&!s.includes("e")?s.replace(
 /\.?0+$/,""):s}function rh(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
 "")}var j=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>ge(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Le(s){let e=Math.abs(s),[t,n]=e>=.995?
 [1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return j(S(s*t,3),n)}function Z(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),i=t/n;return(i>5?10:i>2?5:i>1?
 2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=Z(e-s,t),i=[];for(let o=Math.ceil(s/n-1e-9);o*n<=e+1e-9*n&&i.length<
-200;o++)i.push(o*n);return i}function oe(s,e){let t=x(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):ge((Math.abs(s)<e*1e-6?
+200;o++)i.push(o*n);return i}function oe(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):ge((Math.abs(s)<e*1e-6?
 0:s).toFixed(t).replace("-","−"))}var So=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],lh="tfc",hh=/^[0-9a-f]{16}$/,ch=400;function Eo({time:s=0,options:e={},zoom:t=1,
 pan:n=[0,0],from:i,more:o,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Number(s.toFixed(4))}`);let c=So.filter(([u])=>e[u]).map(([,u])=>u);return c.join(
 "")!==lh&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),n.some(u=>Math.abs(u)>5e-4)&&l.push(`pan=${n.map(u=>Number(u.toFixed(3))).
 join(",")}`),i&&l.push(`from=${i.map(u=>Number(u.toPrecision(3))).join(",")}`),o&&l.push(`more=${o}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
 Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function To(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
 0&&(t.time=n);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(So.map(([y,v])=>[y,i.includes(v)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=
-x(o,.05,60));let a=_o(e.get("pan"),2);a&&(t.pan=a.map(y=>x(y,-20,20)));let r=_o(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,
+_(o,.05,60));let a=_o(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=_o(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,
 f]=e.get("map")?.split(",")??[],b=[h,d,g,f].map(Number);f!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]});
 let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>hh.test(y)?y:"")),t}function _o(s,e){let t=(s??"").split(",").map(Number);
 return s&&t.length===e&&t.every(Number.isFinite)?t:null}var uh=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
@@ -1387,8 +1387,8 @@ opstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(
 queries()))return;let n=t.link();e==="step"?history.pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(
 t=>{let n=()=>t();addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=uh();JSON.stringify(
 t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var St=[.05,.1,.25,.5,1,2,4],Xt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
-for(let e of this.listeners)e(this)}seek(e){this.time=x(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[x(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+for(let e of this.listeners)e(this)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
+duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[_(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
 this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function dh(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
 (i,o,a)=>`e${o&&"-"}${a.normalize("NFKD")}`);let n=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return n?n[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
@@ -1424,7 +1424,7 @@ this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.
 let n=this.info.degrees?e*_n:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",j(S(e,4),this.info.
 unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?_n:1);this.
 entry.show(n?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":k("auto {value}",{value:S(o,2)}),this.entry.input.title=
-n?j(String(o),this.info.unit):"";let a=x(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+n?j(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
 String(a)),this.say(o)}};function wh(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
 o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ts=class{way;kind;gravity;apart;derived;film;constructor(e,t){
 this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new Sn(i,this.onchange));this.choices=
@@ -1492,14 +1492,14 @@ vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.v
 this.grip=e,this.film=t,this.view=i,this.before=is(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
 i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
-let n=this.read(e),{radius:i}=this.film;if(this.turned+=Et(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=x(this.before.slope+this.turned,-ns,ns);
+let n=this.read(e),{radius:i}=this.film;if(this.turned+=Et(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-ns,ns);
 this.held.slope=Math.abs(o)<An?0:o}else if(this.grip==="load")this.held.angle=Et(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
 this.held.height=o<Sh*i?0:o;let a=n.along-this.from.along;this.held.angle=Et(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
 push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Do;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>Do,c=Io(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=x((o.turned-
-a.turned)/r,-c/i.radius,c/i.radius):(t.vx=x((o.along-a.along)/r,-c,c),t.vy=t.height>0?x((o.away-a.away)/r,-c,c):0)),t}};function Co(s,e,t,n,i){let o={ArrowLeft:-1,
+trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>Do,c=Io(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
+a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Co(s,e,t,n,i){let o={ArrowLeft:-1,
 ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=Et(n.angle+(o||a)*5*An*r);return{...n,angle:h}}if(s===
-"plane"){let h=x(n.slope+(o||-a)*An*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Io(i),c=x(n.height+a*.05*r*i.radius,0,4*i.radius),u=x(n.vx+o*.1*r,-l,
+"plane"){let h=_(n.slope+(o||-a)*An*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Io(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
 l);return{...n,height:c<1e-9?0:c,vx:u}}function J(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
 n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function qo(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
@@ -1514,7 +1514,7 @@ o.preventDefault();n.addEventListener("touchmove",i,{passive:!1}),this.settle=ie
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.
 toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),
-u=this.onPlane(t),h=x(1.1*r*a,Rn,190),d=[["plane",u,Rn],["hoop",l,h],["load",c,Rn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
+u=this.onPlane(t),h=_(1.1*r*a,Rn,190),d=[["plane",u,Rn],["hoop",l,h],["load",c,Rn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
 e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
 point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
 let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:k("gap {height}, speed {speed} m/s",{height:Le(t.height),speed:S(t.vx,3)}),plane:G(
@@ -1689,12 +1689,17 @@ most:.6g} for this hoop, whose inertia about the contact it would cancel at some
  cannot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",
 beside_a_value:"{path} cannot stand beside a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: par\
 ts are numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"\
-flies",skim:"skims the plane"},events:{start:"starts",slip_start:"slips",stick:"rolls",slip_reversal:"slips the other way",takeoff:"hops",impact:"lands",turn:"t\
-urns back",apex:"is highest",bounce_limit:"has bounced out",painleve_inconsistent:"meets Painlevé's paradox",painleve_indeterminate:"meets Painlevé's indetermi\
-nacy",jam:"jams",kane_gain:"gains energy (Kane)",skim:"skims",rest:"rests",end:"ends"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal \
-force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"\
-The limit of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim",
-"+":"…"},story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
+flies",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip begins",summed_up:!0},stick:{verb:"\
+rolls",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip turns round",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
+impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
+bounce_limit:{verb:"has bounced out",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
+painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
+verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming begins",summed_up:!0},rest:{verb:"rests",label:"at rest",
+summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
+≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
+s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
+ of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
+story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
 starts skimming",slip_start:"It {verb} at {where}; friction is used up: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction is used up: the r\
 im turns too fast for the way it goes.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip turns round at {where}; it {verb}.",takeoff:"\
 It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s downwards \
@@ -1714,16 +1719,16 @@ no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (
 t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0): whether it slips or hops hangs on where it turns \
 back; the map shows it"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"\
 #0072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#5\
-6B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#5\
-6B4E9",impact:"#F0E442",slip_reversal:"#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F\
-2B5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","ma\
-ss","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","\
-max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,flight_turns:2e3,allowed:{duration:{least:1e-9,most:1e9,words:"\
-from 1e-09 to 1e+09"},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.load\
-_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or \
-from 1e-12 to 1e+06",also:[0]},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e-12\
- to 1e+06"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pl\
-ane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{least:0,
+6B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
+impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
+5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass",
+"eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
+events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,flight_turns:2e3,allowed:{duration:{least:1e-9,most:1e9,words:"fr\
+om 1e-09 to 1e+09"},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.load_f\
+raction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or fr\
+om 1e-12 to 1e+06",also:[0]},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e-12 t\
+o 1e+06"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"plan\
+e.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{least:0,
 most:1,words:"from 0 to 1"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.angle":{
 least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"from -\
 1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"contact.stiffne\
@@ -1757,7 +1762,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,je=s=>s==="inf"?1/0:s;var _={sources:"6af07387dc2c615b03d61d4d746c41f0",module:"67858aa18ea5efdd",derivatives:"2a1c5c7e54baa9e7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,je=s=>s==="inf"?1/0:s;var x={sources:"a85c3e9d30c83f900acf81abc1b8bd27",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
@@ -1779,50 +1784,47 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain",
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
-"jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
-compliant_segment_bytes:536};var Be=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Bo=Be(_.cell),we=Be(_.heads),H=Be(_.events),Ln=Be(_.samples),Wo=Be(_.changes),Fo=Be(_.numbers),Pn=Be(_.words),
-zh={newton:0,poisson:1,stronge:2};function lt(s){let e=new Float64Array(_.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
-er")),law:zh[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return _.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Dn(s){let e=t=>t??
-Number.NaN;return Float64Array.of(_.laws.indexOf(s.law),_.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
-e(s.rtol))}var Se={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
-ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
-energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},$o=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Lh=new Set(["turn","apex","kane_gain","rest"]),Ph=3,Dh=1e-10;function Nh(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=
-0&&o==="apex"&&(n<0||c>s[n].height)&&(n=i),!Lh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=
-[i,-1]));return e}var as=class{constructor(e,t,n){let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),
-this.radius=e.radius,this.side=i??o,this.step=i?n:-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Ih(i,o))}rate(e,t){return this.side?this.side.rates[e*_.
-changes.length+Wo[t]]:Number.NaN}of(e,t){return this.step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Nh(
-this.events.slice(0,this.count)).map(({begin:e,top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.step*(this.rate(n,o)-this.rate(e,o));return{begin:e,end:n,height:this.
-of(t<0?e:t,"height"),distance:i("x"),duration:i("t")}})}};function Ih(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??
-!1)}function Go(s,e){let t=Math.abs(s);if(e==="°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e===
-"m/s"?j(S(t,3),e):j(S(o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>Dh*Math.max(e,.001);function Uo(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${Go(
-s,e)}`:"0":"–"}function Nn(s){let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>k(t>0?i:o,{amount:Go(t,n)})).join(ze()==="zh"?"，":", ");return F(
-e)}var Ho=["m","{amount} further to the right","{amount} further to the left"],Oh=["s","{amount} later","{amount} earlier"];function Ko(s){let{events:e,count:t}=s,
-n=[],i=s.hops();for(let[r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,Ph).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Nn([[u,"m","{amount} highe\
-r","{amount} lower"],[p,"m","{amount} longer","{amount} shorter"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount\
-} later","begins {amount} earlier"]]);g&&n.push(i.length>1?k("Hop {number}: {list}.",{number:r+1,list:g}):k("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(
-({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Nn([[s.of(o,"t"),...Oh],[s.of(o,"x"),...Ho]]);r&&n.push(k("The first event, {what}: {list}.",{what:k(Se[e[o].
-kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Nn([[s.of(a,"x"),...Ho],[r,"m/s","{amount} faster","{amount} slowe\
-r"]]);l&&n.push(k("At the end, after {time} s: {list}.",{time:S(e[a].t,4),list:l}))}return n}var We={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},ls=Object.keys(We);function Vo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),i=[];
-for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
-x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:We[o],x:a,rare:r,hidden:0})}return i.sort((o,a)=>o.
-x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Zo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-c)<1e-6?h.
-wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,d]=[Math.
-max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){let f=Math.
-floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Jo=.7,Yo=34,Ch=3,qh=400,jh=8,In=13;function Xo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,qh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
+"jam","kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event\
+_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Be=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Bo=Be(x.cell),we=Be(x.heads),H=Be(x.events),Ln=Be(x.samples),Wo=Be(x.changes),Fo=Be(x.numbers),Pn=Be(x.words),
+zh={newton:0,poisson:1,stronge:2};function lt(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
+er")),law:zh[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Dn(s){let e=t=>t??
+Number.NaN;return Float64Array.of(x.laws.indexOf(s.law),x.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
+e(s.rtol))}var Lh=Object.entries(T.words.events),Se=Object.fromEntries(Lh.map(([s,{label:e}])=>[s,e])),$o=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Ph=new Set(x.passing),Dh=3,Nh=1e-10;function Ih(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&o==="apex"&&(n<0||c>s[n].
+height)&&(n=i),!Ph.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=[i,-1]));return e}var as=class{constructor(e,t,n){
+let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=i??o,this.step=i?n:
+-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Oh(i,o))}rate(e,t){return this.side?this.side.rates[e*x.changes.length+Wo[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Ih(this.events.slice(0,this.count)).map(({begin:e,
+top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.step*(this.rate(n,o)-this.rate(e,o));return{begin:e,end:n,height:this.of(t<0?e:t,"height"),distance:i("x"),duration:i(
+"t")}})}};function Oh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Go(s,e){let t=Math.abs(s);if(e===
+"°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?j(S(t,3),e):j(S(o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.
+abs(s)>Nh*Math.max(e,.001);function Uo(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${Go(s,e)}`:"0":"–"}function Nn(s){let e=s.filter(([t])=>Number.
+isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>k(t>0?i:o,{amount:Go(t,n)})).join(ze()==="zh"?"，":", ");return F(e)}var Ho=["m","{amount} further to the right","{amoun\
+t} further to the left"],Ch=["s","{amount} later","{amount} earlier"];function Ko(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[r,{begin:l,end:c,height:u,distance:h,
+duration:d}]of i.slice(0,Dh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Nn([[u,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);g&&n.push(i.length>1?k(
+"Hop {number}: {list}.",{number:r+1,list:g}):k("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Nn(
+[[s.of(o,"t"),...Ch],[s.of(o,"x"),...Ho]]);r&&n.push(k("The first event, {what}: {list}.",{what:k(Se[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Nn([[s.of(a,"x"),...Ho],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(k("At the end, after {time} s: {list}.",
+{time:S(e[a].t,4),list:l}))}return n}var We=T.words.signs,ls=Object.keys(We);function Vo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),
+i=[];for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:We[o],x:a,rare:r,hidden:0})}return i.sort(
+(o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Zo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+c)<1e-6?h.wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,
+d]=[Math.max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){
+let f=Math.floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Jo=.7,Yo=34,qh=3,jh=400,Bh=8,In=13;function Xo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,jh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
 of(a,"x"),dy:s.of(a,"height")}))}function Qo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&rs(r,e)).sort((r,l)=>r-l);if(!n.length)
 return 0;let i=Math.max(Jo*e,Yo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function ea(s,e,t){
-let n=[],i=Ch*Math.max(Jo*s.film.radius,Yo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
+let n=[],i=qh*Math.max(Jo*s.film.radius,Yo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
 d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
-g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<In-1&&E.low<w&&E.high>b);)y-=In;if(g[1]-y>jh*In)continue;n.push({low:b,high:w,base:y});
-let v=y-g[1];Bh(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:We[o]??""})}}function Bh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
+g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<In-1&&E.low<w&&E.high>b);)y-=In;if(g[1]-y>Bh*In)continue;n.push({low:b,high:w,base:y});
+let v=y-g[1];Wh(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:We[o]??""})}}function Wh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
 hypot(n[0]-l[0],n[1]-l[1]),[u,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=g,s.fillStyle=g,
 s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=f,s.setLineDash(a?[5,6]:[]),s.beginPath(),
 s.moveTo(l[0],l[1]),s.lineTo(n[0]-u*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
 f>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-u*d-h*d*.55,n[1]-h*d+u*d*.55),s.lineTo(n[0]-u*d+h*d*.55,n[1]-h*d-u*d*.55),s.closePath(),s.stroke(),s.fill());
 s.lineCap="butt";let p=o?r:"?";p&&(s.font=`600 11px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,l[0],l[1]-
-7),s.fillText(p,l[0],l[1]-7))}var ta=Math.PI/180,Wh=100,sa="plane.mu",Fh=/^(contact\.|duration$)/,$h=200,hs=T.reasons;function na(s,e){return s.textContent=e,s}var cs=class{on=!1;path=sa;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
-this.lab=e,this.later=ie(()=>this.fetch(),Wh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
+7),s.fillText(p,l[0],l[1]-7))}var ta=Math.PI/180,Fh=100,sa="plane.mu",$h=/^(contact\.|duration$)/,Hh=200,hs=T.reasons;function na(s,e){return s.textContent=e,s}var cs=class{on=!1;path=sa;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
+this.lab=e,this.later=ie(()=>this.fetch(),Fh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
 onclick:()=>this.turn()},"Arrows"),this.picked=m("select",{onchange:()=>this.pick(this.picked.value)}),this.step=m("span",{class:"more-step"}),this.take=m("butt\
 on",{type:"button",onclick:()=>this.apply()},"Do it"),this.said=m("ul",{class:"more-said"}),this.reason=m("p",{class:"more-reason",hidden:!0}),this.scale=m("p",
 {class:"hint"}),this.body=m("tbody",{}),this.rows=m("details",{class:"more-events"},m("summary",{},"Every event, by this step"),m("div",{class:"table-scroll",tabindex:"\
@@ -1833,7 +1835,7 @@ this.step,this.take),this.said,this.reason,this.rows,this.scale),e.stage.flat.ov
 active)return;let o=Qo(this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&ea(t,this.arrows,o||1),o!==this.factor&&(this.factor=
 o,this.tellScale())}}turn(e=!this.on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",
 e?this.changed(!0):this.forget(),this.lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.
-lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!Fh.test(t.path)).map(({info:t})=>t)}parameter(){
+lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!$h.test(t.path)).map(({info:t})=>t)}parameter(){
 let{values:e,scenario:t}=this.lab.film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[i,o]=n.path.split("."),a=e[n.path]??t[i][o];return{
 info:n,value:Number(a==="inf"?1/0:a),step:n.step*(n.degrees?ta:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();
 let{query:t}=this.lab.film();this.known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.
@@ -1854,17 +1856,17 @@ picture lead from where the rim touches to where it would, {factor} times as lon
 let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=k(Se[r]??r),u=k(hs[n.reason]);return F(k("From {what} at \
 {time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?F(k("To one side only: {reason}.",{reason:k(hs.edge)})):a?F(k("To one side only: \
 {reason}.",{reason:k(hs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Uo(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
-"span",{"aria-hidden":"true"},l),F(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,$h)).
+"span",{"aria-hidden":"true"},l),F(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Hh)).
 map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},Se[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
 a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
 t]],!0)}};var us=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ia=.22,oa=.03;function aa(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*x(.15+r,0,1):0}}function ra(s,e,t){let n=Math.
-sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>x(Math.abs(i.vy)/n,.02,1))}function Hh(s){
+"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function ra(s,e,t){let n=Math.
+sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/n,.02,1))}function Gh(s){
 let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ds=class{static heard=aa;static knocks=ra;context=null;on=!1;last=0;start(){
-let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Hh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
+let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Gh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
 ass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),n.connect(i).connect(
 a).connect(e.destination),t.start(),n.start(),this.context=e,Object.assign(this,{tone:t,low:o,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
 resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:n}=this[e];n.setTargetAtTime(ia*t,this.context.currentTime,oa)}follow(e,t){if(!this.
@@ -1884,11 +1886,11 @@ name:"use of friction",symbol:"|F|/μN",unit:"",values:Q("utilization")},kinetic
 potential energy",symbol:"E_p",unit:"J",values:Q("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Mt("total",({kinetic:s,potential:e},t)=>s[t]+
 e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:Q("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
 J",values:Q("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Q("rolling_resistance")}},la=({name:s,symbol:e})=>[
-s," ",e];var Gh=["time","angle","x","vx","spin","normal_force","friction_force"],Uh=[1,.5,.2,.1,.05,.02,.01],Cn=601;function ha(s,e,t){let n=Math.min(Math.floor(s.duration/
-t+1e-9)+1,Cn),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Kh(s,r,a))})}return i}function Kh(s,e,t){
+s," ",e];var Uh=["time","angle","x","vx","spin","normal_force","friction_force"],Kh=[1,.5,.2,.1,.05,.02,.01],Cn=601;function ha(s,e,t){let n=Math.min(Math.floor(s.duration/
+t+1e-9)+1,Cn),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Vh(s,r,a))})}return i}function Vh(s,e,t){
 if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let i=n.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
 i/360);let o=U[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var ms=class{film;rows=[];now;constructor(e){
-this.lab=e,this.columns=[...Gh],this.step=m("select",{onchange:()=>this.fill()},Uh.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
+this.lab=e,this.columns=[...Uh],this.step=m("select",{onchange:()=>this.fill()},Kh.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
 m("div",{class:"table-picks"},Object.entries(U).filter(([t])=>t!=="time").map(([t,{name:n}])=>this.pick(t,n))),this.caption=m("caption",{}),this.head=m("thead",
 {}),this.body=m("tbody",{}),this.element=m("section",{class:"table","aria-label":"Table of the motion",hidden:!0},m("header",{},m("h2",{},"Table"),m("label",{class:"\
 table-step"},m("span",{},"Every"),this.step),m("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),m("button",{type:"button",onclick:()=>this.open(!1)},
@@ -1904,38 +1906,38 @@ t,n);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()
 let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("\
 now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${U[o].name} [${U[o].unit||"1"}]`),"mode"],i=ha(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
 ...a,o].join(","));at(new Blob([[n.join(","),...i,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var ca="hoop.radius=0.4&duration=1.5&start.speed=",Vh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var ca="hoop.radius=0.4&duration=1.5&start.speed=",Zh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
  worksheet; results on the board.",`${ca}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],Zh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+["42","One sentence each: “The hoop hops because …”",null]],Jh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Jh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],Yh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Yh=["1.0","1.3","1.6","1.9","2.2","2.3"],Xh=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ua(s,e){
-let t=u=>{c.close(),s(u)},n=(u,h="Show")=>m("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=Xh(),o=i&&[["teach/index.html","Teaching with the hoop"],
+rim slips. Why does slipping help it to hop?"],Xh=["1.0","1.3","1.6","1.9","2.2","2.3"],Qh=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ua(s,e){
+let t=u=>{c.close(),s(u)},n=(u,h="Show")=>m("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=Qh(),o=i&&[["teach/index.html","Teaching with the hoop"],
 ["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=m("table",{},m("caption",{},"A lesson of 45 mi\
-nutes"),m("thead",{},m("tr",{},["Minute","What happens","Motion"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Vh.map(([u,h,d])=>m("tr",{},m("th",{scope:"row"},
+nutes"),m("thead",{},m("tr",{},["Minute","What happens","Motion"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Zh.map(([u,h,d])=>m("tr",{},m("th",{scope:"row"},
 u),m("td",{},h),m("td",{},d===null?"":n(d)))))),r=m("table",{},m("caption",{},"What students often think"),m("thead",{},m("tr",{},["Idea","What is right"].map(u=>m(
-"th",{scope:"col"},u)))),m("tbody",{},Zh.map(([u,h])=>m("tr",{},m("td",{},u),m("td",{},h))))),l=m("section",{class:"sheet"},m("h3",{},"Worksheet: the hoop that \
+"th",{scope:"col"},u)))),m("tbody",{},Jh.map(([u,h])=>m("tr",{},m("td",{},u),m("td",{},h))))),l=m("section",{class:"sheet"},m("h3",{},"Worksheet: the hoop that \
 hops"),m("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),m("ol",{},Jh.map(u=>m("li",{},u,m("div",{class:"answer-line"})))),m("table",{class:"sheet-\
-table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Yh.map(u=>m("tr",{},m("th",
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),m("ol",{},Yh.map(u=>m("li",{},u,m("div",{class:"answer-line"})))),m("table",{class:"sheet-\
+table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Xh.map(u=>m("tr",{},m("th",
 {scope:"row"},n(`${ca}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
 For teachers"),m("button",{type:"button",onclick:()=>print()},"Print"),m("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),m("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",m("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var qn="RSKHM",Qh=new Set(["x","angle","height"]),ec=1/60,da=8,tc={x:"vx",angle:"omega",height:"vy"},De=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var qn="RSKHM",ec=new Set(["x","angle","height"]),tc=1/60,da=8,sc={x:"vx",angle:"omega",height:"vy"},De=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
 this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??null,this.events=t.events,this.values=
 t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.
 t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=
 this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.
-part=null}wanted(e,t=0){if(this.duration<ec*this.length)return null;let n=x(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=
+part=null}wanted(e,t=0){if(this.duration<tc*this.length)return null;let n=_(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=
 this.part.t[this.part.length-1])return null;let o=Math.max(n-.25*da,0);return[o,Math.min(o+da+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(
 this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return ko(
 this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===qn[e[n]]?i.to=this.t[n]:t.push({mode:qn[e[n]],from:this.
@@ -1944,12 +1946,12 @@ columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++
 e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(n[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(
 .95*(r.length-1))]||1,a}index(e){let t=0,n=this.length;for(;n-t>1;){let i=t+n>>1;this.t[i]<=e?t=i:n=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,
 from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,
-from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=x(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(
+from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(
 t),o=Math.min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:qn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){
-if(c==="t"||c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(Qh.has(c)){let p=this.columns[tc[c]];l[c]=sc(h,d,p[i]*a,p[o]*a,r)}else
-l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function sc(s,e,t,n,i){if(!Number.isFinite(t)||!Number.
-isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Wn=s=>s-360*Math.floor(s/360);function nc(s,e){let t=Math.abs(Wn(s-e+180)-180);return Math.round(100*x(1-(t-1)/89,0,1))}function ic(s,e){let t=Math.max(...e)-
-Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*x(1-2*n/(t||1),0,1))}var oc=0;function zt(s,e,t=!1){let n=`hh-guess-${++oc}`,
+if(c==="t"||c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(ec.has(c)){let p=this.columns[sc[c]];l[c]=nc(h,d,p[i]*a,p[o]*a,r)}else
+l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function nc(s,e,t,n,i){if(!Number.isFinite(t)||!Number.
+isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Wn=s=>s-360*Math.floor(s/360);function ic(s,e){let t=Math.abs(Wn(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function oc(s,e){let t=Math.max(...e)-
+Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var ac=0;function zt(s,e,t=!1){let n=`hh-guess-${++ac}`,
 i="",o=s.map(([a,r])=>{let l=m("input",{type:"radio",name:n,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
 {},r))}});return{element:m("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
 row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var Ee=168,Rt=58,
@@ -1963,7 +1965,7 @@ l=u=>{i===null&&(t=Wn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
 u.preventDefault(),a.focus({preventScroll:!0}),c(u),J(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-Wn(u),r(),nc(t,i))}}var At=9,[ye,ps,Fe,Bn]=[34,12,12,26];function ma({label:s,unit:e,most:t},n){let i=Array(At).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+Wn(u),r(),ic(t,i))}}var At=9,[ye,ps,Fe,Bn]=[34,12,12,26];function ma({label:s,unit:e,most:t},n){let i=Array(At).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
 h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:v=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[v.key];E&&(v.preventDefault(),v.stopPropagation(),
 g(y,i[y]+E*t/(v.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
@@ -1971,14 +1973,14 @@ h=w=>ye+w/(At-1)*(u().width-ye-ps),d=w=>Fe+(1-w/t)*(u().height-Fe-Bn),p=()=>{let
 A).trim();w.clearRect(0,0,y,v),w.strokeStyle=R("--line"),w.fillStyle=R("--soft"),w.font="11px system-ui, sans-serif";for(let A=0;A<At;A+=2)w.textAlign="center",
 w.fillText(`${45*A}°`,h(A),v-8),w.strokeRect(h(A),Fe,0,v-Fe-Bn);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),ye-6,d(A)+4),w.strokeRect(ye,d(A),
 y-ye-ps,0);w.textAlign="left",w.fillText(e,ye+4,Fe+10);let M=(A,D,C)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(C),w.beginPath(),A.forEach((q,X)=>{let re=ye+
-X/(A.length-1)*(y-ye-ps);X?w.lineTo(re,d(x(q,0,t))):w.moveTo(re,d(x(q,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.forEach(
-(A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=x(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
-"aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),v=x((w.clientX-y.left-ye)/(y.width-ye-ps),0,1),E=Math.round(v*(At-1)),R=t*(1-(w.
+X/(A.length-1)*(y-ye-ps);X?w.lineTo(re,d(_(q,0,t))):w.moveTo(re,d(_(q,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.forEach(
+(A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
+"aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),v=_((w.clientX-y.left-ye)/(y.width-ye-ps),0,1),E=Math.round(v*(At-1)),R=t*(1-(w.
 clientY-y.top-Fe)/(y.height-Fe-Bn)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener("pointer\
 down",w=>{w.preventDefault(),f=null,b(w),J(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
-p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(At-1);return ic(i,i.map((v,E)=>w[Math.round(E*y)]))}}}var gs=2*Math.PI,se=(s,e)=>s.events.find(t=>t.kind===e),fs=s=>G(s-gs*Math.floor(s/gs));function ac(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
+p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(At-1);return oc(i,i.map((v,E)=>w[Math.round(E*y)]))}}}var gs=2*Math.PI,se=(s,e)=>s.events.find(t=>t.kind===e),fs=s=>G(s-gs*Math.floor(s/gs));function rc(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
 t;r++){let l=s.columns.angle[0]+gs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
-u*(i[c]-i[a]))}return o}var rc=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,lc={R:"roll",S:"spin",K:"skid",H:"bounce"},$e=[{key:"littlewood",title:"\
+u*(i[c]-i[a]))}return o}var lc=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,hc={R:"roll",S:"spin",K:"skid",H:"bounce"},$e=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
 ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>zt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],s),until:([s])=>{
@@ -1987,7 +1989,7 @@ let[e,t]=[se(s,"skim"),se(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
 Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>ma({label:"Speed of the centre",unit:"m/s",most:10},
-s),until:([s])=>rc(s,gs),answer:([s])=>{let e=ac(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
+s),until:([s])=>lc(s,gs),answer:([s])=>{let e=rc(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
@@ -2002,7 +2004,7 @@ ane while the load comes up. Friction is too weak for that: the rim spins, the h
 e top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it\
  do just after it has landed?",queries:[""],guess:s=>zt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turn\
 s too fast."],["bounce","It bounces."]],s),until:([s])=>(se(s,"impact")?.t??s.duration)+.15,answer:([s])=>{let[e,t]=[se(s,"takeoff"),se(s,"impact")],n=s.events.
-find(i=>i.kind==="apex");return{truth:lc[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
+find(i=>i.kind==="apex");return{truth:hc[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
 le}.",values:{time:S((t?.t??0)-(e?.t??0),3),height:S(100*(n?.height??0),3),angle:fs(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
 as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",
 title:"More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highes\
@@ -2066,38 +2068,38 @@ map(([a,r])=>m("optgroup",{label:a},r.map(({key:l,title:c})=>m("option",{value:l
 (y)",n.redo);let o=m("span",{},m("span",{class:"long"},"Compare"),m("span",{class:"short"},Y("two")));this.compare=Lt(o,"Compare two hoops",n.compare),this.element=
 m("header",{class:"top"},m("h1",{},m("span",{class:"logo","aria-hidden":"true"}),m("span",{},"hophoop",m("span",{class:"long"}," lab"))),this.presets,m("div",{class:"\
 buttons"},this.undo,this.redo,this.compare),m("div",{class:"buttons right"},t,Lt(Y("theme"),"Dark or light (d)",n.theme),Lt("?","Keys and help (?)",n.help)))}show(e,t){
-this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var hc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var cc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
-["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],cc=[["R","roll","the rim does n\
+["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],uc=[["R","roll","the rim does n\
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
- +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],uc=[["▲ ▼","\
+ +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],dc=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
 t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],$n=(s,e,t=()=>!1)=>m("table",{},m("caption",{},s),e.map(([n,...i])=>m("\
 tr",{},m("th",{scope:"row"},t(n),n),i.map(o=>m("td",{},o)))));function fa(s,e,t){let n=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
 p"),m("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),$n("Modes",cc,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),$n("Marks on t\
-he bar of time",uc),$n("Keys",hc),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var vs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
+mething that rigid-body mechanics cannot decide. Move a slider and see."),$n("Modes",uc,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),$n("Marks on t\
+he bar of time",dc),$n("Keys",cc),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var vs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=m("p",{class:"preset-text"}),this.element=m("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var ga="hophoop-single-keys",dc=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var ga="hophoop-single-keys",mc=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
 s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
 clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
 whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
-travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function mc(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function pc(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ks=class{constructor(e){
+travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function pc(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function fc(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ks=class{constructor(e){
 this.on=!e||pe(ga)!=="off";let t=m("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&fe(ga,this.on?"on":"off")}});this.element=m("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function fc(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){pc(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){mc(s,e);return}if(e.altKey||
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function gc(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){fc(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){pc(s,e);return}if(e.altKey||
 t.matches?.("select")&&!(e.key===" "&&s.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=dc(s,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function ba(s,e){
-let t=e?document:s.root,n=i=>{fc(s,i),e||i.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function wa(s,e){let t=m("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
+ summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=mc(s,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function ba(s,e){
+let t=e?document:s.root,n=i=>{gc(s,i),e||i.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function wa(s,e){let t=m("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
 s.classList.contains("stuck"))return;let a=s.offsetHeight;s.style.marginBottom="",s.classList.toggle("stuck",o),o&&(s.style.marginBottom=`${a-s.offsetHeight}px`),
 document.documentElement.style.scrollPaddingTop=o?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function ya(s,e){s.classList.add("hophoop"),!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}function va(s,e){
 let{root:t,notice:n,hosted:i}=s,o=h=>!e||e.includes(h),a=m("aside",{class:"side","aria-label":"Parameters"},s.hoops.element,n.message,s.controls.element),r=m("d\
 iv",{class:"player"},s.stage.element,s.timeline.element,s.transport.element),l=i?wa(r,()=>s.request()):null,c=m("div",{class:"middle"},l?.edge,r,m("div",{class:"\
 words"},s.story.element,o("theory")&&s.theory.element),o("map")&&s.map.element),u=m("div",{class:"why"},o("plots")&&s.plots.element,o("plots")&&s.phase.element);
-return t.replaceChildren(m("div",{class:"page"},i&&gc(s.timeline.element),s.header.element,m("div",{class:"columns"},o("controls")&&a,c,u)),n.toast,s.share.dialog,
-s.help),t.classList.toggle("no-controls",!o("controls")),l}function gc(s){s.id="hh-player";let e=m("a",{class:"skip button",href:"#hh-player"},"Skip to the play\
-er");return e.onclick=t=>{t.preventDefault(),s.focus()},e}var[ka,bc]=[62,92],wc=12,He=10,yc=36,xa=Math.PI/180,ve=["x","y"],xs=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+return t.replaceChildren(m("div",{class:"page"},i&&bc(s.timeline.element),s.header.element,m("div",{class:"columns"},o("controls")&&a,c,u)),n.toast,s.share.dialog,
+s.help),t.classList.toggle("no-controls",!o("controls")),l}function bc(s){s.id="hh-player";let e=m("a",{class:"skip button",href:"#hh-player"},"Skip to the play\
+er");return e.onclick=t=>{t.preventDefault(),s.focus()},e}var[ka,wc]=[62,92],yc=12,He=10,vc=36,xa=Math.PI/180,ve=["x","y"],xs=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
 y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ka}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
 for(let e of ve)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[n,i]=this.windows[e];return{path:this.paths[e],from:n,to:i,cells:t}}bounds(e){let{range:t,allowed:n}=this.info(e),i=2*(t[1]-t[0]);return[Math.max(n[0],t[0]-
@@ -2106,11 +2108,11 @@ let l=Math.max(Math.abs(n[i][0]),Math.abs(n[i][1]),1e-9);if(n[i][1]-n[i][0]<400*
 !1:(this.windows=n,!0)}drag(e,t,n){let i=(o,a)=>Ge(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",n/this.box.
 height)}}restore(e){if(!ve.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of ve)this.paths[t]=e[t][0];for(let t of ve)this.windows[t]=Ge(
 e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return ve.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?bc:ka,this.box={width:e-this.left-wc,height:t-He-yc}}clip(e){e.beginPath(),e.rect(this.
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?wc:ka,this.box={width:e-this.left-yc,height:t-He-vc}}clip(e){e.beginPath(),e.rect(this.
 left,He,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return He+
-(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+x(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-He)/
+(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+_(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-He)/
 this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let i=this.info(n),[o,a]=this.windows[n],
-r=Math.max(Math.abs(o),Math.abs(a)),l=x(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${k(i.label)} = ${j(S(i.degrees?e[n]/xa:e[n],l),i.unit)}`};return`${t("x")}\
+r=Math.max(Math.abs(o),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${k(i.label)} = ${j(S(i.degrees?e[n]/xa:e[n],l),i.unit)}`};return`${t("x")}\
 , ${t("y")}`}draw(e,t,n){e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(this.left+.5,He+.5,this.box.width-1,this.box.height-1),e.font=`11px ${n.
 font}`;for(let i of ve){let o=this.info(i),a=o.degrees?1/xa:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,u=Z(l-r,c),h=this.
 deep(i),d=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-d,l-d,c).map(b=>b+d):le(r,l,c);for(let b of p){let w=h?S(b-d,3):oe(b,u);i==="x"?(e.textAlign="center",
@@ -2118,26 +2120,26 @@ e.fillText(w,this.x(b/a),He+this.box.height+14)):(e.textAlign="right",e.textBase
 let g=h?` − ${String(d).replace("-","−")}`:"",f=`${k(o.label)}${g}${o.unit?` [${o.unit}]`:""}`;e.save(),e.textAlign="center",i==="x"?e.translate(this.left+.5*
 this.box.width,t-5):(e.translate(12,He+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ge([s,e],[t,n]){let i=Math.min(e-s,n-
 t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function Hn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
-s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var ht=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,vc=.0018,_a=200,
-[kc,xc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Jt(n()))&&(o.preventDefault(),
-e(Math.exp(-Math.min(Math.max(o.deltaY,-_a),_a)*vc),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
-"=")e(kc);else if(o.key==="-")e(xc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),qo(s,e)}var Sa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ea=48;function Ta(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Gn(
-s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>Sc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
-pointerType!=="touch"&&_c(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>Ec(s,i))}function Gn(s,e){let t=s.body.getBoundingClientRect();
-return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function _c(s,e){s.tip.textContent=s.said(Gn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
-tip.style.left=`${x(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Sc(s,e,t,n){e.preventDefault(),
+s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var ht=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,kc=.0018,_a=200,
+[xc,_c]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Jt(n()))&&(o.preventDefault(),
+e(Math.exp(-Math.min(Math.max(o.deltaY,-_a),_a)*kc),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
+"=")e(xc);else if(o.key==="-")e(_c);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),qo(s,e)}var Sa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ea=48;function Ta(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Gn(
+s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>Ec(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
+pointerType!=="touch"&&Sc(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>Tc(s,i))}function Gn(s,e){let t=s.body.getBoundingClientRect();
+return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function Sc(s,e){s.tip.textContent=s.said(Gn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
+tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Ec(s,e,t,n){e.preventDefault(),
 s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Gn(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
 r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(o,u,h),s.redraw(),s.soon())};J(s.body,e,l,(c,u)=>{
-u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function Ec(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,Sa[e.key]){let[n,i]=Sa[e.key],{x:o,y:a}=s.
-axes.windows;s.pointed={x:x(t.x+n*(o[1]-o[0])/Ea,o[0],o[1]),y:x(t.y+i*(a[1]-a[0])/Ea,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
-key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var Tc=["start.height","start.vx","start.vy","start.omega"];function Ma(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(n=>Tc.includes(n))?"of starts in any state, though this motion starts rolling":""}var Mc=Math.PI/180,Ac=12,Rc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Aa(s){return s.unit==="rad"?[1/Mc,"°"]:[1,s.unit==="1"?"":
-s.unit]}function zc({classes:s,what:e},t){let[n,i]=[1/0,-1/0];if(s)return[n,i];for(let o of t)o<n&&(n=o),o>i&&(i=o);return[Rc.includes(e)?Math.min(n,0):n,i]}function Ra(s){
-let{values:e}=s.arrays,t=s.header,{x:n,y:i,classes:o}=t,a=new ImageData(n.cells,i.cells),[r,l]=zc(t,e),c=o?.map(({color:h})=>xe(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
+u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function Tc(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,Sa[e.key]){let[n,i]=Sa[e.key],{x:o,y:a}=s.
+axes.windows;s.pointed={x:_(t.x+n*(o[1]-o[0])/Ea,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/Ea,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
+key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var Mc=["start.height","start.vx","start.vy","start.omega"];function Ma(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(n=>Mc.includes(n))?"of starts in any state, though this motion starts rolling":""}var Ac=Math.PI/180,Rc=12,zc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Aa(s){return s.unit==="rad"?[1/Ac,"°"]:[1,s.unit==="1"?"":
+s.unit]}function Lc({classes:s,what:e},t){let[n,i]=[1/0,-1/0];if(s)return[n,i];for(let o of t)o<n&&(n=o),o>i&&(i=o);return[zc.includes(e)?Math.min(n,0):n,i]}function Ra(s){
+let{values:e}=s.arrays,t=s.header,{x:n,y:i,classes:o}=t,a=new ImageData(n.cells,i.cells),[r,l]=Lc(t,e),c=o?.map(({color:h})=>xe(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
 n.cells;d++){let p=e[h*n.cells+d],g=4*((i.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let f=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<i.cells&&e[(h+1)*
-n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):st[x(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
+n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):st[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
 return be(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[n.from,n.to],y:[i.from,i.to],low:r,high:l}}function za(s,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
-o[1]+1e-300;return[...s.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Ac)}function La({header:s,low:e,high:t,values:n}){let{classes:i}=s;if(!i){let r=m("canvas",
+o[1]+1e-300;return[...s.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Rc)}function La({header:s,low:e,high:t,values:n}){let{classes:i}=s;if(!i){let r=m("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=be(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${st[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
 10);let[c,u]=Aa(s);return[m("span",{},s.label,": ",t>=e?S(e*c,3):"none"," "),r,m("span",{},t>=e?j(S(t*c,3),u):""),n.some(h=>!Number.isFinite(h))?m("span",{},m("\
 i",{class:"blank"}),"none"):""]}let o=new Map;for(let r of n)o.set(r,(o.get(r)??0)+1);let a=[...o].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
@@ -2193,17 +2195,17 @@ return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries
 going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
 active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
 "same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
-0).query,n&&`#${n}`)}};var Lc=6e3,Ms=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
+0).query,n&&`#${n}`)}};var Pc=6e3,Ms=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){L(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),L(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Lc)}};var I=52,Te=10,z=8,As=30;function Na(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),L(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Pc)}};var I=52,Te=10,z=8,As=30;function Na(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),n<o-4*r&&(n=o-.6*r),n=Math.min(n,0),i=Math.max(i,0),e&&([n,i]=[-Math.max(-n,i),Math.max(
 -n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function Ia(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
 i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=Z(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
 a[0],a[1],l)){let b=Math.round(e.y(f))+.5;s.globalAlpha=Math.abs(f)<1e-9*c?1:.55,s.beginPath(),s.moveTo(I,b),s.lineTo(t-Te,b),s.stroke(),s.globalAlpha=1,s.fillText(
 oe(f,c),I-6,b)}let u=o.width/70,h=Z(r[1]-r[0],u);s.textAlign="center",s.textBaseline="alphabetic";let{name:d,unit:p}=U[e.shared.axis],g=p?`${k(d)} [${p}]`:k(d);
 for(let f of le(r[0],r[1],u)){let b=e.x(f);s.beginPath(),s.moveTo(b,z+o.height),s.lineTo(b,z+o.height+4),s.stroke(),s.fillText(oe(f,h),b,z+o.height+15)}s.textAlign=
-"right",s.fillText(g,t-Te,n-3),s.save(),s.translate(11,z+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(k(e.unit),0,0),s.restore()}var Pc="RSKHM?";function Oa(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Pc[s[a*
+"right",s.fillText(g,t-Te,n-3),s.save(),s.translate(11,z+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(k(e.unit),0,0),s.restore()}var Dc="RSKHM?";function Oa(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Dc[s[a*
 e+r]],c=xe(t[l]??"#6E6E6E"),u=4*((n-1-a)*e+r);o.data.set([...c,255],u)}return be(i).putImageData(o,0,0),i}function Ca(s,e,t){let n=t.length;s.strokeStyle=yt(e.look.
 dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let i=0;i<n;i++){if(!t[i])continue;let o=i;for(;o<n&&t[o]===t[i];)o++;let a=e.x(i*2*Math.PI/n),r=e.x(o*2*Math.PI/
 n);s.save(),s.beginPath(),s.rect(a,z,r-a,e.box.height),s.clip(),s.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?z+e.box.
@@ -2251,7 +2253,7 @@ films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*
 this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){
 let t=this.body.getBoundingClientRect(),[n,i]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.columns,
 l=2*Math.PI,c={distance:1/0,t:0};for(let u=0;u<o.length;u++){let h=a[u]-Math.floor(a[u]/l)*l,d=Math.hypot(this.x(h)-n,this.y(r[u])-i);d<c.distance&&(c={distance:d,
-t:o.t[u]})}c.distance<40&&this.clock.seek(x(c.t,0,o.duration))}};var ct=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
+t:o.t[u]})}c.distance<40&&this.clock.seek(_(c.t,0,o.duration))}};var ct=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
 t,this.unit=n,this.curves=i,this.limits=o,this.symmetric=a,this.shared=r,this.canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas \
 plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"plot-body",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=
 m("section",{class:"plot","data-plot":e},m("header",{},m("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=
@@ -2265,12 +2267,12 @@ l);if(t.length>1)for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.
 curves(e).map(o=>({...o,color:o.color&&vt(o.color,n)}));let i=Object.keys(Rs);return this.curves(e).map((o,a)=>({...o,color:me(t,n),dash:i[a%i.length]}))}x(e){return I+
 (e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
 let t=[];for(let{film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(
-i[a])}return Na(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=x(this.x(i.from),I,I+this.box.width),a=x(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
+i[a])}return Na(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),I,I+this.box.width),a=_(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
 yt(n.modes[i.mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
 Rs[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
-isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=x(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
+isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
 [])}letter(e,{film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.
-isFinite(i[l]))return;let[c,u]=[this.x(a[l]),x(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
+isFinite(i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
 e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+
 t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},zs(i.color,
 i.dash),i.name," ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.
@@ -2281,7 +2283,7 @@ context:t,width:n,height:i}=V(this.over);if(t.clearRect(0,0,n,i),this.films.forE
 t.lineWidth=1,t.beginPath(),t.moveTo(p,z),t.lineTo(p,z+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+
 h*(w-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let v=this.y(y);!g||!(v>=z-1&&v<=z+this.box.height+1)||(t.fillStyle=
 f.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=yt("#0072B2",.2),t.fillRect(Math.min(
-o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=x((e.clientX-t.left-I)/(t.width-I-Te),0,1);return this.range[0]+n*(this.
+o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_((e.clientX-t.left-I)/(t.width-I-Te),0,1);return this.range[0]+n*(this.
 range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=e.clientX-t.left,i=this.valueAt(e),o=this.pinched(),a=r=>{if(o||=
 this.pinched(),o)return;let l=r.clientX-t.left;this.picked=e.pointerType==="mouse"&&Math.abs(l-n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
 this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(
@@ -2290,7 +2292,7 @@ n=this.abscissa(t),i=0;for(let o=0;o<n.length;o++)Math.abs(n[o]-e)<Math.abs(n[i]
 let n=this.fullRange(),i=Math.max(e-(e-this.range[0])*t,n[0]),o=Math.min(e+(this.range[1]-e)*t,n[1]);this.zoomTo(i<=n[0]&&o>=n[1]?null:[i,o])}zoomTo(e){this.shared.
 range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Un=s=>Object.entries(U).map(([e,t])=>m("option",{value:e},s(t)));function ja(s){let e="height",t=new ct({key:"own",title:"Your choice",unit:"",curves:o=>[{name:k(
 U[e].name),values:U[e].values(o)}]},s),n=()=>{let{symbol:o,unit:a}=U[e];t.unit=a?`${o} [${a}]`:o},i=m("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=i.value,n(),s.changed()}},Un(la));return i.value=e,n(),t.element.querySelector("h3")?.after(i),t}function Dc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
+e=i.value,n(),s.changed()}},Un(la));return i.value=e,n(),t.element.querySelector("h3")?.after(i),t}function Nc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:s.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,n=>n*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:s.kinetic,values:e.columns.kinetic},{name:"potential",color:s.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:n,potential:i})=>Float64Array.from(t,(o,a)=>n[a]+i[a])),dash:"dash"},{name:"lost to friction",color:s.friction_loss,
@@ -2299,7 +2301,7 @@ normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to r
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
 friction_force,values:e.columns.utilization}]}]}var Ps=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
-redraw()},this.plots=[...Dc(t).map(i=>new ct(i,this.shared)),ja(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
+redraw()},this.plots=[...Nc(t).map(i=>new ct(i,this.shared)),ja(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
 i.element,!0]));let n=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
 plots)n.observe(i.element);this.axis=m("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
 null,this.redraw()}},Un(({name:i})=>`over ${i}`)),this.back=m("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
@@ -2307,11 +2309,11 @@ m("span",{class:"hint"}),this.element=m("div",{class:"plots"},m("div",{class:"pl
 this.films=e,this.active=t,this.look=n;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${ht("")}`,
 o=e.length>1;L(this.hint,o?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${i}`:i),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Nc={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},Ic={python:"The bits differ: {own} here, {other} in Python.",link:"\
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ic={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},Oc={python:"The bits differ: {own} here, {other} in Python.",link:"\
 The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Ds=class{constructor(e){this.python=new Map(e.map(({key:t,query:n})=>[
 n,T.fingerprints[t]])),this.link=new Map}expect(e,t){for(let[n,{query:i}]of e.entries())t[n]&&this.link.set(i,t[n])}expected(e){return e.map(({query:t})=>this.link.
-get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let i=this[n].get(e);if(!i)return[];let o=t===i;return[{same:o,text:o?Nc[n]:Ic[n].
-replace("{own}",t).replace("{other}",i)}]}):[]}};var Ha=$l($a(),1);var Oc=3840;async function Ga(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Oc/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
+get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let i=this[n].get(e);if(!i)return[];let o=t===i;return[{same:o,text:o?Ic[n]:Oc[n].
+replace("{own}",t).replace("{other}",i)}]}):[]}};var Ha=$l($a(),1);var Cc=3840;async function Ga(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Cc/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
 round(e*n),height:Math.round(t*n)}),o=be(i);return o.setTransform(n,0,0,n,0,0),Vn(o,s,e,t),s.stage.options.three?(o.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
 Va(o,s,e,t),Zn(o,s,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Ua(s){if(s.stage.options.three)
 throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Ha.Context(
@@ -2324,9 +2326,9 @@ modes[c.mode],s.fillRect(12,p+2,11,11),s.fillStyle=n.look.ink,s.font=`13px ${n.l
 stead.");let t=m("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),i=[];
 n.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
 s.afterFrame=()=>{Ka(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await o,s.afterFrame=null,s.clock.loop=a,new Blob(i,{type:n.
-mimeType})}var Cc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+mimeType})}var qc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
 )"]],Is=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),Cc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
+this.item("Copy the link",()=>this.copyLink()),qc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
 ture (PNG)",()=>this.picture("png",Ga)),this.item("Picture (SVG)",()=>this.picture("svg",Ua)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
 "Show me the Python",()=>this.code()))),this.dialog=m("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
 own",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return m("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(n){
@@ -2354,32 +2356,32 @@ r=(l,c,u,h)=>{t.strokeStyle=c,t.lineWidth=u,t.lineJoin="round",t.beginPath();let
 w,y):t.moveTo(w,y),d=!0};for(let g of e.pieces()){let{x:f,height:b,angle:w,mode:y}=g.film.columns;for(let v=g.from;v<g.to&&g.film.t[v]<=a;v++)h===void 0||y[v]===
 3===h?p(f[v],b[v],w[v]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),t.stroke()};t.globalAlpha=
 this.options.ahead?.45:1,r(o,n.ink,1.3),r(e.eccentricity*o,i.gravity_center,1.8,!1),r(e.eccentricity*o,i.airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:n,
-film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-x(.07*i.radius*a,2,
+film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-_(.07*i.radius*a,2,
 14)-3,2),0,2*Math.PI),n.stroke(),n.fillStyle=t,n.font=`700 17px ${this.look.font}`,n.textAlign="center",n.fillText(e,r-14,l+20)}hoop(){let{film:e,pose:t,context:n,
-look:i,colors:o,scale:a}=this,r=e.radius,l=x(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
+look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
 "butt",i.dark&&(n.strokeStyle=i.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){let b=this.common.
 speed;n.lineWidth=l;let w=2*Math.PI/Ja;for(let y=0;y<Ja;y++){let v=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.sin(v+.5*w));n.strokeStyle=
-Kt[x(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
+Kt[_(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
 n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=i.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(u[0],u[1])),n.lineTo(
 ...h(t.angle)),n.stroke();let d=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,n.stroke()};d(this.point(
-u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),x(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
-g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,x(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
+u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),_(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
+g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,_(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
 scale:r}=this,c=e.reduce((u,h)=>u+h.mass*(h.at??0),0)<0?-1:1;o.strokeStyle=a.ink;for(let u of e){let h=c*(u.at??0),d=this.point(t[0]+h*Math.sin(i.angle),t[1]+h*
 Math.cos(i.angle));if(o.fillStyle=a.ink,o.lineWidth=1,o.beginPath(),u.shape==="ring")o.globalAlpha=.22,o.arc(...d,u.outer_radius*r,0,2*Math.PI),o.arc(...d,u.inner_radius*
 r,0,2*Math.PI,!0),o.fill(),o.globalAlpha=1;else if(u.shape==="rod"){let p=.5*u.length,g=f=>this.point(t[0]+f*Math.sin(i.angle),t[1]+f*Math.cos(i.angle));o.lineWidth=
-4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:x(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
+4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:_(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
 p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,i=e.radius,o=e.mass*(e.gravity||9.81),a=l=>.55*i*l/o;if(t.mode==="H"||!(t.normal_force>
 0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],n.normal_force,`N = ${S(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],n.friction_force,
-`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[x(
-n,-h,h),x(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
+`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[_(
+n,-h,h),_(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
 f);for(let[R,M]of[[c.paper,6],[o,3]])l.strokeStyle=R,l.fillStyle=R,l.lineWidth=M,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-b*y,g[1]-w*y),l.stroke();if(l.beginPath(),
 l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[R,M]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
 c.paper,l.lineWidth=2,l.beginPath();for(let A of[-3,3])l.moveTo(R+b*(A-3)-w*7,M+w*(A-3)+b*7),l.lineTo(R+b*(A+3)+w*7,M+w*(A+3)-b*7);l.stroke()}l.font=`600 12px ${c.
 font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let E=r?[p[0]-.5*v-32*this.sine,p[1]+32*this.cosine]:[g[0]+
-12,x(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=x(E[0],4,u-v-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-v-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,n]=[0,0]){let{width:i,
-height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=x(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
+height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
 let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
 let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
 u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,d)=>{e.save(),e.beginPath(),
@@ -2479,7 +2481,7 @@ n-a,.029*i,o),this.solid(this.cone,js(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,
 r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ke(this.gl,i,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:n,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:n,distance:i,
 shift:o,depth:a}),dt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
-l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var qc=[.35,.85,.4],jc=.18,Pt={azimuth:.5,height:.22,distance:5.2},rr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var jc=[.35,.85,.4],Bc=.18,Pt={azimuth:.5,height:.22,distance:5.2},rr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2487,12 +2489,12 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Ws=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Bs(e,st,qc,jc,{keep:!0}),this.floor=ut(this.space.gl,rr[0],rr[1]),this.corners=Ke(this.
+   }`],Ws=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Bs(e,st,jc,Bc,{keep:!0}),this.floor=ut(this.space.gl,rr[0],rr[1]),this.corners=Ke(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Pt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=x(
+"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
 this.turned.distance/e,1.6,60):this.turned={...Pt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Pt.azimuth&&t===Pt.height&&n===
-Pt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:x(e,-1.5,1.5),height:x(t,.02,1.45),distance:x(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
-y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=x(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=x(t.height+(n.clientY-t.y)*.006,
+Pt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
+y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+(n.clientY-t.y)*.006,
 .02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.
 share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,i,o,a,r){let{canvas:l,space:c}=this,u=r??Math.min(globalThis.devicePixelRatio||
 1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*u),1),l.height=Math.max(Math.round(h.height*u),1);let d=e.map(f=>f.at(
@@ -2506,14 +2508,14 @@ slope,angle:.75,near:.05*n,far:40*n+6*u}}drawFloor(e,t){let{space:n}=this,i=he(t
 let{space:l}=this,c=e.radius,u=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:u,broad:3.2*u,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,
 plain:i.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=f=>h.map((b,w)=>b+f*d[w]);l.ball(p(c-u),.125*c,o.dark?[.9,.91,.94]:[.12,
 .13,.15],r),l.rod(h,d,c-u,.012*c,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(g?a.airborne:a.gravity_center),r)}drawForces(e,t,n,i){if(t.
-mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>x(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
+mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>_(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
 sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),o,he(i.friction_force))}linesOf(e,t,n){
 let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
 l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
 h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Bc=["hoop","mode","time","angle","v","R θ̇","gap"],Fs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Wc=["hoop","mode","time","angle","v","R θ̇","gap"],Fs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
 three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Cs(this.plane,t),this.deep=
-null,this.outputs=Bc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
+null,this.outputs=Wc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
 legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Kt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
 ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.element=
 m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
@@ -2536,18 +2538,18 @@ vent_limit"||o.shortened?" (not all events are shown)":"",a+1<e.length?m("br"):"
 this.film.story.map(o=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(o.t)},m("i",{class:"dot",style:`background:${n.modes[o.mode]}`,"aria-hidd\
 en":"true"}),m("span",{class:"when"},`${S(o.t,4)} s`),m("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(
 ...i.flatMap(({same:o,text:a})=>[" ",m("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;
-e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Wc(e)))}say(e){L(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).join(" ")))}cursor(e){
+e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Fc(e)))}say(e){L(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).join(" ")))}cursor(e){
 let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.
 classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];
 if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.
-list.clientHeight)}}};function Wc(s){if(!s)return[m("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},
+list.clientHeight)}}};function Fc(s){if(!s)return[m("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},
 document.createTextNode(s)),t=m("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(s),L(t,"Copied")}catch{getSelection()?.
 selectAllChildren(e)}},[m("span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Hs=class{constructor(){
 this.list=m("dl",{}),this.heading=m("h2",{},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){L(this.heading,t?
-`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Fc=["gravity_center","airborne","normal_force","friction_force"],Gs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
+`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",$c=["gravity_center","airborne","normal_force","friction_force"],Gs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
 this.mark(),this.look=xn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(lr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=xn(this.root),this.inks={...this.colors};for(let e of Fc)
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=xn(this.root),this.inks={...this.colors};for(let e of $c)
 this.inks[e]=vt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
 k",this.hosted&&fe(lr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Us=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
 this.element=m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
@@ -2556,35 +2558,35 @@ erleave",()=>this.tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.
 let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ge(this.window,e)}zoom(e,t){let[n,i]=this.ends(),o=1e-6*this.clock.duration,
 a=Math.max((i-n)*e,o),r=(t-n)/(i-n);this.window=a<this.clock.duration?Ge([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
 return;let[e,t]=this.ends(),{time:n,duration:i}=this.clock;if(n>=e&&n<=t)return;let o=t-e;this.window=Ge(n>t?[n-.1*o,n+.9*o]:[n-.5*o,n+.5*o],[0,i])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[n,i]=this.ends();return n+x((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+canvas.getBoundingClientRect(),[n,i]=this.ends();return n+_((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let n=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));n(e),J(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
 let t=this.timeAt(e),n=this.nearest(t,8),i=n?`${k(Se[n.kind]??n.kind)} · ${S(n.t,5)} s · ${S(n.angle*180/Math.PI,4)}°`:`${S(t,4)} s`;this.tip.textContent=i,this.
-tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${x(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
+tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=o&&
 (!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:i,width:o,height:a}=V(this.canvas);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/(l-r)*
 o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:v,from:E,wide:R}of Zo(b.phases,c,o)){let M=n.modes[v];i.fillStyle=
 M,i.fillRect(E,y,R,h-2),this.named(i,k(n.mode_names[v]),E,R,y,h-2,M,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),this.marks(
 i,b,c,y,o,t),e.length>1&&(i.fillStyle=me(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let d=Z(l-r,o/60);i.fillStyle=
 t.soft,i.font=`10.5px ${t.font}`;let p=le(r,l,o/60);for(let b of p){let w=c(b);i.textAlign=w<14?"left":w>o-14?"right":"center",i.fillText(oe(b,d)+(b===p[0]?" s":
-""),w,a-3)}let g=x(c(this.clock.time),6,o-6),f=x(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
+""),w,a-3)}let g=_(c(this.clock.time),6,o-6),f=_(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
 g+6,u-10),i.lineTo(f,u-1),i.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=k(t.mode_names[l.at(n).mode]);return e.
 length>1?`${"AB"[c]} ${u}`:u}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria\
 -valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:S(n,4),what:F(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
 font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ro(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,n+.5*i,o+.5*a+1),e.textBaseline="alphab\
 etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
 c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Vo(r))e.
-fillText(l,x(c,6,o-6),i-4)}};var $c=1/60,Hc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Gc={three:"In space"},Ie=(s,e,t)=>m(
+fillText(l,_(c,6,o-6),i-4)}};var Hc=1/60,Gc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Uc={three:"In space"},Ie=(s,e,t)=>m(
 "button",{type:"button",title:e,"aria-label":e,onclick:t},s),hr=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Ks=class{titled="";constructor(e,t,n,i,o){
 this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Ie(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},St.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
-"1",this.switches=new Map(Hc.map(([a,r,l])=>{let c=`${a==="three"?Gc.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
+"1",this.switches=new Map(Gc.map(([a,r,l])=>{let c=`${a==="three"?Uc.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
 r)]})),this.element=m("div",{class:"transport"},m("div",{class:"buttons"},Ie(Y("start"),"To the start (Home)",()=>e.seek(0)),Ie(Y("previous"),"Previous event (S\
 hift ←)",()=>this.jump(-1)),Ie(Y("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Ie(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ie(Y("n\
 ext"),"Next event (Shift →)",()=>this.jump(1))),m("div",{class:"buttons jumps"},Ie(hr("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ie(
 hr("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,m("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
 clock:t,playButton:n}=this;for(let[o,a]of this.switches)a.setAttribute("aria-pressed",String(e[o]));let i=t.playing?"Pause (space)":"Play (space)";this.titled!==
 i&&(this.titled=i,n.replaceChildren(Y(t.playing?"pause":"play")),ot(n,"title",i),ot(n,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*$c*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let n=this.films().
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Hc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let n=this.films().
 flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:$o(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
 o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${k(`Hoop ${"AB"[r]}`)}: `:"",c=k(Se[a.kind]??a.kind);this.
@@ -2622,9 +2624,9 @@ this.frame))}frame(e){this.requested=!1,this.motions.lanes.length&&(this.clock.t
 film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let n=await this.backend.call("theory",{scenario:e},t);this.theory.draw(n.
 header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(n){let{name:i,message:o}=n;i!=="AbortError"&&this.theory.draw([{label:"–",text:o}])}}toggle(e){
 let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){this.notice.say(n.message)}this.transport.show(t),this.
-address?.soon(),this.request()}};var Uc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function pt(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
+address?.soon(),this.request()}};var Kc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function pt(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+n))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new Uc[r](t.buffer,t.byteOffset+4+n+c,u)}return{header:i,arrays:o}}var si=class extends Error{},ni=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+4,4+n))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new Kc[r](t.buffer,t.byteOffset+4+n+c,u)}return{header:i,arrays:o}}var si=class extends Error{},ni=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:n,reject:i}=this.waiting;this.waiting=null,t.error?i(new Error(
 t.error)):n(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,n){this.number++;let i=new Promise((o,a)=>{this.waiting=
@@ -2635,24 +2637,24 @@ n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("super
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),n?.removeEventListener(
 "abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Vs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
-i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Kc=150,Vc=240,Zc=6e3,[$b,cr,ur]=[0,1,2],Jc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Vc=150,Zc=240,Jc=6e3,[Gb,cr,ur]=[0,1,2],Yc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ii(s,e,t){let{rows:n,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
-min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Kc),Vc),Zc),c=_.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Vc),Zc),Jc),c=x.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
 for(let b=0;b<i;b++){let w=Math.min(n[b*c+H.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Yc(d,g,p,f)}function Yc(s,e,t,n){let i=s.length+t.length,o=_.samples.length,a=new Float64Array(i),r=new Float64Array(
+0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Xc(d,g,p,f)}function Xc(s,e,t,n){let i=s.length+t.length,o=x.samples.length,a=new Float64Array(i),r=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=s[h],r.set(e.subarray(h*o,(h+1)*o),l*
-o),l++;let u={t:a};for(let[h,d]of Object.entries(Jc)){let p=new Float64Array(i).fill(-0);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ln[g]];u[h]=p}return u.mode=
-Xc(r,i,u.omega),u}function Xc(s,e,t){let n=_.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
-Math.sign(t[a])||o;let r=s[a*n+Ln.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var Qc=s=>s/2**32|0,eu=s=>s>>>0;function dr(s,e,t,n){let i=Qc(t),o=eu(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
-`"${s}" `:"";function tu(s,e=""){if(typeof s!="number")throw new TypeError(oi(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
-oi(e)+"expected integer >= 0, got "+s);return s}function ai(s,e,t=""){if(mr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&tu(e,"length");let n=mr(s),i=e!==void 0?` of length ${e}`:"",o=n?`length=${s.length}`:
-`type=${typeof s}`,a=oi(t)+"expected Uint8Array"+i+", got "+o;throw n?new RangeError(a):new TypeError(a)}var su=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},pr=(s,e)=>{
-su(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
+o),l++;let u={t:a};for(let[h,d]of Object.entries(Yc)){let p=new Float64Array(i).fill(-0);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ln[g]];u[h]=p}return u.mode=
+Qc(r,i,u.omega),u}function Qc(s,e,t){let n=x.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
+Math.sign(t[a])||o;let r=s[a*n+Ln.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var eu=s=>s/2**32|0,tu=s=>s>>>0;function dr(s,e,t,n){let i=eu(t),o=tu(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
+`"${s}" `:"";function su(s,e=""){if(typeof s!="number")throw new TypeError(oi(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
+oi(e)+"expected integer >= 0, got "+s);return s}function ai(s,e,t=""){if(mr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&su(e,"length");let n=mr(s),i=e!==void 0?` of length ${e}`:"",o=n?`length=${s.length}`:
+`type=${typeof s}`,a=oi(t)+"expected Uint8Array"+i+", got "+o;throw n?new RangeError(a):new TypeError(a)}var nu=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},pr=(s,e)=>{
+nu(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
 `"${e}.__proto__" is not allowed`)};function ri(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
 ady called")}function fr(s,e){ai(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function li(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function Zs(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ce(s,e){return s<<32-e|
-s>>>e}function nu(s,e,t="opts"){return pr(s,"defaults"),e!==void 0&&pr(e,t),Object.assign(Object.create(null),s,e)}function gr(s,e={}){if(typeof s!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof s);e=nu({},e,"info");let t=(i,o)=>s(o).update(i).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
+s>>>e}function iu(s,e,t="opts"){return pr(s,"defaults"),e!==void 0&&pr(e,t),Object.assign(Object.create(null),s,e)}function gr(s,e={}){if(typeof s!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof s);e=iu({},e,"info");let t=(i,o)=>s(o).update(i).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
 n.blockLen,t.canXOF=n.canXOF,t.create=i=>s(i),Object.assign(t,e),Object.freeze(t)}var br=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function wr(s,e,t){return s&e^~s&t}function yr(s,e,t){return s&e^s&t^e&t}var Js=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,i){
 this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=i,this.buffer=new Uint8Array(e),this.view=Zs(this.buffer)}update(e){ri(this),ai(e);let{view:t,buffer:n,
 blockLen:i}=this,o=e.length,a=!1;for(let r=0;r<o;){let l=Math.min(i-this.pos,o-r);if(l===i){let c=Zs(e);for(;i<=o-r;r+=i)this.process(c,r);a=!0;continue}n.set(r===
@@ -2661,7 +2663,7 @@ ri(this),fr(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:i,isLE:o}=this
 0)),dr(n,i-8,this.length*8,o),this.process(n,0),this.roundClean();let r=e===t?n:Zs(e),l=this.outputLen,c=l/4,u=this.get();if(l%4||c>u.length)throw new Error("in\
 valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,u[h],o)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let n=e.slice(0,t);return this.destroy(),
 n}_cloneIntoMeta(e){let{buffer:t,length:n,finished:i,destroyed:o,pos:a}=this;return e.destroyed=o,e.finished=i,e.length=n,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
-_cloneInto()}},vr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var iu=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},vr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var ou=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
@@ -2670,87 +2672,87 @@ _cloneInto()}},vr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,
 return[e,t,n,i,o,a,r,l]}set(e,t,n,i,o,a,r,l){this.A=e|0,this.B=t|0,this.C=n|0,this.D=i|0,this.E=o|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
 constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)Oe[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=Oe[h-15],p=Oe[h-
 2],g=ce(d,7)^ce(d,18)^d>>>3,f=ce(p,17)^ce(p,19)^p>>>10;Oe[h]=f+Oe[h-7]+g+Oe[h-16]|0}let{A:n,B:i,C:o,D:a,E:r,F:l,G:c,H:u}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
-ce(r,11)^ce(r,25),p=u+d+wr(r,l,c)+iu[h]+Oe[h]|0,f=(ce(n,2)^ce(n,13)^ce(n,22))+yr(n,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=n,n=p+f|0}n=n+this.A|0,i=i+this.B|0,o=o+
+ce(r,11)^ce(r,25),p=u+d+wr(r,l,c)+ou[h]+Oe[h]|0,f=(ce(n,2)^ce(n,13)^ce(n,22))+yr(n,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=n,n=p+f|0}n=n+this.A|0,i=i+this.B|0,o=o+
 this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,u=u+this.H|0,this.set(n,i,o,a,r,l,c,u)}roundClean(){li(Oe)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),li(this.buffer)}},ci=class extends hi{constructor(){super(32,vr)}};var kr=gr(()=>new ci,br(1));var xr=["t","x","height","angle","vx","vy","omega","slip"],ou=16,au=0x7ff8000000000000n;function _r(s,e){let t=new TextEncoder,n=kr.create(),i=new DataView(new ArrayBuffer(
-8*xr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*_.events.length;n.update(t.encode(_.kinds[s[l+H.kind]])),xr.forEach((c,u)=>{let h=s[l+H[c]];
-Number.isNaN(h)?i.setBigUint64(8*u,au,!0):i.setFloat64(8*u,h+0,!0)}),n.update(o)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,ou)}function Sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=ru(s.subarray(i*_.keys,(i+1)*_.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
-get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function ru(s){let e="";for(let t of s){let n=t;for(let i=0;i<_.letters_a_key&&
-n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===_.more?"+":_.letters[o-1])}}return e}var lu=256,hu=2048,cu=4096,uu=2e5,du=_.statuses.indexOf("buffer"),mu=new Set(["turn","apex","kane_gain","rest"]),ui=s=>Number.isFinite(s)?s:null,Ys=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Vs(this.exports),this.mostEvents=lu,this.mostSegments=hu,this.mostRows=
-cu}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=_.events.length;for(;;){let i=t.
-room("table",8*n*this.mostEvents),o=t.room("heads",8*_.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
-_.heads.length).slice(),r=a[we.events];if(a[we.status]===du)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
-let l=t.floats(i,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.
-put("cell",lt(e)),a=i.room("events",_.event_bytes*this.mostEvents),r=i.room("segments",_.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
-r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",lt(e)),r=o.put("contact",Dn(t)),l=o.room("events",_.event_bytes*this.mostEvents),
-c=o.room("rows",_.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,uu,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.
-mostRows=t:this.mostSegments*=4}motion(e){return Er(this.compute(e))}film(e){let t=this.compute(e);return{motion:Er(t),columns:ii(this,t)}}columns(e,t){return ii(
-this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),i=_.samples.length;return Object.fromEntries(_.samples.map((o,a)=>[o,Float64Array.from(
-t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows("samples",_.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact h\
-as no such rules.");let i=_.margins.length,o=this.rows("margins",i,this.compute(e),t,n);return Object.fromEntries(_.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*
-i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[n.segments,l,i.length,Number(
-o),c];return n.given.contact?this.call("compliant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){
-let{memory:n}=this,i=this.compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.
-count,larger:a,smaller:c}}side({count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*_.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cel\
-l","events","segments"].map(b=>a.room(b,8)),p=n[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),
-reason:_.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",lt(e)),i=t.room("answers",8*_.thresholds.length),o=e.rolling&&
-e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,_.thresholds.length),r=c=>{let u=a[_.thresholds.indexOf(c)];return Number.isNaN(u)?null:
-u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
-"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
-null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,
-o],a,r){let{memory:l}=this,c=l.put("cell",lt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
-return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.
-room("numbers",8*e*_.numbers.length),l=o.room("words",4*e*_.words.length),c=o.room("keys",8*e*_.keys),{angle:u,stop:h,timed:d}=_.spans[i],p=_.wanted[n];this.call(
-"map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return Sr(new BigUint64Array(g,c,e*_.keys),e);let f=new Float64Array(
-e);if(n in Pn){let b=new Int32Array(g,l,e*_.words.length);for(let w=0;w<e;w++)f[w]=b[w*_.words.length+Pn[n]]}else{let b=o.floats(r,e*_.numbers.length);for(let w=0;w<
-e;w++)f[w]=b[w*_.numbers.length+Fo[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*_.thresholds.length);return this.call("ideal_hoop",e,t),this.
-memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*_.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
-let{memory:n}=this,i=n.put("parts",t.flatMap(pu)),o=n.room("answers",8*_.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
-o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let n=t.put("cell",lt(e)),i=t.put("contact",Dn(e.contact)),o=t.room("answers",8*_.thresholds.length);this.call("compliance",n,i,o);let a=t.
-floats(o,_.chosen.length),r=l=>a[_.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
-depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function pu(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=_.
-shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
-0,s.at]:[t,s.mass,0,0,s.at]}var fu=["friction","impact_normal","impact_tangential","rolling_resistance"],gu=["kinetic","potential",...fu,"residual"],Tr=["x","he\
-ight","angle","vx","vy","omega"];function Er({given:s,head:e,rows:t,count:n,duration:i}){let o=_.events.length,a=Array.from({length:n},(u,h)=>bu(t.subarray(h*o,
-(h+1)*o))),r=a[n-1],l=Object.fromEntries([...gu,...s.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:_.statuses[e[we.
-status]],sequence:wu(a),fingerprint:c===null?_r(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Tr.map(u=>[u,r[u]]))},energy:l,doubt:c}}
-function bu(s){let e=_.kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:_.letters[t],to:_.letters[s[H.to_mode]]};for(let i of Tr)n[i]=ui(s[H[i]]);
-return n.before=Object.fromEntries(["vx","vy","omega"].map(i=>[i,ui(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},
-s[H.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function wu(s){let e=s.filter((n,i)=>i===s.
-length-1||!mu.has(n.kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var di=1e4,yu="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Mr(s){let e=URL.createObjectURL(
+0,0,0,0,0,0),li(this.buffer)}},ci=class extends hi{constructor(){super(32,vr)}};var kr=gr(()=>new ci,br(1));var xr=["t","x","height","angle","vx","vy","omega","slip"],au=16,ru=0x7ff8000000000000n;function _r(s,e){let t=new TextEncoder,n=kr.create(),i=new DataView(new ArrayBuffer(
+8*xr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*x.events.length;n.update(t.encode(x.kinds[s[l+H.kind]])),xr.forEach((c,u)=>{let h=s[l+H[c]];
+Number.isNaN(h)?i.setBigUint64(8*u,ru,!0):i.setFloat64(8*u,h+0,!0)}),n.update(o)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,au)}function Sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=lu(s.subarray(i*x.keys,(i+1)*x.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
+get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function lu(s){let e="";for(let t of s){let n=t;for(let i=0;i<x.letters_a_key&&
+n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var hu=256,cu=2048,uu=4096,du=2e5,mu=x.statuses.indexOf("buffer"),pu=new Set(x.passing),ui=s=>Number.isFinite(s)?s:null,Ys=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Vs(this.exports),this.mostEvents=hu,this.mostSegments=cu,this.mostRows=uu}call(e,...t){let n=this.
+exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;for(;;){let i=t.room("table",8*n*this.
+mostEvents),o=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,x.heads.length).slice(),
+r=a[we.events];if(a[we.status]===mu)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(i,r*n).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.put("cell",lt(e)),a=i.room("e\
+vents",x.event_bytes*this.mostEvents),r=i.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){
+let{memory:o}=this,a=o.put("cell",lt(e)),r=o.put("contact",Dn(t)),l=o.room("events",x.event_bytes*this.mostEvents),c=o.room("rows",x.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,du,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return Er(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:Er(t),columns:ii(this,t)}}columns(e,t){return ii(this,this.compute(e),t)}samples(e,t){let n=this.states(
+this.compute(e),t,!1),i=x.samples.length;return Object.fromEntries(x.samples.map((o,a)=>[o,Float64Array.from(t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows(
+"samples",x.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let i=x.margins.length,o=this.rows(
+"margins",i,this.compute(e),t,n);return Object.fromEntries(x.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.
+length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[n.segments,l,i.length,Number(o),c];return n.given.contact?this.call("compli\
+ant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:n}=this,i=this.
+compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.count,larger:a,smaller:c}}side({
+count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cell","events","segments"].map(b=>a.
+room(b,8)),p=n[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:x.reasons[Math.max(g,0)],
+sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",lt(e)),i=t.room("answers",8*x.thresholds.length),o=e.rolling&&e.angle===0;this.call("thresho\
+lds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,x.thresholds.length),r=c=>{let u=a[x.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["jam_angle","jam_angl\
+e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
+_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
+"stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,o],a,r){let{memory:l}=this,
+c=l.put("cell",lt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
+d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.room("numbers",8*e*x.numbers.
+length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],p=x.wanted[n];this.call("map_cells",a,e,u??Number.NaN,
+h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return Sr(new BigUint64Array(g,c,e*x.keys),e);let f=new Float64Array(e);if(n in Pn){let b=new Int32Array(
+g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+Pn[n]]}else{let b=o.floats(r,e*x.numbers.length);for(let w=0;w<e;w++)f[w]=b[w*x.numbers.length+
+Fo[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*x.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){
+let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){let{memory:n}=this,i=n.
+put("parts",t.flatMap(fu)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=n.floats(
+o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The con\
+tact is rigid.");let n=t.put("cell",lt(e)),i=t.put("contact",Dn(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.floats(
+o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r(
+"depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function fu(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.shapes.indexOf(
+e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,
+s.mass,0,0,s.at]}var gu=["friction","impact_normal","impact_tangential","rolling_resistance"],bu=["kinetic","potential",...gu,"residual"],Tr=["x","height","angl\
+e","vx","vy","omega"];function Er({given:s,head:e,rows:t,count:n,duration:i}){let o=x.events.length,a=Array.from({length:n},(u,h)=>wu(t.subarray(h*o,(h+1)*o))),
+r=a[n-1],l=Object.fromEntries([...bu,...s.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:x.statuses[e[we.status]],sequence:yu(
+a),fingerprint:c===null?_r(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Tr.map(u=>[u,r[u]]))},energy:l,doubt:c}}function wu(s){let e=x.
+kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[H.to_mode]]};for(let i of Tr)n[i]=ui(s[H[i]]);return n.before=Object.
+fromEntries(["vx","vy","omega"].map(i=>[i,ui(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},s[H.collision]===
+0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function yu(s){let e=s.filter((n,i)=>i===s.length-1||!pu.has(
+n.kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var di=1e4,vu="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Mr(s){let e=URL.createObjectURL(
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function Rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
 var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Ys(e),this.motions=new ft(t,e,2,di);let i=navigator.hardwareConcurrency||
-2;this.maps=new ft(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${_.module}`,e)),n=()=>Ar(new URL(`hophoop-deri\
-vatives.wasm?${_.derivatives}`,e)),i=new URL(`kernel.js?${_.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
+2;this.maps=new ft(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${x.module}`,e)),n=()=>Ar(new URL(`hophoop-deri\
+vatives.wasm?${x.derivatives}`,e)),i=new URL(`kernel.js?${x.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
 n):new s(t,Mr(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await Rr(e),Mr(t),async()=>Rr(await n()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
 ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(o=>new ft(this.start,o,1,di)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(yu)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,i,o){return this.motions.ask("regions",[e,
-t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=_.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
+null,new Error(vu)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,i,o){return this.motions.ask("regions",[e,
+t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=x.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
 a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let g=await this.maps.ask("map",[{count:d,rows:p},n,i],o,[p.buffer]),f=g.sequences?.map(b=>(l.includes(
 b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=f?f[g.values[b]]??Number.NaN:g.values[b]},u=Array.from({length:Math.ceil(e/mi)},(h,d)=>d*mi);return await Promise.
-all(u.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var vu=4,ku="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Xs=class{constructor(e){this.base=e,this.shares=
+all(u.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var ku=4,xu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Xs=class{constructor(e){this.base=e,this.shares=
 !0}async call(e,t,n){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:n},o=await this.answered(new URL(`lab/${e}`,
-this.base),i);return pt(await o.arrayBuffer())}async answered(e,t){for(let n=vu;;n--){let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(ku)});
+this.base),i);return pt(await o.arrayBuffer())}async answered(e,t){for(let n=ku;;n--){let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(xu)});
 if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||n<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The\
  server answered ${i.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(o,10))),t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(
-`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},xu=2e4,_u=3e5,Qs=class{constructor(e){this.model=e,this.
+`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},_u=2e4,Su=3e5,Qs=class{constructor(e){this.model=e,this.
 shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).slice(2),this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){
 let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(n.timer),this.waiting.delete(e.number),e.error?n.reject(new Error(e.error)):n.resolve(pt(
 t[0])))}call(e,t,n){let i=++this.number;return new Promise((o,a)=>{let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answ\
-er; run the cell again."))},e==="file"?_u:xu);this.waiting.set(i,{resolve:o,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
+er; run the cell again."))},e==="file"?Su:_u);this.waiting.set(i,{resolve:o,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
 i),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:i,call:e,body:t})})}async file(e,t){let{arrays:n}=await this.call("fi\
-le",{query:t,name:e});return new Blob([n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Su,families:Eu,massless:Tu,hops:Mu,rolls:Au,other:Ru}=T.classes,{sequence:zu}=T.words,zr="sequence";function Lu(s){let e=-1;for(let t of s){e^=t.charCodeAt(
-0);for(let n=0;n<8;n++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function Lr(s,e){if(e!==zr)return Su[e]?.[s]??Ru;let t=[...s].find(p=>"SK".includes(p))??"R",n=[s.
-startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).join(", "),i=s.endsWith("H")?Mu:Eu[t+s.slice(-1)]??Au,o=s.includes("M")?Tu[n]:i,a=[1,3,5].map(
-p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(s.length-1,9)/9,c=Lu(s)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
+le",{query:t,name:e});return new Blob([n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Eu,families:Tu,massless:Mu,hops:Au,rolls:Ru,other:zu}=T.classes,{sequence:Lu}=T.words,zr="sequence";function Pu(s){let e=-1;for(let t of s){e^=t.charCodeAt(
+0);for(let n=0;n<8;n++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function Lr(s,e){if(e!==zr)return Eu[e]?.[s]??zu;let t=[...s].find(p=>"SK".includes(p))??"R",n=[s.
+startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).join(", "),i=s.endsWith("H")?Au:Tu[t+s.slice(-1)]??Ru,o=s.includes("M")?Mu[n]:i,a=[1,3,5].map(
+p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(s.length-1,9)/9,c=Pu(s)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
 #${a.map(p=>{let g=(1-.2*c)*p+.2*c*r,f=Math.min(Math.max((g+(1-g)*u)*(1-h),0),1);return Math.round(255*f).toString(16).padStart(2,"0")}).join("")}`}function Pr(s,e){
-return e!==zr?s.replaceAll("_"," "):[...s].map(t=>zu[t]).join(" → ")}function ee({duration:s,hoop:e,plane:t,start:n,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:c,slope:u,rolling_resistance:h,mu_static:d,
+return e!==zr?s.replaceAll("_"," "):[...s].map(t=>Lu[t]).join(" → ")}function ee({duration:s,hoop:e,plane:t,start:n,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:c,slope:u,rolling_resistance:h,mu_static:d,
 mu_kinetic:p,restitution:g,impact_law:f,painleve:b}=t,{x:w,height:y,angle:v,vx:E,vy:R,omega:M,slip:A}=ke(n,o),{max_events:D,model:C,...q}=i;return{radius:o,mass:a,
 eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:c,slope:u,rolling_resistance:h,mu_static:d,mu_kinetic:p,restitution:g,impact_law:f,painleve:b,
 x:w,height:y,angle:v,vx:E,vy:R,omega:M,slip:A,rolling:n.speed!==null,duration:s,max_events:D,contact:C==="rigid"?null:q}}function ke({x:s,height:e,angle:t,speed:n,
@@ -2763,20 +2765,20 @@ let[t,n]=s.toExponential(e-1).split("e"),i=t.replace(".",""),o=s.toExponential(1
 Number(o[e-1])%2===0?[o.slice(0,e),Number(s.toExponential(100).split("e")[1])]:[i,Number(n)]}function gi(s){return Number.isNaN(s)?"nan":s>0?"inf":"-inf"}var Nt=s=>s<
 0||Object.is(s,-0)?"-":"";function Me(s,e=6){if(!Number.isFinite(s))return gi(s);let t=Nt(s);if(s===0)return`${t}0`;let[n,i]=Cr(Math.abs(s),e),o=n.replace(/0+$/,
 "")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${fi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=Or(n,i+1).split("."),
-l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function Pu(s,e){if(!Number.isFinite(s))return gi(s);let[t,n]=s===0?["0".repeat(e+1),0]:Cr(Math.abs(s),e+1),
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function Du(s,e){if(!Number.isFinite(s))return gi(s);let[t,n]=s===0?["0".repeat(e+1),0]:Cr(Math.abs(s),e+1),
 i=t.slice(1);return`${Nt(s)}${t[0]}${i&&`.${i}`}e${fi(n)}`}function bi(s,e){if(!Number.isFinite(s))return gi(s);let t=Math.abs(s);if(t>=1e21)return`${Nt(s)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let n=t.toFixed(e),i=t.toFixed(100),o=i.slice(i.indexOf(".")+1+e),a=i.slice(0,i.indexOf(".")+(e?1+e:0));return/^50*$/.test(o)&&Number(
 a.at(-1))%2===0?Nt(s)+a:Nt(s)+n}function B(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,i,o,a)=>{let r=e[n];return r instanceof Ve?r.text:i?
-ue(r):a==="g"?Me(r,o===""?6:Number(o)||1):a==="e"?Pu(r,Number(o)):a==="f"?bi(r,Number(o)):String(r)})}function ue(s,e=!0){return s==null?"None":s===!0?"True":s===
+ue(r):a==="g"?Me(r,o===""?6:Number(o)||1):a==="e"?Du(r,Number(o)):a==="f"?bi(r,Number(o)):String(r)})}function ue(s,e=!0){return s==null?"None":s===!0?"True":s===
 !1?"False":typeof s=="number"?e?Ze(s):qr(s):typeof s=="string"?Nr(s):Array.isArray(s)?`[${s.map(n=>ue(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${Nr(
 n)}: ${ue(i,e)}`).join(", ")}}`}function qr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ze(s)}function It(s){return typeof s=="number"?qr(s):
 typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${en(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
-ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var en=(s,e)=>s.toString(16).padStart(e,"0"),Du=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
-jr=s=>s===" "||!Du.test(s);function Br(s){if(s===`
+ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var en=(s,e)=>s.toString(16).padStart(e,"0"),Nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+jr=s=>s===" "||!Nu.test(s);function Br(s){if(s===`
 `)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${en(e,2)}`:e<65536?`\\u${en(e,4)}`:`\\U${en(e,8)}`}function Nr(s){
 let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:jr(n)?n:Br(n));return e+t.join("")+e}var Wr=s=>[...s].map(e=>jr(e)?e:Br(
-e)).join("");function tn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var Ir="[\\s\\x1c-\\x1f\\x85]*",Nu=new RegExp(`^${Ir}([+-]?)(?:(in\
-f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Ir}$`,"i");function Fr(s){let e=Nu.exec(s);if(!e||s.includes(
+e)).join("");function tn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var Ir="[\\s\\x1c-\\x1f\\x85]*",Iu=new RegExp(`^${Ir}([+-]?)(?:(in\
+f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Ir}$`,"i");function Fr(s){let e=Iu.exec(s);if(!e||s.includes(
 "\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:$r,scenario:Hr}=T,P=class extends Error{constructor(e){super(Wr(e)),this.name="InputError"}},ne=class extends P{},N=(s,e={})=>B($r[s],e),de=s=>s!==null&&
 typeof s=="object"&&!Array.isArray(s);function Ce(s=()=>!1,e=""){return{said:[],above:e,float:s}}function W(s,e,t,n,i){Je(s,e,t,N(n,i))}function Je(s,e,t,n){let i=typeof t==
 "bigint"?String(t):ue(t,s.float(e)),o=s.above+e||$r.whole_scenario;s.said.push(N("finding",{path:o,shown:tn(i),allowed:n}))}function Ot(s,e,t,n,i={}){let{fields:o,
@@ -2784,105 +2786,105 @@ place:a}=Hr.models[s];if(!de(e))return W(n,t,e,"table"),null;for(let c of Object
 let r=n.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,n):Object.
 hasOwn(e,c)?l[c]=wi(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=je(u.default)}return n.said.length===r?{values:l,
 given:new Set(Object.keys(e))}:null}function Ct(s,e,t){let n=Dr(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
-{path:`${s}${tn(e)}`,hint:i})}function wi(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return Ou(e,t,n);if(s.kind==="word")return s.options.
+{path:`${s}${tn(e)}`,hint:i})}function wi(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return Cu(e,t,n);if(s.kind==="word")return s.options.
 includes(e)||W(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return W(n,t,e,"number");if(i&&!(o>=0))return W(n,
 t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return W(n,t,e,"whole");if(!i&&!Number.isFinite(o))return W(n,t,e,"finite_number");for(let[a,r]of s.limits??
-[])if(!Iu(a,o,r))return W(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!qe(s.range,o)?W(n,t,e,"range",s.range):o+0}function Iu(s,e,t){return s===
-"greater_than"?e>t:s==="greater_than_equal"?e>=t:s==="less_than"?e<t:e<=t}var qe=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(i=>je(i)===n);function Ou(s,e,t){
-return Array.isArray(s)?s.map((n,i)=>Cu(n,`${e}.${i}`,t)):W(t,e,s,"list")}function Cu(s,e,t){let n=yi(s,"shape",Hr.parts,e,t),i=n&&Ot(n,s,e,t);if(!i)return null;
+[])if(!Ou(a,o,r))return W(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!qe(s.range,o)?W(n,t,e,"range",s.range):o+0}function Ou(s,e,t){return s===
+"greater_than"?e>t:s==="greater_than_equal"?e>=t:s==="less_than"?e<t:e<=t}var qe=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(i=>je(i)===n);function Cu(s,e,t){
+return Array.isArray(s)?s.map((n,i)=>qu(n,`${e}.${i}`,t)):W(t,e,s,"list")}function qu(s,e,t){let n=yi(s,"shape",Hr.parts,e,t),i=n&&Ot(n,s,e,t);if(!i)return null;
 let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function yi(s,e,t,n,i,o){if(!de(s))return W(i,n,
 s,"table"),null;let a=Object.hasOwn(s,e)?s[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${n}.${e}`})),null;if(typeof a=="stri\
 ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ue(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
 at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:tn(ue(r)),allowed:u};return i.said.push(N("finding",h)),null}function qt(s){let e=s.
 length-1;return e?N(e===1?"other_problem":"other_problems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var Gr=T.scenario.ends,vi=s=>Object.hasOwn(Gr,s)?Gr[s]:[];function xi(s){let e=s.indexOf(".");return e<0?[s,""]:[s.slice(0,e),s.slice(e+1)]}function jt(s){for(let e of s){
-let[t]=xi(e),n=vi(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Ur=new Set(T.scenario.paths),qu=new Set(
+let[t]=xi(e),n=vi(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Ur=new Set(T.scenario.paths),ju=new Set(
 T.map.words),Vr=/^hoop\.parts\.\d+\.(\w+)$/,Zr=Object.assign(Object.create(null),...Object.values(T.scenario.parts).map(s=>T.scenario.models[s].fields));function Jr(s){
 return Ur.has(s)||(Vr.exec(s)?.[1]??"")in Zr?null:N("no_parameter",{path:s,known:[...Ur].join(", ")})}function Yr(s){let e=Vr.exec(s);return e?Zr[e[1]].kind!=="\
-word":!qu.has(s)}function Kr(s){let[e,t]=xi(s);return(e==="start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}var _i=s=>e=>!s.some(t=>e===t||e.startsWith(
+word":!ju.has(s)}function Kr(s){let[e,t]=xi(s);return(e==="start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}var _i=s=>e=>!s.some(t=>e===t||e.startsWith(
 t.endsWith(".")?t:`${t}.`));function Si(s,e,t,n){let i=[...t.keys()],o=jt(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Ve(ue(t.get(d),!1)));throw new P(N("two_ways",{
 one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=_i(i);for(let l of i.sort((c,u)=>Kr(c)-Kr(u))){let c=structuredClone(t.get(l)),[u,h]=xi(l);if(h==="")
 ki(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||ki(e,u,{});let d=e[u];if(!de(d))throw new P(N("no_section_parts",{path:l,section:u}));
-if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=ju(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
-t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];Bu(d,h.split("."),c,l)}}return e}function ki(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0})}function ju(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
+if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=Bu(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
+t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];Wu(d,h.split("."),c,l)}}return e}function ki(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0})}function Bu(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
 eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
 s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=ke(s,t().radius);return{height:a,vx:r,vy:l,
-omega:c}}return{}}function Bu(s,e,t,n){let i=s,o=e.pop(),a=l=>new P(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
-if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))ki(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Wu,limits:te}=T,{allowed:Fu,events:$u,flight_turns:Hu,quantities:Gu}=T.map,Uu=1e-300,O=(s,e={})=>B(Wu[s],e),Ei=s=>O("doubt",{time:Me(s,4)});function Ye(s){
+omega:c}}return{}}function Wu(s,e,t,n){let i=s,o=e.pop(),a=l=>new P(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
+if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))ki(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Fu,limits:te}=T,{allowed:$u,events:Hu,flight_turns:Gu,quantities:Uu}=T.map,Ku=1e-300,O=(s,e={})=>B(Fu[s],e),Ei=s=>O("doubt",{time:Me(s,4)});function Ye(s){
 let{duration:e,hoop:t,contact:n}=s;if(e>te.duration)throw new ne(O("too_long",{duration:e,most:te.duration}));let i=t.parts?.length??0;if(i>te.parts)throw new ne(
 O("too_many_parts",{parts:i,most:te.parts}));let o=tl(el(s));if(o>te.turns)throw new ne(O("too_many_turns",{duration:e,turns:o,most:te.turns}));if(n.model==="co\
-mpliant"){let a=Ku(s,o);if(a>te.steps)throw new ne(O("too_stiff",{steps:a,most:te.steps}))}return n.max_events<=te.events?s:{...s,contact:{...n,max_events:te.events}}}
+mpliant"){let a=Vu(s,o);if(a>te.steps)throw new ne(O("too_stiff",{steps:a,most:te.steps}))}return n.max_events<=te.events?s:{...s,contact:{...n,max_events:te.events}}}
 function el({duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:i}){let{height:o,vx:a,vy:r,omega:l}=ke(i,e);return{duration:s,radius:e,gravity:t,slope:n,
 height:o,vx:a,vy:r,omega:l}}function tl({duration:s,radius:e,gravity:t,slope:n,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
-sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Ku({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
+sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Vu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
 Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function Ti(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new P(O("rigid_maps"));
-let{contact:i,...o}=Ye(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,$u)}};Vu(a,e,t,Gu[n].span);let r=jt([t.path,e.path]);if(r)throw new P(O("two_ax\
-es",{one:r[0],other:r[1]}));return a}function Vu(s,e,t,n){let i=el(s),o=n==="first_revolution",a=Bt(e).filter(h=>Qr(e.path,h)),r=Bt(t).filter(h=>Qr(t.path,h)),[
-l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Uu),Hu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
+let{contact:i,...o}=Ye(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,Hu)}};Zu(a,e,t,Uu[n].span);let r=jt([t.path,e.path]);if(r)throw new P(O("two_ax\
+es",{one:r[0],other:r[1]}));return a}function Zu(s,e,t,n){let i=el(s),o=n==="first_revolution",a=Bt(e).filter(h=>Qr(e.path,h)),r=Bt(t).filter(h=>Qr(t.path,h)),[
+l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Ku),Gu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
 c>te.turns)throw new ne(O("cell_turns",{turns:c,most:te.turns}));if(l<=te.map_turns)return;let u=a.length*r.length;throw new ne(O("map_turns",{cells:u,turns:l,most:te.
 map_turns}))}function Xr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
-s}var Bt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=Fu[s.startsWith("plane.mu")?"plane.mu":s];return!t||qe(
-t,e)}var{scenario:gt}=T,Zu=["load_fraction","eccentricity","inertia_ratio"],sl=["mu_static","mu_kinetic"],Ju=["height","vx","vy","omega"],Xe=class extends Error{};function $(s,e){
-throw new Xe(N(s,e))}function sn(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function nl({values:s,given:e},t){let n={...s},i=Zu.filter(
-u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),sn("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,Yu(n.radius,n.parts,
+s}var Bt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=$u[s.startsWith("plane.mu")?"plane.mu":s];return!t||qe(
+t,e)}var{scenario:gt}=T,Ju=["load_fraction","eccentricity","inertia_ratio"],sl=["mu_static","mu_kinetic"],Yu=["height","vx","vy","omega"],Xe=class extends Error{};function $(s,e){
+throw new Xe(N(s,e))}function sn(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function nl({values:s,given:e},t){let n={...s},i=Ju.filter(
+u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),sn("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,Xu(n.radius,n.parts,
 t))):n.load_fraction!==null||!i.length?(sn("hoop","load_fraction",i),n.load_fraction??=gt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
 n.inertia_ratio=t.ideal(n.load_fraction)):i.length===1&&$("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
 load_fraction:r,eccentricity:l}=n,c=gt.ranges;if(qe(c["hoop.mass"],o)||$("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!qe(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
 hoop.inertia_ratio"];$(n.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&$("massless_eccentricity",{eccentricity:l}),
-n}function Yu(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+gt.touch));return o>=0&&$("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
+n}function Xu(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+gt.touch));return o>=0&&$("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
 radius:s}),i}function il({values:s,given:e}){let t={...s};t.apart=sl.some(r=>e.has(r)),t.mu!==null?(sn("plane","mu",sl.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:n,mu_kinetic:i,slope:o}=t;i>n&&$("kinetic_above_static",{mu_kinetic:i,mu_static:n}),Math.abs(
 o)<.5*Math.PI||$("vertical",{slope:o});let a=gt.ranges["plane.slope"];return qe(a,o)||$("slope",{slope:o,words:a.words}),t}function ol({values:s,given:e}){let t={
-...s};return t.speed!==null?(sn("start","speed",Ju.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function al({values:s}){let e=s;
+...s};return t.speed!==null?(sn("start","speed",Yu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function al({values:s}){let e=s;
 return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&$("together",{section:"contact",other:"restitution",way:"damping"}),e}function rl(s,e,t){let{
 hoop:n,plane:i,contact:o}=s,a=n.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&$("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
 a&&$("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(n.eccentricity,n.inertia_ratio);c!==void 0&&!(l<c)&&$("resistance",{given:l,most:c}),a&&
-r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.compliance&&Xu(o,e.compliance(t(s)))}function Xu(s,e){for(let[i,{of:o,...a}]of Object.
+r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.compliance&&Qu(o,e.compliance(t(s)))}function Qu(s,e){for(let[i,{of:o,...a}]of Object.
 entries(gt.relative)){let r=s[i];if(r===null)continue;let l=e[i];qe(a,l)||$("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
-n=je(gt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var Qu=1e3;function ll(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>Qu)throw new P(N("unreadable_query",{reason:"Max number of fields excee\
+n=je(gt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var ed=1e3;function ll(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>ed)throw new P(N("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
 Map))throw new P(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new P(N("given_twice",{path:o}));c.set(l,Fr(a)??a)}let n=t.
-get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",ed(i)),Mi(t)}function ed(s){let e=Array.from({length:s.size},(n,i)=>String(
+get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",td(i)),Mi(t)}function td(s){let e=Array.from({length:s.size},(n,i)=>String(
 i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new P(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function Mi(s){return Array.isArray(
-s)?s.map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function hl(s){return cl(s,"").map(([e,t])=>`${e}=${td(e,t)}`).join("&")}function cl(s,e){
-return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>cl(n,e?`${e}.${t}`:t))}function td(s,e){return nn(s,e).replace("e+","e").replace(
-/\.0$/,"")}function nn(s,e){return typeof e=="string"?e:sd.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ze(e)}var sd=new Set(Object.values(T.scenario.models).flatMap(
-({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Ae}=T,nd={rigid:"Rigid",compliant:"Compliant"};function Ai(s,e,t=Ce()){let n=Ri(s,e,t);if(!n)throw new P(qt(t.said));return n}function Ri(s,e,t){let{
+s)?s.map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function hl(s){return cl(s,"").map(([e,t])=>`${e}=${sd(e,t)}`).join("&")}function cl(s,e){
+return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>cl(n,e?`${e}.${t}`:t))}function sd(s,e){return nn(s,e).replace("e+","e").replace(
+/\.0$/,"")}function nn(s,e){return typeof e=="string"?e:nd.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ze(e)}var nd=new Set(Object.values(T.scenario.models).flatMap(
+({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Ae}=T,id={rigid:"Rigid",compliant:"Compliant"};function Ai(s,e,t=Ce()){let n=Ri(s,e,t);if(!n)throw new P(qt(t.said));return n}function Ri(s,e,t){let{
 fields:n,place:i}=Ae.models.Scenario;if(!de(s))return W(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
 Ct(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Ae.default[r];return[r,zi(r,l,e,t)]}));return t.said.
 length?null:dl(t,()=>Li(a,e))}function zi(s,e,t,n){if(s==="hoop")return on("Hoop",e,s,n,o=>nl(o,t));if(s==="plane")return on("Plane",e,s,n,il);if(s==="start")return on(
-"Start",e,s,n,ol);if(s!=="contact")return wi(Ae.models.Scenario.fields[s],e,s,n);let i=yi(e,"model",nd,s,n,"rigid");return i&&on(i,e,s,n,al)}function Li(s,e){return rl(
+"Start",e,s,n,ol);if(s!=="contact")return wi(Ae.models.Scenario.fields[s],e,s,n);let i=yi(e,"model",id,s,n,"rigid");return i&&on(i,e,s,n,al)}function Li(s,e){return rl(
 s,e,ee),s}function on(s,e,t,n,i){let o=Ot(s,e,t,n);return o&&dl(n,()=>i(o))}function dl(s,e){try{return e()}catch(t){if(!(t instanceof Xe))throw t;return s.said.
 push(t.message),null}}function Pi(s,e){return Ai(ll(s),e,Ce(()=>!0))}function an(s,e,t){let n=Si(s,Re(s),e,(i,o,a)=>ml(i,o,t,a));return Ai(n,t,Ce(_i([...e.keys()])))}
 function rn(s,e,t){let n=Ce();try{let i=Si(s,Re(s),e,(r,l,c)=>ml(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,zi(r,i[r],t,n)]);return n.
 said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof P)return null;throw i}}function ml(s,e,t,n){let i=Ce(n),o=zi(s,e,t,i);if(i.said.length)throw new P(
-qt(i.said));return o}var id=s=>s===1/0?"inf":s,Wt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,id(s[t])])),Di=s=>Object.keys(Ae.models[s].fields);
-function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:od(e),plane:ad(t),start:rd(n),contact:Wt(i,Di(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function od(s){if(s.parts){let t=s.parts.map(n=>Wt(n,Di(Ae.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Wt(s,["radius","mass",...e])}function ad(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
-0&&e.push("rolling_resistance"),Wt(s,Di("Plane").filter(t=>!e.includes(t)))}function rd(s){return Wt(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
+qt(i.said));return o}var od=s=>s===1/0?"inf":s,Wt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,od(s[t])])),Di=s=>Object.keys(Ae.models[s].fields);
+function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:ad(e),plane:rd(t),start:ld(n),contact:Wt(i,Di(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function ad(s){if(s.parts){let t=s.parts.map(n=>Wt(n,Di(Ae.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return Wt(s,["radius","mass",...e])}function rd(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
+0&&e.push("rolling_resistance"),Wt(s,Di("Plane").filter(t=>!e.includes(t)))}function ld(s){return Wt(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
 "x","angle","speed"])}function Ni(s,e){let{Hoop:t,Start:n}=Ae.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
 default,load_fraction:a.default}}return s==="plane"?Ae.default.plane:s==="start"?{...ul(n),speed:void 0}:ul(Ae.models[e==="compliant"?"Compliant":"Rigid"])}var ul=({
 fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function $t(s){let e={};for(let[t,n]of Object.entries(Re(s))){let i=Ae.default[t];
 if(Ft(n,i))continue;if(!de(n)){e[t]=n;continue}let o=Ni(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Ft(o[r],l));e[t]=a.length?Object.fromEntries(
 a):n}return hl(e)}function Ft(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
-Object.keys(e).length&&t.every(n=>Ft(s[n],e[n]))}var ld=8,{cell:Ii,laws:hd,quantities:pl}=T.map;async function Oi(s,{x:e,y:t},n,i){let o=Bt(e),a=Bt(t),r=cd(s,e.path,t.path)?ud(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
+Object.keys(e).length&&t.every(n=>Ft(s[n],e[n]))}var hd=8,{cell:Ii,laws:cd,quantities:pl}=T.map;async function Oi(s,{x:e,y:t},n,i){let o=Bt(e),a=Bt(t),r=ud(s,e.path,t.path)?dd(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
 [[t.path,a[p]],[e.path,o[d]]]);return rn(s,g,n)},l=o.length*a.length,c=new Float64Array(Ii.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
-now()-h>ld&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&md(Object.assign(u,g),n);
-if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ii.length;w++)c[w*l+b]=dd[w](f)}}return{count:l,rows:c}}function cd({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
-if(n[0]===n[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(n.includes("hoop")&&i&&s.speed!==null)}function ud(s,{x:e,y:t},[n,
-i],o){let a=n.map(l=>rn(s,new Map([[e.path,l]]),o)),r=i.map(l=>rn(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var dd=Ii.map(s=>s==="l\
-aw"?({impact_law:e})=>hd[e]:s==="strike"?({painleve:e})=>+(e==="impact"):s==="allowed"?()=>1:e=>Number(e[s]));function md(s,e){try{return ee(Li(s,e))}catch(t){if(!(t instanceof
-Xe))throw t;return null}}var Ci=s=>pl[s].span;function qi({x:s,y:e,what:t},n){let{label:i,unit:o,words:a}=pl[t],{values:r,names:l}=pd(n,o===""?a:null),c=o===""?
-l.map(u=>({name:u,text:Pr(u,t),color:Lr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function pd({values:s,sequences:e},t){
+now()-h>hd&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&pd(Object.assign(u,g),n);
+if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ii.length;w++)c[w*l+b]=md[w](f)}}return{count:l,rows:c}}function ud({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
+if(n[0]===n[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(n.includes("hoop")&&i&&s.speed!==null)}function dd(s,{x:e,y:t},[n,
+i],o){let a=n.map(l=>rn(s,new Map([[e.path,l]]),o)),r=i.map(l=>rn(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var md=Ii.map(s=>s==="l\
+aw"?({impact_law:e})=>cd[e]:s==="strike"?({painleve:e})=>+(e==="impact"):s==="allowed"?()=>1:e=>Number(e[s]));function pd(s,e){try{return ee(Li(s,e))}catch(t){if(!(t instanceof
+Xe))throw t;return null}}var Ci=s=>pl[s].span;function qi({x:s,y:e,what:t},n){let{label:i,unit:o,words:a}=pl[t],{values:r,names:l}=fd(n,o===""?a:null),c=o===""?
+l.map(u=>({name:u,text:Pr(u,t),color:Lr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function fd({values:s,sequences:e},t){
 if(!t)return{values:s,names:[]};let n=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=
-0?i?.[a]??a:Number.NaN),names:n}}var{scenario:hn}=T,fd=30;function fl(s,e){for(let t of hn.sections[s]??["Scenario"]){let n=hn.models[t].fields[e];if(n)return n.unit}return""}function bl(s,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):nn(s,e)}function gl(s,e,t){let n=`${s} = ${bl(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(fd)} # ${t}`}function cn(s){
+0?i?.[a]??a:Number.NaN),names:n}}var{scenario:hn}=T,gd=30;function fl(s,e){for(let t of hn.sections[s]??["Scenario"]){let n=hn.models[t].fields[e];if(n)return n.unit}return""}function bl(s,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):nn(s,e)}function gl(s,e,t){let n=`${s} = ${bl(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(gd)} # ${t}`}function cn(s){
 let{duration:e,...t}=Re(s),n=[gl("duration",e,fl("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
 isArray(r))n.push(gl(a,r,fl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${bl(u,h)}`);n.push(`  { ${c.join(", ")}\
  },`)}n.push("]")}}return`${n.join(`
 `)}
-`}var gd={hoop:"Hoop",plane:"Plane",start:"Start"},bd=["load_fraction","mu"];function ji(s){let e=Re(s),t=Ft(e.contact,hn.default.contact)?"":`    contact=${ln(
+`}var bd={hoop:"Hoop",plane:"Plane",start:"Start"},wd=["load_fraction","mu"];function ji(s){let e=Re(s),t=Ft(e.contact,hn.default.contact)?"":`    contact=${ln(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
@@ -2895,27 +2897,27 @@ isArray(r))n.push(gl(a,r,fl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function ln(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":gd[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Ni(
-s,t.model),a=Object.entries(t).filter(([r,l])=>bd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${Bi(r,l)}`);return e&&a.push(`parts=[${e.map(wd).join(", ")}]`),`hh\
-.${i}(${a.join(", ")})`}function wd({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${Bi(n,i)}`);return`hh.${hn.parts[s]}(${t.join(", ")})`}function Bi(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ue(e):nn(s,e)}var{letters:yl,modes:Fi,verbs:$i,events:yd,statuses:vd,story:Qe,summary:bt}=T.words,kd=["turn","apex","end"],xd=400,[,Wi,wl,_d,Sd]=Fi,Ed="⁰¹²³⁴⁵⁶⁷⁸⁹";
-function vl(s,e){let{omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>vl(s,e)),Gi=(s,e)=>.5*(s[e].t+s[e+1].t);
-function Ui(s,e=xd){let t=[],n=0,i=xl(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Md(s,o,a):B(Qe.more_bounces,
-{count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:yl[Fi.indexOf(un(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:B(Qe.left_out,
-{count:n})}),t}var kl=s=>s.kind==="impact"&&s.to==="H"&&s.collision!==!1;function xl(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&
-(kl(a)||i.length&&a.kind==="apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);
-n.set(r[e],r.length-e)}i=[]}return n}function Ki(s,e=6){let t=[],n=0,i=xl(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(
-B(bt.more_bounces,{count:u}));continue}if(c.kind==="start"||!t.length){t.push($i[un(s,l)]);continue}let h=Td(s,l,c);h&&(n++,n<=e&&t.push(B(bt.change,{phrase:h,where:tt(
-c.angle)})))}let o=n>e?B(bt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:vd[s.
-status]};return B(bt.sentence,r).trim()}function Td(s,e,t){return t.collision===!1?bt.without_collision:kl(t)?bt.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||_l(t)?$i[un(s,e)]:kd.includes(t.kind)?"":yd[t.kind]}function Md(s,e,t){let n=un(s,e),i={where:tt(t.angle),verb:$i[n],kind:t.kind.replaceAll("_"," ")},o=Ad(
-s.events,e,n,i);return B(Qe[o]??Qe.other,i)}function Ad(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=et(i.vx),n.started=B(t===_d?Qe.started_flight:
-t===Sd?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Wi?"slip_start_spin":o==="takeoff"?Rd(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?null:Math.abs(
-i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&_l(i)?"turn_in_slip":(o==="apex"&&(n.gap=Sl(i.height)),o==="\
-kane_gain"&&(n.gain=et(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Rd(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=Math.max(i,s[o].
-height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=Sl(i),t.time=et(s[o].t-n),
-"takeoff_and_landing"}return"takeoff"}function un(s,e){let t=s.events[e];return zd(t.to,vl(s.events,e)?s.omega(e):t.omega)}function zd(s,e){return s==="S"?e>0?Wi:
-wl:s==="K"?e<0?Wi:wl:Fi[yl.indexOf(s)]}var _l=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Sl(s){
+`].join("")}function ln(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":bd[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Ni(
+s,t.model),a=Object.entries(t).filter(([r,l])=>wd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${Bi(r,l)}`);return e&&a.push(`parts=[${e.map(yd).join(", ")}]`),`hh\
+.${i}(${a.join(", ")})`}function yd({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${Bi(n,i)}`);return`hh.${hn.parts[s]}(${t.join(", ")})`}function Bi(s,e){
+return e==="inf"?'float("inf")':typeof e=="string"?ue(e):nn(s,e)}var{letters:yl,modes:Fi,verbs:$i,events:vd,statuses:kd,story:Qe,summary:bt}=T.words,xd=400,[,Wi,wl,_d,Sd]=Fi,Ed="⁰¹²³⁴⁵⁶⁷⁸⁹";function vl(s,e){let{
+omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>vl(s,e)),Gi=(s,e)=>.5*(s[e].t+s[e+1].t);function Ui(s,e=xd){
+let t=[],n=0,i=xl(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Md(s,o,a):B(Qe.more_bounces,{count:r});if(l){if(t.
+length>=e){n++;continue}t.push({t:a.t,event:o,mode:yl[Fi.indexOf(un(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:B(Qe.left_out,{count:n})}),t}var kl=s=>s.
+kind==="impact"&&s.to==="H"&&s.collision!==!1;function xl(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&(kl(a)||i.length&&a.kind===
+"apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}i=[]}
+return n}function Ki(s,e=6){let t=[],n=0,i=xl(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(B(bt.more_bounces,{count:u}));
+continue}if(c.kind==="start"||!t.length){t.push($i[un(s,l)]);continue}let h=Td(s,l,c);h&&(n++,n<=e&&t.push(B(bt.change,{phrase:h,where:tt(c.angle)})))}let o=n>e?
+B(bt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:kd[s.status]};return B(bt.
+sentence,r).trim()}function Td(s,e,t){if(t.collision===!1)return bt.without_collision;if(kl(t))return bt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+_l(t))return $i[un(s,e)];let{verb:n,summed_up:i}=vd[t.kind];return i?n:""}function Md(s,e,t){let n=un(s,e),i={where:tt(t.angle),verb:$i[n],kind:t.kind.replaceAll(
+"_"," ")},o=Ad(s.events,e,n,i);return B(Qe[o]??Qe.other,i)}function Ad(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=et(i.vx),n.started=B(t===_d?Qe.
+started_flight:t===Sd?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Wi?"slip_start_spin":o==="takeoff"?Rd(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?
+null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&_l(i)?"turn_in_slip":(o==="apex"&&(n.gap=Sl(i.
+height)),o==="kane_gain"&&(n.gain=et(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Rd(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=
+Math.max(i,s[o].height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=Sl(i),t.
+time=et(s[o].t-n),"takeoff_and_landing"}return"takeoff"}function un(s,e){let t=s.events[e];return zd(t.to,vl(s.events,e)?s.omega(e):t.omega)}function zd(s,e){return s===
+"S"?e>0?Wi:wl:s==="K"?e<0?Wi:wl:Fi[yl.indexOf(s)]}var _l=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Sl(s){
 return s>=.995?`${et(s)} m`:s>=.00995?`${et(s*100)} cm`:`${et(s*1e3)} mm`}function et(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Me(s,3).split("e"),n=t===
 void 0?"":`·10${Ld(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var Ld=s=>[...String(s)].map(e=>e==="-"?"⁻":Ed[Number(e)]).join("");var El=2e3,Pd=s=>s===1/0?"inf":s;function dn(s,{status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}){let{schema:r,setup:l}=T;return{schema:r,version:l.
 version,scenario:Re(s),status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}}function Vi(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{
@@ -2934,7 +2936,7 @@ null?null:{eccentricity:1,inertia_ratio:-2*s},"hoop.eccentricity":()=>({eccentri
 inertia_ratio===0?null:{rolling_resistance:1},"start.x":()=>({x:1}),"start.height":()=>({height:1}),"start.angle":()=>({angle:1}),"start.speed":({hoop:s,start:e})=>e.
 speed===null?null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.vy":()=>({vy:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius}),duration:()=>({duration:1})};
 function jd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(s*s),e?
-{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Qi(s,e){let t=qd[e](s),{smaller:n,larger:i}=Bd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(_.
+{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Qi(s,e){let t=qd[e](s),{smaller:n,larger:i}=Bd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(x.
 cell.length);for(let[a,r]of Object.entries(t))o[Bo[a]]=r;return{rates:o,smaller:n,larger:i}}function Bd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,i=Wd(s,e),{least:o,
 most:a,also:r=[]}=T.map.allowed[e.startsWith("plane.mu")?"plane.mu":e],l=t!==n,c=s.hoop.inertia_ratio===0&&Cd.includes(e);return{smaller:!c&&i>Math.min(o,...r.map(
 je))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function Wd(s,e){return e==="start.omega"?ke(s.start,s.hoop.radius).omega:e.split(
@@ -2981,8 +2983,8 @@ navigator.serviceWorker?.register(s).catch(()=>{})}async function Pl(s){let e=ne
 unpack(s.get("module"),s.get("worker"),t);return new Ht(n,n.mechanics,{server:e})}catch{return e}}var im=new URL("./",import.meta.url);async function om(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
 ]"),n,i;try{n=await no(im,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&Ll(t.getAttribute("content")??"");let o=new mt(
 s,n,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=To(location.hash);try{await o.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function dv(s,e,t,n){let i=await no(
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function pv(s,e,t,n){let i=await no(
 e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new mt(s,i,o,{panels:n});return await a.open([t]),a}async function am({model:s,el:e}){let t=document.
 createElement("div");e.append(t);let n=await Pl(s),i=new mt(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
 i.motions.set([pt(s.get("film"))]),i.begin();let o=()=>i.motions.replace(pt(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var Dl=document.getElementById("hophoop-lab");Dl&&om(Dl);var mv={render:am};export{ih as adopt,ze as current,mv as default,zn as languageMenu,dv as mount,Zt as repeat,k as t,it as untranslated};
+i.close()}}var Dl=document.getElementById("hophoop-lab");Dl&&om(Dl);var fv={render:am};export{ih as adopt,ze as current,fv as default,zn as languageMenu,pv as mount,Zt as repeat,k as t,it as untranslated};

@@ -7,7 +7,7 @@ from typing import Any
 
 from hophoop.derivatives.layout import Reason
 from hophoop.kernel.compliant.records import WIDTH
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
@@ -93,6 +93,7 @@ def layout() -> dict[str, Any]:
         "shapes": SHAPES,
         "part": PART,
         "kinds": EVENT_NAMES,
+        "passing": [EVENT_NAMES[kind] for kind in PASSING],
         "letters": MODE_LETTERS,
         "statuses": [status.name.lower() for status in Status],
         "event_bytes": EVENT.itemsize,
