@@ -38,7 +38,7 @@ from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, words
 from hophoop.vocabulary.events import EVENTS, SIGNS
-from hophoop.vocabulary.labels import VARIABLES
+from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
@@ -108,7 +108,7 @@ def tables() -> dict[str, Any]:
         # what a call takes
         "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
         "regions": {"widest": WIDEST, "usual": list(RegionsRequest.model_fields["window"].default)},
-        "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: unit for name, (unit, _) in VARIABLES.items()}},
+        "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         "shown": SHOWN,
     }
     return found

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from hophoop.results.records import ArraySample, Ledger, Sample
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.events import PASSING_KINDS
+from hophoop.vocabulary.quantities import LOSSES
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +35,6 @@ LEDGER_OF_SKIM = 1e-9  # ... of a massless hoop, whose load may be taken for bei
 LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
 LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is a thousand times less exact
 STATE = ("x", "height", "angle", "vx", "vy", "omega", "slip")
-LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 IMPULSES = ("impulse_normal", "impulse_tangential")
 
 

@@ -17,6 +17,7 @@ from hophoop.results.records import ArraySample, EventErrors, EventRecord, Event
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import EVENT_KINDS, sequence_of
+from hophoop.vocabulary.quantities import EVENT_NUMBERS, LOSSES, held_by
 from hophoop.vocabulary.words import MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
 
 if TYPE_CHECKING:
@@ -460,8 +461,8 @@ class Trajectory:
 
     def _event_record(self, row: np.void) -> EventRecord:
         unit = self.units
-        value = {name: float(row[name]) * unit.of(name) for name in _EVENT_NUMBERS}
-        before = Velocity(*(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip")))
+        value = {name: float(row[name]) * unit.of(name) for name in EVENT_NUMBERS if name != "t"}
+        before = Velocity(**{name: float(row[f"before_{name}"]) * unit.of(name) for name in held_by("Velocity")})
         before_mode = int(row["before_mode"])
         return EventRecord(
             t=self._seconds(float(row["t"])),
@@ -500,14 +501,8 @@ def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) 
     unit = motion.units
     events = motion.tables["events"]
     table = event_errors(motion.scenario.to_body(), events, motion.scenario.duration / unit.time, reached)
-    sizes = {name: unit.time if name == "t" else unit.of(name) for name in FIELDS}
-    return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
+    return EventErrors(**{name: table[:, i] * unit.of(name) for i, name in enumerate(FIELDS)})
 
 
-LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 _INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
 _LETTERS = np.array(list(MODE_LETTERS))
-_EVENT_NUMBERS = (
-    "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
-    *LOSSES, "gain",
-)  # fmt: skip

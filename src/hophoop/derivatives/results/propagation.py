@@ -27,14 +27,9 @@ from hophoop.derivatives.pieces.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.pieces.sampling import sample_changes
 from hophoop.derivatives.results.friction_utilization import greatest_peaks, greatest_use, no_change, settled_by, use_rates
 from hophoop.derivatives.units import (
-    ANGLE,
     DIRECT,
     ENERGY,
-    LENGTH,
-    MOMENTUM,
     SPEED,
-    TIME,
-    TURNING,
     UNIT_OF_ROW,
     UNITS,
     sizes_and_rates,
@@ -50,10 +45,10 @@ from hophoop.kernel.rigid.run import run
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
+from hophoop.vocabulary.quantities import QUANTITIES
 
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
-SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOMENTUM: "N s", ENERGY: "J"}
 
 BORDER, CONTACT = int(Reason.BORDER), int(Reason.CONTACT)
 
@@ -70,9 +65,7 @@ def unit_of(field: str) -> str:
     -------
     unit : str
     """
-    if field in ENERGIES:
-        return SI[ENERGY]
-    return SI[SPEED] if field in SUMS else SI[DIRECT[field][2]]
+    return QUANTITIES[field.removeprefix("before.")].unit
 
 
 @dataclass(frozen=True)
@@ -192,8 +185,7 @@ class Carried:
                 found = (states[:, 3] + states[:, 4], out[:, OM] + out[:, VT], SPEED)
             else:
                 _, row, exponents = DIRECT[field]
-                size = 1.0 if exponents == ANGLE else motion.units.of(field)
-                found = (values / size, out[:, row], exponents)
+                found = (values / motion.units.of(field), out[:, row], exponents)
             result[field] = (values, self.in_si(*found).rates)
         return result
 
