@@ -1,6 +1,8 @@
 """Words, colours and the share of friction used: one meaning each, in every room that shows them."""
 
+import json
 import re
+import typing
 from decimal import Decimal
 from pathlib import Path
 
@@ -10,13 +12,16 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
+from hophoop.kernel.records.layout import LAW
 from hophoop.lab import film, motion_map, regions
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
 from hophoop.lab.presets import presets
+from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
+from hophoop.precise.problem import Problem
 from hophoop.results.poses import poses_of
-from hophoop.vocabulary import classes, colors, events, words
+from hophoop.vocabulary import classes, colors, events, laws, statuses, words
 
 ROOT = Path(__file__).parents[2]
 
@@ -119,7 +124,7 @@ def test_every_kind_of_event_and_status_has_its_words():
     from hophoop.kernel.physics.body import EVENT_NAMES, Status
 
     assert tuple(events.EVENTS) == EVENT_NAMES
-    assert tuple(words.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
+    assert tuple(statuses.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 
 
 def letters_of(motion):
@@ -163,6 +168,34 @@ def test_the_events_that_end_no_phase_are_spelt_once():
     }
     # the checker of proofs shares no table with what it checks
     assert found == {"src/hophoop/kernel/physics/body.py", "src/hophoop/prove/checker/check.py"}
+
+
+def test_every_law_of_impact_has_its_row():
+    from hophoop.kernel.physics.body import ImpactLaw
+
+    assert {name: law.code for name, law in laws.LAWS.items()} == {law.name.lower(): law for law in ImpactLaw}
+    assert tuple(laws.LAWS) == typing.get_args(hh.Plane.model_fields["impact_law"].annotation)
+    assert laws.NAMED == "stronge, newton or poisson"
+    described = (ROOT / "docs" / "references.bib").read_text(encoding="utf-8")
+    for law in laws.LAWS.values():
+        assert law.reference is None or f"{{{law.reference[0]}," in described
+
+
+@pytest.mark.parametrize("law", laws.LAWS)
+def test_a_law_is_the_same_wherever_it_is_named(law):
+    scenario = hh.Scenario(plane=hh.Plane(impact_law=law))
+    assert scenario.to_body().law == Problem.of(scenario).law == laws.LAWS[law].code
+    cells = make_cells(hh.Scenario(), {"plane.impact_law": np.array([law])}, 1)
+    assert cells[LAW, 0] == laws.LAWS[law].code
+    layout = json.loads((ROOT / "src/hophoop/lab/wasm/layout.json").read_text(encoding="utf-8"))
+    assert layout["impact_laws"].index(law) == laws.LAWS[law].code
+
+
+def test_only_motions_that_reach_their_end_are_ok():
+    assert [status for status, facts in statuses.STATUSES.items() if facts.ok] == ["completed", "at_rest"]
+    jammed = hh.simulate(next(preset.scenario for preset in presets() if preset.key == "jam"))
+    assert (jammed.status, jammed.ok) == ("jammed", False)
+    assert hh.simulate(hh.Scenario(duration=0.1)).ok
 
 
 # Colours

@@ -10,6 +10,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from hophoop.vocabulary.quantities import QUANTITIES
+from hophoop.vocabulary.statuses import MotionStatus
 
 
 def _number(name: str, **default: Any) -> Any:
@@ -72,7 +73,7 @@ class Result(BaseModel):
     schema_name: Literal["hophoop/1"] = Field(alias="schema")
     version: str
     scenario: dict[str, Any] = Field(description="As it was asked for")
-    status: Literal["completed", "at_rest", "jammed", "undetermined", "event_limit"]
+    status: MotionStatus
     sequence: str = Field(description="One letter a phase: R roll, S spin, K skid, H flight, M skim")
     fingerprint: str = Field(description="First 16 hexadecimal digits of the SHA-256 of the bits of all events")
     events: list[Event]

@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.physics.body import MODE_LETTERS, ImpactLaw
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.records.layout import CELL
 from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
@@ -38,8 +38,10 @@ from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, words
 from hophoop.vocabulary.events import EVENTS, SIGNS
+from hophoop.vocabulary.laws import LAWS
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
+from hophoop.vocabulary.statuses import STATUSES
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 
@@ -73,7 +75,7 @@ def tables() -> dict[str, Any]:
                 kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
             },
             "signs": SIGNS,
-            "statuses": words.STATUSES,
+            "statuses": {status: facts.sentence for status, facts in STATUSES.items()},
             "sequence": words.LETTERS,
             "story": STORY,
             "summary": SUMMARY,
@@ -90,7 +92,7 @@ def tables() -> dict[str, Any]:
         | {"other": colors.GRAY},
         "map": {
             "cell": CELL,
-            "laws": {law.name.lower(): int(law) for law in ImpactLaw},
+            "laws": {name: law.code for name, law in LAWS.items()},
             "events": MAP_EVENTS,
             "flight_turns": FLIGHT_TURNS,
             # what a cell may hold, and what is no number

@@ -10,7 +10,8 @@ from hophoop.results.records import EventRecord
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.events import EVENTS
 from hophoop.vocabulary.sentences import STORY, SUMMARY
-from hophoop.vocabulary.words import FLIGHT, MODES, SKIM, SPIN, STATUSES, VERBS, mode_word, plain
+from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.words import FLIGHT, MODES, SKIM, SPIN, VERBS, mode_word, plain
 
 
 def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
@@ -105,7 +106,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
             phrases.append(SUMMARY["change"].format(phrase=phrase, where=degrees(event.angle)))
     more = SUMMARY["more_changes"].format(count=changes - most) if changes > most else ""
     text = ", ".join(phrases).replace(", and ", " and ") + more
-    whole = SUMMARY["sentence"].format(phrases=f"{text[:1].upper()}{text[1:]}", ending=STATUSES[motion.status])
+    whole = SUMMARY["sentence"].format(phrases=f"{text[:1].upper()}{text[1:]}", ending=STATUSES[motion.status].sentence)
     return whole.strip()
 
 

@@ -13,7 +13,8 @@ from hophoop.precise.solver import Solution, solve
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import EVENT_KINDS, EventKind, sequence_of
 from hophoop.vocabulary.quantities import QUANTITIES
-from hophoop.vocabulary.words import MODE_LETTERS, MOTION_STATUSES, ModeLetter, MotionStatus
+from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
+from hophoop.vocabulary.words import MODE_LETTERS, ModeLetter
 
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
@@ -111,7 +112,7 @@ class PreciseMotion:
     @property
     def ok(self) -> bool:
         """Whether the motion reached its end: completed or at rest."""
-        return self.status in ("completed", "at_rest")
+        return STATUSES[self.status].ok
 
     @property
     def duration(self) -> Decimal:

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
         Velocity,
     )  # fmt: skip
     from hophoop.vocabulary.events import EventKind
-    from hophoop.vocabulary.words import ModeLetter, MotionStatus
+    from hophoop.vocabulary.statuses import MotionStatus
+    from hophoop.vocabulary.words import ModeLetter
 
 __all__ = [
     "ArraySample", "EventErrors", "EventKind", "EventRecord", "Events", "Ledger", "ModeLetter", "Motion", "MotionStatus",

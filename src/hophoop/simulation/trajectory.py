@@ -11,14 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.fingerprint import STATE, fingerprint
-from hophoop.kernel.physics.body import EVENT_NAMES, Status
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.kernel.physics.energy import energies_after
 from hophoop.results.records import ArraySample, EventErrors, EventRecord, Events, Ledger, Sample, ScalarSample, Side, Velocity
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import EVENT_KINDS, sequence_of
 from hophoop.vocabulary.quantities import EVENT_NUMBERS, LOSSES, held_by
-from hophoop.vocabulary.words import MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
+from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
+from hophoop.vocabulary.words import MODE_LETTERS, plain
 
 if TYPE_CHECKING:
     import xarray
@@ -62,7 +63,7 @@ class Trajectory:
     @property
     def ok(self) -> bool:
         """Whether the motion reached its end: completed or at rest."""
-        return self._status in (Status.COMPLETED, Status.AT_REST)
+        return STATUSES[self.status].ok
 
     @cached_property
     def sequence(self) -> str:

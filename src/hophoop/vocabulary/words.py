@@ -1,4 +1,4 @@
-"""Words for modes and statuses, as people are shown them.
+"""Words for modes, as people are shown them.
 
 A mode's letter says how the rim slips: S where v_t < 0, K where v_t > 0. Its word says what the hoop does, and
 follows the rotation: it spins where the rim turns too fast for the way it goes (v_t θ̇ < 0), and skids where it
@@ -34,19 +34,8 @@ class ModeLetter(Word):
     SKIM = "M"
 
 
-class MotionStatus(Word):
-    """How a motion ended."""
-
-    COMPLETED = "completed"
-    AT_REST = "at_rest"
-    JAMMED = "jammed"
-    UNDETERMINED = "undetermined"
-    EVENT_LIMIT = "event_limit"
-
-
 # By the numbers that the kernels use for them.
 MODE_LETTERS: Final = tuple(ModeLetter)
-MOTION_STATUSES: Final = tuple(MotionStatus)
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = "roll", "spin", "skid", "flight", "skim"
 MODES: Final = (ROLL, SPIN, SKID, FLIGHT, SKIM)
@@ -139,16 +128,6 @@ def coming_rotation(omega: ArrayLike) -> NDArray[np.float64]:
     following = np.searchsorted(turning, np.arange(sign.size))
     found: NDArray[np.float64] = sign[turning[np.minimum(following, turning.size - 1)]]
     return found
-
-
-STATUSES: Final[dict[str, str]] = {
-    "completed": "",
-    "at_rest": "It has come to rest.",
-    "jammed": "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",
-    "undetermined": "The model does not determine the motion beyond.",
-    "event_limit": "The limit of events (contact.max_events), or of work for one motion, was reached before the end.",
-}
-"""How a motion ended, in a sentence; nothing where it just went on for as long as was asked."""
 
 
 def plain(word: Any) -> str:
