@@ -20,7 +20,7 @@ from numpy.lib import recfunctions
 import hophoop as hh
 from damage import unseal
 from hophoop import cite, io
-from hophoop.results import save as export
+from hophoop.vocabulary.quantities import EVENT_UNITS
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 
@@ -153,7 +153,7 @@ def test_plain_xarray_reads_the_tables_in_si(motion, tmp_path, name):
         for field in ("t", "x", "vx", "omega", "friction"):
             expected = [getattr(event, field) for event in scaled.events]
             np.testing.assert_allclose(events[field], expected, rtol=1e-14, atol=1e-14)
-            assert events[field].attrs["units"] == export.EVENT_UNITS[field]
+            assert events[field].attrs["units"] == EVENT_UNITS[field]
         words = events["kind"].attrs["flag_meanings"].split()
         assert [words[kind] for kind in events["kind"].values] == [event.kind for event in scaled.events]
 

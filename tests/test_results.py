@@ -2,9 +2,13 @@
 
 import copy
 import csv
+import dataclasses
 import json
+import math
 import pickle
 import re
+import subprocess
+import sys
 import typing
 
 import numpy as np
@@ -12,11 +16,13 @@ import pytest
 
 import hophoop as hh
 from cli_tools import run
+from hophoop.derivatives.units import DIRECT
 from hophoop.kernel.physics import body
+from hophoop.kernel.records.units import scales_from
 from hophoop.results import event_table
-from hophoop.results.records import EventKind, Ledger, ModeLetter, MotionStatus, Sample
-from hophoop.results.save import EVENT_UNITS
+from hophoop.results.records import EventErrors, EventKind, EventRecord, Ledger, ModeLetter, MotionStatus, Sample, Velocity
 from hophoop.results.units import Units
+from hophoop.vocabulary import quantities
 
 
 def test_a_quantity_has_its_unit():
@@ -25,19 +31,75 @@ def test_a_quantity_has_its_unit():
     assert {name: units.of(name) for name in sizes} == sizes
 
 
-@pytest.mark.parametrize("name", ["heigth", "", "t", "energy", "before_vx", "residuals"])
+@pytest.mark.parametrize("name", ["heigth", "", "mode", "energy", "before_vx", "residuals"])
 def test_another_name_has_none(name):
     """It was an energy."""
     units = hh.simulate(hh.Scenario(duration=0.1)).units
-    with pytest.raises(ValueError, match="^'" + name + "' has no unit: the quantities are x, height, vx, "):
+    with pytest.raises(ValueError, match="^'" + name + "' has no unit: the quantities are t, x, height, angle, vx, "):
         units.of(name)
 
 
 def test_all_numbers_of_events_and_ledgers_have_one():
     units = Units(1.0, 1.0, 1.0)
-    names = {name.removeprefix("before_") for name in EVENT_UNITS} - {"t"}
-    names |= set(Ledger.__dataclass_fields__) - {"residual", "range"}
+    names = {name.removeprefix("before_") for name in quantities.EVENT_UNITS} | set(Ledger.__dataclass_fields__)
     assert {name: units.of(name) for name in names} == dict.fromkeys(names, 1.0)
+
+
+@pytest.mark.parametrize("result", [EventErrors, EventRecord, Ledger, Sample, Velocity])
+def test_the_table_of_quantities_has_the_numbers_of_each_result(result):
+    words = {"kind", "from_mode", "to_mode", "before", "collision", "stable"}
+    names = {field.name for field in dataclasses.fields(result)} - (words if result is EventRecord else set())
+    held = set(quantities.held_by(result.__name__))
+    # a sum of two columns is computed where it is asked for
+    assert held - {name for name in held if isinstance(getattr(result, name, None), property)} == names
+
+
+def test_derivatives_have_the_units_of_the_table():
+    scales = scales_from(2.0, 3.0, 5.0)
+    sizes = quantities.sizes(scales)
+    for column, _, exponents in DIRECT.values():
+        size = math.prod(unit**power for unit, power in zip((2.0, 3.0, 5.0), exponents, strict=True))
+        assert size == pytest.approx(sizes[column.removeprefix("before_")], rel=1e-15)
+
+
+ADDED = """
+import sys, types
+from pathlib import Path
+from hophoop.kernel.records.units import Scales
+
+# the two files that a new quantity of a sample is written into: the table, and the result that has it
+path = Path({path!r})
+row = 'TABLE: Final = (\\n    Quantity("momentum", "impulse", "Momentum of the centre", ("Sample",)),'
+source = path.read_text(encoding="utf-8").replace("TABLE: Final = (", row, 1)
+module = types.ModuleType("hophoop.vocabulary.quantities")
+sys.modules[module.__name__] = module
+exec(compile(source, str(path), "exec"), module.__dict__)
+from hophoop.results.records import Sample
+Sample.momentum = property(lambda sample: 2.0 * sample.vx)
+
+import hophoop as hh
+from hophoop.lab import tables
+from hophoop.results import save
+motion = hh.simulate(hh.Hoop(mass=2.0), duration=0.5)
+save.write_csv(motion, sys.argv[1], [0.1])
+print(Path(sys.argv[1]).read_text(encoding="utf-8").splitlines()[0])
+print(motion.units.of("momentum") == motion.units.scales.impulse)
+print(dict(save.to_xarray(motion, [0.1]).momentum.attrs))
+print(tables.tables()["table"]["variables"]["momentum"])
+"""
+
+
+def test_a_new_quantity_needs_two_files(tmp_path):
+    """A row of the table and an attribute of the result: files, units and the page's table follow."""
+    pytest.importorskip("xarray")
+    code = ADDED.format(path=quantities.__file__)
+    done = subprocess.run([sys.executable, "-c", code, str(tmp_path / "a.csv")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    header, sized, described, shown = done.stdout.splitlines()
+    assert "momentum [N s]" in header
+    assert sized == "True"
+    assert described == "{'units': 'N s', 'long_name': 'Momentum of the centre'}"
+    assert shown == "N s"
 
 
 # Kinds, letters and statuses

@@ -12,6 +12,7 @@ from pathlib import Path
 import hophoop
 from hophoop.scenario import Compliant
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.laws import LAWS
 
 __all__ = ["cite", "bibtex", "references", "Reference"]
 
@@ -144,8 +145,9 @@ def _reasons(motion: Trajectory) -> Iterator[tuple[str, str]]:
         yield "ArroyoAparicio2023", "general eccentric cylinders on a slope"
     if "impact" in kinds or "bounce_limit" in kinds:
         yield "Routh1877", "the impulse of an impact with friction"
-        if plane.restitution > 0.0 and plane.impact_law == "stronge":
-            yield "Stronge2000", "energetic restitution"
+        law = LAWS[plane.impact_law]
+        if plane.restitution > 0.0 and law.reference is not None:
+            yield law.reference
     if "kane_gain" in kinds:
         yield "Kane1984", "the energy that Newton's restitution creates"
     if kinds & {"painleve_inconsistent", "painleve_indeterminate", "jam"}:

@@ -15,11 +15,12 @@ from hophoop._support.extras import need
 from hophoop.derivatives.parameters import PATHS, value_of
 from hophoop.derivatives.results.friction_utilization import greatest_use
 from hophoop.derivatives.results.propagation import Rated
-from hophoop.derivatives.results.quantities import PASSING, NotInMotion, quantity
+from hophoop.derivatives.results.quantities import NotInMotion, quantity
 from hophoop.derivatives.results.sensitivity import names_of
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.events import phase_starts
 
 Floats = NDArray[np.float64]
 Label = tuple[tuple[int, int, int], ...]
@@ -200,7 +201,8 @@ def _last_event(motion: Trajectory, name: str) -> int:
 def _label(motion: Trajectory, last: int) -> Label:
     """The class of a motion as far as it counts: its events up to one of them."""
     rows = motion.tables["events"][: last + 1]
-    return tuple((int(r["kind"]), int(r["before_mode"]), int(r["after_mode"])) for r in rows if r["kind"] not in PASSING)
+    starts = rows[phase_starts(rows["kind"].tolist())]
+    return tuple((int(r["kind"]), int(r["before_mode"]), int(r["after_mode"])) for r in starts)
 
 
 def _signs(limits: Limits) -> list[float]:

@@ -15,8 +15,10 @@ from hophoop.lab import motion_map, thresholds, words
 from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets
 from hophoop.vocabulary.classes import CODES, class_text
+from hophoop.vocabulary.events import EVENTS
 from hophoop.vocabulary.sentences import LAB, THEORY
-from hophoop.vocabulary.words import LETTERS, MODES, STATUSES
+from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.words import LETTERS, MODES
 from strategies import scenarios
 
 WEB = Path(__file__).parents[2] / "web"
@@ -117,7 +119,10 @@ def test_no_text_is_left_over():
     sources += json.dumps(controls(), ensure_ascii=False) + json.dumps(
         list(motion_map.MAP_QUANTITIES.values()), ensure_ascii=False
     )
-    sources += "".join(f"{p.group}|{p.title}|{p.text}|" for p in presets()) + "|".join(STATUSES.values())
+    sources += "".join(f"{p.group}|{p.title}|{p.text}|" for p in presets()) + "|".join(
+        facts.sentence for facts in STATUSES.values()
+    )
+    sources += "|".join(event.label for event in EVENTS.values())
     lab = Path(words.__file__).parent
     vocabulary = lab.parent / "vocabulary"
     rooms = [*lab.glob("*.py"), *vocabulary.glob("*.py"), *(lab.parent / "scenario").glob("*.py")]
@@ -142,7 +147,8 @@ def test_what_python_puts_on_the_page_is_there():
     shown += [name for name, _ in controls()["gravities"]] + [axis["label"] for axis in controls()["map_axes"]]
     shown += [label for label, _ in motion_map.MAP_QUANTITIES.values()]
     shown += [text for preset in presets() for text in (preset.group, preset.title, preset.text)]
-    shown += [*MODES, *filter(None, STATUSES.values()), *filter(str.isalpha, LETTERS.values())]
+    shown += [*MODES, *filter(None, (facts.sentence for facts in STATUSES.values())), *filter(str.isalpha, LETTERS.values())]
+    shown += [event.label for event in EVENTS.values()]
     shown += [class_text(letter) for letter in "RSKHM"]
     shown += [class_text(word, what) for what in motion_map.MAP_QUANTITIES if what in CODES for word in CODES[what]]
     assert [text for text in shown if not known(text)] == []

@@ -6,6 +6,7 @@ import hashlib
 import json
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
+from types import FunctionType
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ import hophoop as hh
 from hophoop.kernel.build import __main__ as builder
 from hophoop.kernel.build import browser, link, numba_code
 from hophoop.kernel.native import marks
+from hophoop.kernel.native.sources import is_kernel
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.layout import MOST_PANELS
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
@@ -50,6 +52,21 @@ def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
     assert len(files) > 50
     compiling = {Path(module.__file__) for module in (browser, link, marks, numba_code)} | {link.RUNTIME}
     assert (files | compiling) - set(stamped()) == set()
+
+
+def test_the_entries_call_nothing_but_kernels() -> None:
+    """What is called and is no kernel cannot be compiled, nor is it in the stamp."""
+    found, waiting = set(), [kernel for kernel, _ in [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]]
+    while waiting:
+        kernel = waiting.pop()
+        if kernel not in found:
+            found.add(kernel)
+            waiting += numba_code.called(kernel)
+    plain = set()
+    for function in map(marks.source_of, found):
+        values = [function.__globals__.get(name) for name in function.__code__.co_names]
+        plain |= {value for value in values if isinstance(value, FunctionType) and value.__module__.startswith("hophoop")}
+    assert {function.__qualname__ for function in plain if not is_kernel(function)} == set()
 
 
 @pytest.mark.parametrize("missing", ["numba", "ziglang"])

@@ -1,6 +1,9 @@
 """Words, colours and the share of friction used: one meaning each, in every room that shows them."""
 
+import json
 import re
+import typing
+from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
@@ -9,12 +12,16 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
+from hophoop.kernel.records.layout import LAW
 from hophoop.lab import film, motion_map, regions
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
+from hophoop.lab.presets import presets
+from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
+from hophoop.precise.problem import Problem
 from hophoop.results.poses import poses_of
-from hophoop.vocabulary import classes, colors, words
+from hophoop.vocabulary import classes, colors, events, laws, statuses, words
 
 ROOT = Path(__file__).parents[2]
 
@@ -116,8 +123,79 @@ def test_a_phase_has_one_word_in_motions_and_maps():
 def test_every_kind_of_event_and_status_has_its_words():
     from hophoop.kernel.physics.body import EVENT_NAMES, Status
 
-    assert tuple(words.EVENTS) == EVENT_NAMES
-    assert tuple(words.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
+    assert tuple(events.EVENTS) == EVENT_NAMES
+    assert tuple(statuses.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
+
+
+def letters_of(motion):
+    """The sequence from its definition: a phase lasts from an event at which the mode may change to the next."""
+    begins = [event for event in motion.events[:-1] if event.kind not in ("turn", "apex", "kane_gain", "rest")]
+    ends = [*begins[1:], motion.events[-1]]
+    return "".join(a.to_mode for a, b in zip(begins, ends, strict=True) if b.t > a.t)
+
+
+@pytest.mark.parametrize("passing", ["turn", "apex", "kane_gain", "rest"])
+def test_events_that_end_no_phase_are_not_in_the_sequence(passing):
+    motion = {
+        "turn": lambda: hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=0.3), hh.Start.rolling(0.1), duration=9.0),
+        "apex": lambda: hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=1.0), hh.Start.rolling(3.1), duration=2.0),
+        "kane_gain": lambda: hh.simulate(next(preset.scenario for preset in presets() if preset.key == "kane")),
+        "rest": lambda: hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(mu=1.0), hh.Start(angle=0.0), duration=1.0),
+    }[passing]()
+    assert motion.find(passing)
+    assert motion.sequence == letters_of(motion)
+    kinds, modes, times = (motion.tables["events"][name].tolist() for name in ("kind", "after_mode", "t"))
+    assert events.sequence_of(kinds, modes, times) == motion.sequence
+
+
+def test_a_sequence_in_another_arithmetic_and_at_its_edges():
+    start, end, roll, flight = 0, 15, 0, 3
+    times = [Decimal("1e-400"), Decimal("2e-400")]
+    assert events.sequence_of([start, end], [roll, roll], times) == "R"
+    assert events.sequence_of([start, end], [flight, roll], [1.0, 1.0]) == "R"  # nothing lasts: the last mode
+    assert events.sequence_of([start, end], [roll, flight], [0.0, 1.0], takes_off=True) == "RH"
+    assert events.sequence_of([], [], []) == ""
+
+
+def test_the_events_that_end_no_phase_are_spelt_once():
+    spelt = re.compile(r"(turn\b.{1,20}apex|apex\b.{1,20}turn)\b.{1,20}kane_gain\b.{1,20}rest\b", re.IGNORECASE | re.DOTALL)
+    found = {
+        path.relative_to(ROOT).as_posix()
+        for folder in ("src/hophoop", "web/kernel", "web/lab", "web/model", "web/scene")
+        for path in (ROOT / folder).rglob("*")
+        if path.suffix in (".py", ".js") and "static" not in path.parts
+        if spelt.search(path.read_text(encoding="utf-8"))
+    }
+    # the checker of proofs shares no table with what it checks
+    assert found == {"src/hophoop/kernel/physics/body.py", "src/hophoop/prove/checker/check.py"}
+
+
+def test_every_law_of_impact_has_its_row():
+    from hophoop.kernel.physics.body import ImpactLaw
+
+    assert {name: law.code for name, law in laws.LAWS.items()} == {law.name.lower(): law for law in ImpactLaw}
+    assert tuple(laws.LAWS) == typing.get_args(hh.Plane.model_fields["impact_law"].annotation)
+    assert laws.NAMED == "stronge, newton or poisson"
+    described = (ROOT / "docs" / "references.bib").read_text(encoding="utf-8")
+    for law in laws.LAWS.values():
+        assert law.reference is None or f"{{{law.reference[0]}," in described
+
+
+@pytest.mark.parametrize("law", laws.LAWS)
+def test_a_law_is_the_same_wherever_it_is_named(law):
+    scenario = hh.Scenario(plane=hh.Plane(impact_law=law))
+    assert scenario.to_body().law == Problem.of(scenario).law == laws.LAWS[law].code
+    cells = make_cells(hh.Scenario(), {"plane.impact_law": np.array([law])}, 1)
+    assert cells[LAW, 0] == laws.LAWS[law].code
+    layout = json.loads((ROOT / "src/hophoop/lab/wasm/layout.json").read_text(encoding="utf-8"))
+    assert layout["impact_laws"].index(law) == laws.LAWS[law].code
+
+
+def test_only_motions_that_reach_their_end_are_ok():
+    assert [status for status, facts in statuses.STATUSES.items() if facts.ok] == ["completed", "at_rest"]
+    jammed = hh.simulate(next(preset.scenario for preset in presets() if preset.key == "jam"))
+    assert (jammed.status, jammed.ok) == ("jammed", False)
+    assert hh.simulate(hh.Scenario(duration=0.1)).ok
 
 
 # Colours

@@ -22,9 +22,6 @@ export const NUMBER = places(layout.numbers);
 /** @type {Record<string, number>} */
 export const WORD = places(layout.words);
 
-/** @type {Record<string, number>} */
-const LAWS = { newton: 0, poisson: 1, stronge: 2 };
-
 /**
  * A scenario's numbers in the order of the module's cells.
  * @param {Given} given
@@ -34,7 +31,7 @@ export function cellOf(given) {
   /** @type {Record<string, number>} */
   const values = {
     ...Object.fromEntries(Object.entries(given).filter(([, value]) => typeof value === "number")),
-    law: LAWS[given.impact_law],
+    law: layout.impact_laws.indexOf(given.impact_law),
     strike: Number(given.painleve === "impact"),
     ideal: Number(given.ideal),
     allowed: 1,

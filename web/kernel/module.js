@@ -11,7 +11,7 @@ const FIRST_SEGMENTS = 2048;
 const FIRST_ROWS = 4096;
 const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
 const BUFFER = layout.statuses.indexOf("buffer");
-const PASSING = new Set(["turn", "apex", "kane_gain", "rest"]);
+const PASSING = new Set(layout.passing);
 /** @param {number} value */
 const finite = (value) => (Number.isFinite(value) ? value : null);
 

@@ -5,7 +5,7 @@ import { EVENT_WORDS } from "./events.js";
 import { show, withUnit } from "./numbers.js";
 import { current, t, utter } from "./words.js";
 
-const PASSING = new Set(["turn", "apex", "kane_gain", "rest"]);
+const PASSING = new Set(layout.passing);
 const MOST_HOPS = 3;
 const ROUNDING = 1e-10; // beside what it changes: less is none
 

@@ -1,19 +1,9 @@
 // Marks and stretches of the bar of time, so that many of them stay readable.
 
-/** @type {Record<string, string>} */
-export const MARKS = {
-  jam: "✖",
-  painleve_inconsistent: "◆",
-  painleve_indeterminate: "◇",
-  kane_gain: "✚",
-  bounce_limit: "≋",
-  skim: "◗",
-  rest: "■",
-  takeoff: "▲",
-  impact: "▼",
-  turn: "↺",
-  apex: "•",
-};
+import { tables } from "../model/tables.js";
+
+/** @type {Record<string, string>} by kind, the rarest first */
+export const MARKS = tables.words.signs;
 const RANK = Object.keys(MARKS);
 
 /**

@@ -4,7 +4,6 @@ import { tables } from "./tables.js";
 import { fill, fixed, general } from "./text.js";
 
 const { letters, modes, verbs, events: kinds, statuses, story: STORY, summary: SUMMARY } = tables.words;
-const UNTOLD = ["turn", "apex", "end"]; // events that a summary leaves out
 const MOST_TOLD = 400;
 const [, SPIN, SKID, FLIGHT, SKIM] = modes;
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -129,7 +128,8 @@ function phraseOf(motion, number, event) {
   if (bounces(event)) return SUMMARY.bounces;
   if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event))
     return verbs[wordAfter(motion, number)];
-  return UNTOLD.includes(event.kind) ? "" : kinds[event.kind];
+  const { verb, summed_up } = kinds[event.kind];
+  return summed_up ? verb : "";
 }
 
 /**

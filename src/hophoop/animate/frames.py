@@ -14,11 +14,11 @@ from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, tim
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.statuses import STATUSES
 
 STEPS = ("time", "angle")
 USUAL_RATE = 60.0
 HOLD = 1.2  # how long a film stays on the last state of a motion that cannot go on [s of film]
-NO_FURTHER = {"jammed": "jammed", "undetermined": "no answer", "event_limit": "stopped"}  # status: what the film says
 # Points of a trace a unit of time √(R/g); at the reference hoop some 310 a second.
 TRACE_DENSITY = 100
 MAX_TRACE_POINTS = 200_000
@@ -142,7 +142,7 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
         raise InputError.of_field("end", end, f"from the start at {timing.start!r} s to the motion's end at {longest!r} s")
     times, rate = _film_times(leaders, timing, min(end, longest))
     still = np.zeros(len(times))
-    if end >= longest and all(motion.status in NO_FURTHER for motion in leaders if motion.duration == longest):
+    if end >= longest and all(STATUSES[motion.status].stopped for motion in leaders if motion.duration == longest):
         held = np.arange(math.ceil(HOLD * timing.frame_rate)) / timing.frame_rate
         times, still = np.append(times, np.full(held.size, longest)), np.append(still, held)
         rate = np.append(rate, np.full(held.size, rate[-1]))
@@ -170,7 +170,7 @@ def ended(motion: Trajectory, t: float, last: bool) -> str:
     """
     if t < motion.duration:
         return ""
-    return NO_FURTHER.get(motion.status, "" if last else "ended")
+    return STATUSES[motion.status].stopped or ("" if last else "ended")
 
 
 def _film_times(motions: Sequence[Trajectory], timing: Timing, end: float) -> tuple[Floats, Floats]:

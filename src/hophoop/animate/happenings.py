@@ -9,11 +9,12 @@ import numpy as np
 
 from hophoop.animate.canvas import Canvas, Points
 from hophoop.animate.themes import Theme
-from hophoop.plots.marks import MARKED, clusters
+from hophoop.plots.marks import clusters
 from hophoop.results.poses import Floats, to_world
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.events import EVENTS, MARKS
 
-KINDS = ("takeoff", "impact", "jam", "painleve_inconsistent", "painleve_indeterminate")
+KINDS = tuple(kind for kind, facts in EVENTS.items() if facts.filmed)
 FLASH = 0.5  # how long a ring spreads [s of film]
 SPREAD = 0.45  # how far, in radii of the hoop
 MOST = 400  # of the last ones are drawn
@@ -125,7 +126,7 @@ def say_happenings(canvas: Canvas, theme: Theme, seen: Sequence[Seen], below: fl
 
 
 def _mark(canvas: Canvas, theme: Theme, kind: str, spot: Points, size: float) -> None:
-    sign = MARKED[kind]
+    sign = MARKS[kind]
     if sign == "X":
         for turn in (1.0, -1.0):
             way = size * np.array([1.0, turn])

@@ -25,7 +25,8 @@ from hophoop.results.poses import Floats, load_distance, poses_of
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, PARTICIPLES
+from hophoop.vocabulary.events import EVENTS
+from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES
 
 TRACE_POINTS = 4000
 SUFFIXES = (".html", ".glb")

@@ -10,6 +10,8 @@ from typing import Annotated, Any, NamedTuple
 
 import typer
 
+from hophoop.vocabulary.laws import NAMED
+
 
 class ScenarioOption(NamedTuple):
     """An option that sets one parameter of the scenario."""
@@ -38,7 +40,7 @@ OPTIONS = (
     ScenarioOption("--gravity", "plane.gravity", "Gravity, m/s².", PLANE),
     ScenarioOption("--restitution", "plane.restitution", "Restitution of an impact, e.", PLANE),
     ScenarioOption("--rolling-resistance", "plane.rolling_resistance", "Couple against the rotation over R N, f.", PLANE),
-    ScenarioOption("--law", "plane.impact_law", "stronge, newton or poisson.", PLANE, str),
+    ScenarioOption("--law", "plane.impact_law", f"{NAMED}.", PLANE, str),
     ScenarioOption("--painleve", "plane.painleve", "Where indeterminate: flight or impact.", PLANE, str),
     ScenarioOption("--v0", "start.speed", "Rolling start: velocity of the centre, m/s.", START),
     ScenarioOption("--angle", "start.angle", "Angle of the load from the top, rad.", START),

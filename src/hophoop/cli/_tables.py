@@ -25,9 +25,9 @@ SPARE_ERRORS = ("± v (m/s)", "± x (m)", "± θ̇ (rad/s)", "± θ (rad)")
 
 def unanswered(duration: float, status: str) -> str:
     """The sentence that tells why a motion ended without an answer."""
-    from hophoop.vocabulary.words import STATUSES
+    from hophoop.vocabulary.statuses import STATUSES
 
-    return f"The motion ends at t = {duration:.9g} s, {status}. {STATUSES[status]}"
+    return f"The motion ends at t = {duration:.9g} s, {status}. {STATUSES[status].sentence}"
 
 
 def table_of(titles: Sequence[str], rows: Sequence[Row], cells: Callable[[Row], Iterable[str]], everything: bool) -> Table:

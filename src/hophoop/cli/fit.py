@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from hophoop.cli._output import console_of
+from hophoop.vocabulary.laws import NAMED
 
 OUTPUT, DATA, MODEL = "Output", "Data", "Model"
 
@@ -69,7 +70,7 @@ def fit(
         typer.Option(metavar="NAME=EXPRESSION", help="A parameter by others; may be repeated.", rich_help_panel=MODEL),
     ] = None,
     gravity: Annotated[float, typer.Option(help="m/s².", rich_help_panel=MODEL)] = 9.81,
-    law: Annotated[str, typer.Option(help="Of impacts: stronge, newton or poisson.", rich_help_panel=MODEL)] = "stronge",
+    law: Annotated[str, typer.Option(help=f"Of impacts: {NAMED}.", rich_help_panel=MODEL)] = "stronge",
     sample: Annotated[
         int | None,
         typer.Option(metavar="STEPS", help="Walk through the posterior, some 1000 steps (emcee).", rich_help_panel=MODEL),

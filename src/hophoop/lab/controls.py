@@ -6,6 +6,7 @@ from typing import Any
 
 from hophoop.scenario import parameter
 from hophoop.scenario.ranges import RANGES, Range
+from hophoop.vocabulary.laws import LATEST_FIRST, LAWS
 
 DEGREES = {"plane.slope", "start.angle"}
 
@@ -44,11 +45,7 @@ _SLIDERS: dict[str, list[tuple[str, str, str, float, float, float]]] = {
 }
 
 CHOICES: dict[str, list[tuple[str, str]]] = {
-    "plane.impact_law": [
-        ("stronge", "Stronge (energy)"),
-        ("poisson", "Poisson (impulse)"),
-        ("newton", "Newton (velocity)"),
-    ],
+    "plane.impact_law": [(name, LAWS[name].label) for name in LATEST_FIRST],
     "plane.painleve": [("flight", "flight"), ("impact", "impact")],
     "contact.model": [("rigid", "rigid"), ("compliant", "compliant")],
     "contact.law": [("kelvin-voigt", "Kelvin–Voigt"), ("hunt-crossley", "Hunt–Crossley")],

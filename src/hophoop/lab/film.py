@@ -11,7 +11,8 @@ from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
 from hophoop.simulation.trajectory import Floats, Trajectory
-from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_words
+from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.words import MODES, coming_rotation, mode_words
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
@@ -121,7 +122,7 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
         "massless": scenario.hoop.massless,
         "summary": words.summary(motion),
         "story": words.story(motion),
-        "ending": STATUSES[motion.status],
+        "ending": STATUSES[motion.status].sentence,
         "shortened": many,
     }
 

@@ -9,19 +9,28 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from hophoop.vocabulary.quantities import QUANTITIES
+from hophoop.vocabulary.statuses import MotionStatus
+
+
+def _number(name: str, **default: Any) -> Any:
+    """A field that holds a quantity of a motion."""
+    quantity = QUANTITIES[name]
+    return Field(**default, description=f"{quantity.meaning} [{quantity.unit}]")
+
 
 class MotionState(BaseModel):
     """State of a motion."""
 
     model_config = ConfigDict(extra="forbid", populate_by_name=True)
 
-    t: float | None = Field(description="Time [s]")
-    x: float | None = Field(description="Centre along the plane [m]")
-    height: float | None = Field(description="Gap between rim and plane [m]")
-    angle: float | None = Field(description="Angle from the outward normal to the load [rad]")
-    vx: float | None = Field(description="Velocity of the centre along the plane [m/s]")
-    vy: float | None = Field(description="Velocity of the centre away from the plane [m/s]")
-    omega: float | None = Field(description="Angular velocity [rad/s]")
+    t: float | None = _number("t")
+    x: float | None = _number("x")
+    height: float | None = _number("height")
+    angle: float | None = _number("angle")
+    vx: float | None = _number("vx")
+    vy: float | None = _number("vy")
+    omega: float | None = _number("omega")
 
 
 class Final(MotionState):
@@ -33,16 +42,16 @@ class Final(MotionState):
 class Velocities(BaseModel):
     """Velocities just before an event."""
 
-    vx: float | None = Field(description="[m/s]")
-    vy: float | None = Field(description="[m/s]")
-    omega: float | None = Field(description="[rad/s]")
+    vx: float | None = _number("vx")
+    vy: float | None = _number("vy")
+    omega: float | None = _number("omega")
 
 
 class Impulse(BaseModel):
     """Impulse of an impact, else zeros."""
 
-    normal: float | None = Field(description="[N s]")
-    tangential: float | None = Field(description="[N s]")
+    normal: float | None = _number("impulse_normal")
+    tangential: float | None = _number("impulse_tangential")
 
 
 class Event(MotionState):
@@ -54,7 +63,7 @@ class Event(MotionState):
     before: Velocities
     impulse: Impulse
     collision: bool = Field(True, description="False for an impact without collision")
-    gain: float | None = Field(None, description="Energy that Newton's law of impact has created [J]")
+    gain: float | None = _number("gain", default=None)
     stable: bool | None = Field(None, description="Of a rest: whether the equilibrium is stable")
 
 
@@ -64,7 +73,7 @@ class Result(BaseModel):
     schema_name: Literal["hophoop/1"] = Field(alias="schema")
     version: str
     scenario: dict[str, Any] = Field(description="As it was asked for")
-    status: Literal["completed", "at_rest", "jammed", "undetermined", "event_limit"]
+    status: MotionStatus
     sequence: str = Field(description="One letter a phase: R roll, S spin, K skid, H flight, M skim")
     fingerprint: str = Field(description="First 16 hexadecimal digits of the SHA-256 of the bits of all events")
     events: list[Event]

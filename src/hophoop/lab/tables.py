@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.physics.body import MODE_LETTERS, ImpactLaw
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.records.layout import CELL
 from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
@@ -37,8 +37,11 @@ from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, REL
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, words
-from hophoop.vocabulary.labels import VARIABLES
+from hophoop.vocabulary.events import EVENTS, SIGNS
+from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
+from hophoop.vocabulary.statuses import STATUSES
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 
@@ -68,8 +71,11 @@ def tables() -> dict[str, Any]:
             "letters": MODE_LETTERS,
             "modes": words.MODES,
             "verbs": words.VERBS,
-            "events": {kind: event.verb for kind, event in words.EVENTS.items()},
-            "statuses": words.STATUSES,
+            "events": {
+                kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
+            },
+            "signs": SIGNS,
+            "statuses": {status: facts.sentence for status, facts in STATUSES.items()},
             "sequence": words.LETTERS,
             "story": STORY,
             "summary": SUMMARY,
@@ -86,7 +92,7 @@ def tables() -> dict[str, Any]:
         | {"other": colors.GRAY},
         "map": {
             "cell": CELL,
-            "laws": {law.name.lower(): int(law) for law in ImpactLaw},
+            "laws": {name: law.code for name, law in LAWS.items()},
             "events": MAP_EVENTS,
             "flight_turns": FLIGHT_TURNS,
             # what a cell may hold, and what is no number
@@ -104,7 +110,7 @@ def tables() -> dict[str, Any]:
         # what a call takes
         "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
         "regions": {"widest": WIDEST, "usual": list(RegionsRequest.model_fields["window"].default)},
-        "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: unit for name, (unit, _) in VARIABLES.items()}},
+        "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         "shown": SHOWN,
     }
     return found

@@ -8,10 +8,10 @@ from typing import Any
 from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.records import EventRecord
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.events import EVENTS
 from hophoop.vocabulary.sentences import STORY, SUMMARY
-from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, SKIM, SPIN, STATUSES, VERBS, mode_word, plain
-
-UNTOLD = ("turn", "apex", "end")  # events that a summary leaves out
+from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.words import FLIGHT, MODES, SKIM, SPIN, VERBS, mode_word, plain
 
 
 def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
@@ -92,7 +92,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
         if event.kind == "start" or not phrases:
             phrases.append(VERBS[_word(motion, number)])
             continue
-        phrase = "" if event.kind in UNTOLD else EVENTS[event.kind].verb
+        phrase = EVENTS[event.kind].verb if EVENTS[event.kind].summed_up else ""
         if event.kind in ("slip_start", "slip_reversal") or _turns_in_slip(event):
             phrase = VERBS[_word(motion, number)]
         if _bounces(event):
@@ -106,7 +106,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
             phrases.append(SUMMARY["change"].format(phrase=phrase, where=degrees(event.angle)))
     more = SUMMARY["more_changes"].format(count=changes - most) if changes > most else ""
     text = ", ".join(phrases).replace(", and ", " and ") + more
-    whole = SUMMARY["sentence"].format(phrases=f"{text[:1].upper()}{text[1:]}", ending=STATUSES[motion.status])
+    whole = SUMMARY["sentence"].format(phrases=f"{text[:1].upper()}{text[1:]}", ending=STATUSES[motion.status].sentence)
     return whole.strip()
 
 

@@ -8,18 +8,13 @@ from typing import TYPE_CHECKING, Any, cast
 
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.words import EVENTS
+from hophoop.vocabulary.events import EVENTS, MARKS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 else:
     Axes = Any
 
-# Events worth a mark, the most telling first: what the eye looks for in a curve. The others are where the ribbon changes.
-MARKED = {
-    "jam": "X", "painleve_inconsistent": "X", "painleve_indeterminate": "X", "impact": "v", "takeoff": "^",
-    "turn": "<", "skim": "s", "apex": "d",
-}  # fmt: skip
 FOLLOW = ("takeoff", "apex")  # every impact of a row has one of each
 LETTER = 0.58  # width of a letter over the size of the font, on average
 FONT, MARKER = 8.0, 4.5  # [points]
@@ -92,7 +87,7 @@ def _collide(left: Cluster, right: Cluster, width: float) -> bool:
 
 
 def _cluster(places: tuple[float, ...], kinds: tuple[str, ...], letter: float) -> Cluster:
-    order = [kind for kind in MARKED if kind in kinds] if len(kinds) > 3 else list(dict.fromkeys(kinds))
+    order = [kind for kind in MARKS if kind in kinds] if len(kinds) > 3 else list(dict.fromkeys(kinds))
     counts = {kind: kinds.count(kind) for kind in order}
     if counts.get("impact", 0) > 1:
         counts = {kind: count for kind, count in counts.items() if kind not in FOLLOW}
@@ -123,7 +118,7 @@ def mark_events(ax: Axes, motion: Trajectory, places: Sequence[float]) -> None:
     shown = sorted(
         (place, event.kind)
         for event, place in zip(motion.events, places, strict=True)
-        if event.kind in MARKED and low <= place <= high
+        if event.kind in MARKS and low <= place <= high
     )
     point = (high - low) / width
     found = clusters([(place - low) / point for place, _ in shown], [kind for _, kind in shown], width)
@@ -148,6 +143,6 @@ def _draw(ax: Axes, cluster: Cluster, low: float, point: float, width: float) ->
         ax.plot([first, last], [LEVEL, LEVEL], "-|", ms=6, lw=1.4, **style)
         alone = [(place, kind) for place, kind in alone if not first - MARKER * point < place < last + MARKER * point]
     for place, kind in alone:
-        ax.plot([place], [LEVEL], MARKED[kind], ms=MARKER, **style)
+        ax.plot([place], [LEVEL], MARKS[kind], ms=MARKER, **style)
     middle = low + point * center_of_label(cluster, width)
     ax.text(middle, ABOVE, cluster.words, transform=transform, ha="center", va="bottom", fontsize=FONT)

@@ -11,13 +11,13 @@ import numpy as np
 from hophoop import theory
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve, shown_words
-from hophoop.plots.marks import MARKED
 from hophoop.plots.naming import name_curves
 from hophoop.plots.style import degrees, new_axes
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as labels_of
+from hophoop.vocabulary.events import MARKS
 from hophoop.vocabulary.words import FLIGHT, MODES, ROLL, SKID, SKIM, SPIN, mode_words
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ else:
 GRID = (900, 560)
 TINT = 0.30  # opacity of a region's colour: motions are drawn over it in the full colour
 NO_ANSWER = "?"
-MARKS = {kind: MARKED[kind] for kind in ("takeoff", "impact", "jam")}
+MARKED = ("takeoff", "impact", "jam")
 SHOWN = (*MODES, NO_ANSWER)
 
 
@@ -186,7 +186,7 @@ def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]
             zorder=4,
         )
     for event in motion.events:
-        if event.kind in MARKS and angles[0] <= event.angle <= angles[1]:
+        if event.kind in MARKED and angles[0] <= event.angle <= angles[1]:
             sign = MARKS[event.kind]
             ax.plot(math.degrees(event.angle), event.omega, sign, color="black", mec="white", ms=8, zorder=6)
 

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
-from hophoop.kernel.physics.body import ImpactLaw
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
+from hophoop.vocabulary.laws import LAWS
 
 Number = Any  # an mpf of the context of a run
 
@@ -67,7 +67,7 @@ class Problem:
             mu_k=_friction(plane.mu_kinetic),
             rest=Fraction(plane.restitution),
             resist=Fraction(plane.rolling_resistance),
-            law=int(ImpactLaw[plane.impact_law.upper()]),
+            law=LAWS[plane.impact_law].code,
             strike=plane.painleve == "impact",
             x=Fraction(start.x),
             height=Fraction(start.height),

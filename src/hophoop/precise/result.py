@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
-from itertools import pairwise
 from typing import Any
 
-from hophoop.kernel.physics.body import Event, Mode
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, EventKind, ModeLetter, MotionStatus
+from hophoop.vocabulary.events import EVENT_KINDS, EventKind, sequence_of
+from hophoop.vocabulary.quantities import QUANTITIES
+from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
+from hophoop.vocabulary.words import MODE_LETTERS, ModeLetter
 
-PASSING = {"turn", "apex", "kane_gain", "rest"}
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
@@ -112,7 +112,7 @@ class PreciseMotion:
     @property
     def ok(self) -> bool:
         """Whether the motion reached its end: completed or at rest."""
-        return self.status in ("completed", "at_rest")
+        return STATUSES[self.status].ok
 
     @property
     def duration(self) -> Decimal:
@@ -215,9 +215,21 @@ class Units:
     def __init__(self, body: Body, digits: int) -> None:
         self.ctx = body.ctx
         self.digits = digits
-        self.length, self.time, self.mass = body.length, body.time, body.mass
-        self.speed = body.length / body.time
-        self.energy = body.mass * self.speed**2
+        speed = body.length / body.time
+        self.energy = body.mass * speed**2
+        self._scales = {
+            "time": body.time,
+            "length": body.length,
+            "angle": 1,
+            "speed": speed,
+            "rate": 1 / body.time,
+            "impulse": body.mass * speed,
+            "energy": self.energy,
+        }
+
+    def of(self, name: str) -> Number:
+        """Unit of a quantity."""
+        return self._scales[QUANTITIES[name].scale]
 
     def decimal(self, value: Number, unit: Number) -> Decimal:
         """A number in SI units, rounded to the digits."""
@@ -230,33 +242,35 @@ class Units:
 
 def _event(record: Record, right: int, units: Units) -> PreciseEvent:
     state = record.state
-    of = units.decimal
+    numbers = {
+        "t": state.t,
+        "x": state.x,
+        "height": state.y,
+        "angle": state.th,
+        "vx": state.vt + state.om,
+        "vy": state.vn,
+        "omega": state.om,
+        "slip": state.vt,
+        "before_vx": record.before_vt + record.before_om,
+        "before_vy": record.before_vn,
+        "before_omega": record.before_om,
+        "before_slip": record.before_vt,
+        "impulse_normal": record.p_n,
+        "impulse_tangential": record.p_t,
+        "friction": state.friction,
+        "impact_normal": state.impact_n,
+        "impact_tangential": state.impact_t,
+        "rolling_resistance": state.resisted,
+        "gain": record.gain,
+    }
     return PreciseEvent(
-        t=of(state.t, units.time),
         kind=EVENT_KINDS[record.kind],
         from_mode=None if record.before_mode is None else MODE_LETTERS[record.before_mode],
         to_mode=MODE_LETTERS[record.after_mode],
-        x=of(state.x, units.length),
-        height=of(state.y, units.length),
-        angle=of(state.th, 1),
-        vx=of(state.vt + state.om, units.speed),
-        vy=of(state.vn, units.speed),
-        omega=of(state.om, 1 / units.time),
-        slip=of(state.vt, units.speed),
-        before_vx=of(record.before_vt + record.before_om, units.speed),
-        before_vy=of(record.before_vn, units.speed),
-        before_omega=of(record.before_om, 1 / units.time),
-        before_slip=of(record.before_vt, units.speed),
-        impulse_normal=of(record.p_n, units.mass * units.speed),
-        impulse_tangential=of(record.p_t, units.mass * units.speed),
-        friction=of(state.friction, units.energy),
-        impact_normal=of(state.impact_n, units.energy),
-        impact_tangential=of(state.impact_t, units.energy),
-        rolling_resistance=of(state.resisted, units.energy),
-        gain=of(record.gain, units.energy),
         collision=record.collision,
         stable=record.stable,
         digits_right=right,
+        **{name: units.decimal(value, units.of(name.removeprefix("before_"))) for name, value in numbers.items()},
     )
 
 
@@ -290,16 +304,6 @@ def ledger(solution: Solution) -> dict[str, Number]:
     }
 
 
-def sequence_of(solution: Solution) -> str:
-    """One letter a phase that lasts."""
-    passing = {Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST}
-    marks = [*(record for record in solution.records[:-1] if record.kind not in passing), solution.records[-1]]
-    letters = [MODE_LETTERS[a.after_mode] for a, b in pairwise(marks) if b.state.t > a.state.t]
-    if not letters:
-        letters = [MODE_LETTERS[min(solution.records[-1].after_mode, Mode.SKIM)]]
-    return "".join(letters)
-
-
 def simulate_precisely(scenario: Scenario, digits: int, version: str) -> PreciseMotion:
     """The motion of a scenario to a number of digits, in SI units.
 
@@ -326,4 +330,6 @@ def simulate_precisely(scenario: Scenario, digits: int, version: str) -> Precise
     events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
     status = MOTION_STATUSES[solution.status]
-    return PreciseMotion(scenario, digits, status, sequence_of(solution), events, energy, version)
+    kinds, modes = [record.kind for record in solution.records], [record.after_mode for record in solution.records]
+    sequence = sequence_of(kinds, modes, [record.state.t for record in solution.records])
+    return PreciseMotion(scenario, digits, status, sequence, events, energy, version)

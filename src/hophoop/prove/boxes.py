@@ -15,9 +15,9 @@ from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.model import FREE
 from hophoop.prove.motion import REVOLUTION, Run
-from hophoop.prove.proof import PASSING
 from hophoop.prove.varied import parameter
 from hophoop.scenario import InputError, Scenario
+from hophoop.vocabulary.events import phase_starts
 
 BITS = 48  # a box is much wider than rounding
 MOST_EVENTS = 40
@@ -158,7 +158,7 @@ def _prove_box(scenario: Scenario, ranges: Ranges, deadline: Deadline) -> Box:
             count = len(ranges)
             free = {path: parameter(*ends, k, count) for k, (path, ends) in enumerate(ranges.items())}
             run = _run(problem, free, deadline)
-    marks = [fact for fact in run.facts if fact.kind not in PASSING]
+    marks = [run.facts[place] for place in phase_starts([fact.kind for fact in run.facts])]
     letters = [MODE_LETTERS[fact.after_mode] for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]
     if run.proved and run.ending == "takeoff":
         letters.append("H")

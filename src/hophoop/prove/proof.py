@@ -6,12 +6,11 @@ import json
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from hophoop._support.files import replacing
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Mode, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
 from hophoop.prove.checker.check import Verdict, checked
@@ -19,10 +18,10 @@ from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.model import Model
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
 from hophoop.scenario import InputError, Rigid, Scenario
+from hophoop.vocabulary.events import sequence_of
 
 SCHEMA = "hophoop-proof/1"
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
-PASSING = {Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST}
 LEAST_DIGITS, MOST_DIGITS = 1, 200
 BITS_A_DIGIT = 3.3219280948873626
 GUARD = 45  # bits
@@ -300,15 +299,6 @@ def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
     return Enclosure(middle, Context(prec=1, rounding=ROUND_CEILING).plus(radius))
 
 
-def sequence_of(facts: list[Fact], ending: str = DURATION) -> str:
-    """One letter a phase that lasts, and the flight that a take-off begins where it ends the motion."""
-    marks = [*(fact for fact in facts[:-1] if fact.kind not in PASSING), *facts[-1:]]
-    letters = [_letter(a.after_mode) for a, b in pairwise(marks) if a.state.t < b.state.t]
-    if ending == "takeoff":
-        letters.append("H")
-    return "".join(letters) or (_letter(marks[-1].after_mode) if marks else "")
-
-
 def _letter(mode: int) -> str:
     return MODE_LETTERS[min(mode, int(Mode.SKIM))]
 
@@ -323,7 +313,8 @@ def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int, dea
         before = None if fact.before_mode is None else _letter(fact.before_mode)
         events.append(ProvedEvent(EVENT_NAMES[fact.kind], before, _letter(fact.after_mode), **numbers))
     status = Status(run.status).name.lower() if run.proved else ""
-    sequence = sequence_of(run.facts, run.ending)
+    kinds, modes = [fact.kind for fact in run.facts], [fact.after_mode for fact in run.facts]
+    sequence = sequence_of(kinds, modes, [fact.state.t for fact in run.facts], run.ending == "takeoff")
     certificate = None
     if run.proved:
         from hophoop import __version__

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
         ScalarSample,
         Velocity,
     )  # fmt: skip
-    from hophoop.vocabulary.words import EventKind, ModeLetter, MotionStatus
+    from hophoop.vocabulary.events import EventKind
+    from hophoop.vocabulary.statuses import MotionStatus
+    from hophoop.vocabulary.words import ModeLetter
 
 __all__ = [
     "ArraySample", "EventErrors", "EventKind", "EventRecord", "Events", "Ledger", "ModeLetter", "Motion", "MotionStatus",

@@ -15,7 +15,9 @@ from hophoop.kernel.physics.friction import utilizations
 from hophoop.results.event_table import text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario
-from hophoop.vocabulary.words import EventKind, ModeLetter, MotionStatus
+from hophoop.vocabulary.events import EventKind
+from hophoop.vocabulary.statuses import MotionStatus
+from hophoop.vocabulary.words import ModeLetter
 
 Side = Literal["left", "right"]
 Numbers = TypeVar("Numbers", float, NDArray[np.float64])

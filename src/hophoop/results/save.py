@@ -26,25 +26,13 @@ from hophoop.kernel.native.sources import stamp
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
 from hophoop.results.records import ArraySample, Motion
 from hophoop.scenario import InputError
-from hophoop.vocabulary.labels import VARIABLES
+from hophoop.vocabulary.quantities import COLUMNS, EVENT_NUMBERS, EVENT_UNITS, held_by
 
 if TYPE_CHECKING:
     import xarray
 
 SCHEMA = "hophoop/1"
 FINGERPRINT = "fingerprint"  # the attribute that holds it
-
-# Fields of an event that have a unit; the others are codes.
-EVENT_UNITS = {
-    "t": "s",
-    "x": "m",
-    "height": "m",
-    "angle": "rad",
-    **dict.fromkeys(("vx", "vy", "slip", "before_vx", "before_vy", "before_slip"), "m/s"),
-    **dict.fromkeys(("omega", "before_omega"), "rad/s"),
-    **dict.fromkeys(("impulse_normal", "impulse_tangential"), "N s"),
-    **dict.fromkeys(("friction", "impact_normal", "impact_tangential", "rolling_resistance", "gain"), "J"),
-}
 TABLES = ("events", "segments")
 _ENDINGS = "must end in .nc (netCDF), .zarr or .zarr.zip (Zarr)"
 
@@ -83,8 +71,8 @@ def to_xarray(motion: Motion, times: ArrayLike | None = None) -> xarray.Dataset:
     grid = _grid(motion, times)
     sample = motion.at(grid)
     variables = {
-        name: ("time", _column(sample, name), {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in VARIABLES.items()
+        name: ("time", _column(sample, name), {"units": quantity.unit, "long_name": quantity.meaning})
+        for name, quantity in COLUMNS.items()
     }
     variables["mode"][2].update(_flags(MODE_NAMES, np.int8), flag_letters=" ".join(MODE_LETTERS))
     time = ("time", grid, {"units": "s", "long_name": "Time"})
@@ -159,8 +147,8 @@ def write_csv(motion: Motion, path: str | Path, times: ArrayLike | None = None) 
     """
     grid = _grid(motion, times)
     sample = motion.at(grid)
-    header = ["t [s]"] + [name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in VARIABLES.items()]
-    columns = [grid] + [getattr(sample, name) for name in VARIABLES]
+    header = ["t [s]"] + [name if one.unit == "1" else f"{name} [{one.unit}]" for name, one in COLUMNS.items()]
+    columns = [grid] + [getattr(sample, name) for name in COLUMNS]
     _write_rows(Path(path), header, zip(*(column.tolist() for column in columns), strict=True))
 
 
@@ -177,13 +165,13 @@ def write_events_csv(motion: Motion, path: str | Path) -> None:
     OSError
         If the file cannot be written.
     """
-    units = {name: unit for name, unit in EVENT_UNITS.items() if not name.startswith("before_") and name != "t"}
-    before = ("vx", "vy", "omega", "slip")
-    header = ["t [s]", "kind", "from", "to", *(f"{name} [{unit}]" for name, unit in units.items())]
+    names = [name for name in EVENT_NUMBERS if name != "t"]
+    before = held_by("Velocity")
+    header = ["t [s]", "kind", "from", "to", *(f"{name} [{EVENT_UNITS[name]}]" for name in names)]
     header += [f"before_{name} [{EVENT_UNITS[name]}]" for name in before] + ["collision", "stable"]
     rows = (
         [event.t, event.kind, event.from_mode, event.to_mode]
-        + [getattr(event, name) for name in units]
+        + [getattr(event, name) for name in names]
         + [getattr(event.before, name) for name in before]
         + [event.collision, event.stable]
         for event in motion.events
@@ -311,8 +299,7 @@ def _describe_events(dataset: Any, motion: Motion) -> None:
     """CF attributes with which other readers see events in SI units; the stored bits stay the kernel's."""
     for name, unit in EVENT_UNITS.items():
         if name in dataset:
-            factor = motion.units.time if name == "t" else motion.units.of(name.removeprefix("before_"))
-            dataset[name].attrs.update(units=unit, scale_factor=factor)
+            dataset[name].attrs.update(units=unit, scale_factor=motion.units.of(name.removeprefix("before_")))
     for name, words in (("kind", EVENT_NAMES), ("before_mode", MODE_NAMES), ("after_mode", MODE_NAMES)):
         if name in dataset:
             dataset[name].attrs.update(_flags(words, dataset[name].dtype))

@@ -13,6 +13,7 @@ from hophoop.kernel.records.times import kernel_times
 from hophoop.kernel.records.units import Scales, scales_from
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import time_unit
+from hophoop.vocabulary.quantities import sizes
 
 
 @dataclass(frozen=True)
@@ -92,20 +93,4 @@ class Units:
 
     @cached_property
     def _sizes(self) -> dict[str, float]:
-        units = self.scales._asdict() | {"angle": 1.0}
-        return {name: units[unit] for unit, names in _QUANTITIES.items() for name in names}
-
-
-# Columns and numbers of events by the unit in which kernels have them.
-_QUANTITIES = {
-    "length": ("x", "height"),
-    "speed": ("vx", "vy", "slip"),
-    "rate": ("omega",),
-    "angle": ("angle",),
-    "force": ("friction_force", "normal_force"),
-    "impulse": ("impulse_normal", "impulse_tangential"),
-    "energy": (
-        "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping",
-        "gain",
-    ),
-}  # fmt: skip
+        return sizes(self.scales)

@@ -12,7 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._support.errors import InputError
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import Body, ImpactLaw
+from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import STIFFNESS, sinking
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.scenario.base import Frozen, Positive, quantity, refuse
@@ -22,8 +22,7 @@ from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
 from hophoop.scenario.sentences import refusal
 from hophoop.scenario.texts import say
-
-LAWS = {law.name.lower(): int(law) for law in ImpactLaw}  # as the kernels know them
+from hophoop.vocabulary.laws import LAWS
 
 
 class Scenario(Frozen):
@@ -351,7 +350,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         gn=weight * c,
         gt=weight * s,
         rest=plane.restitution,
-        law=LAWS[plane.impact_law],
+        law=LAWS[plane.impact_law].code,
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
         ideal=hoop.load_fraction is not None,
@@ -376,7 +375,7 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     return (
         hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio,
         plane.gravity, plane.slope, plane.mu_static, plane.mu_kinetic, plane.restitution,
-        LAWS[plane.impact_law], plane.painleve == "impact",
+        LAWS[plane.impact_law].code, plane.painleve == "impact",
         start.x, start.height, start.angle, start.vy, start.omega, start.slip,
         scenario.duration, scenario.contact.max_events,
         hoop.load_fraction is not None, plane.rolling_resistance, True,

@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 
 from hophoop.results.records import ArraySample, Ledger, Sample
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.events import PASSING_KINDS
+from hophoop.vocabulary.quantities import LOSSES
 
 Floats = NDArray[np.float64]
 
@@ -21,7 +23,6 @@ INVARIANTS = (
     "time", "finite numbers", "modes", "sequence", "rolling", "direction of slip", "contact", "gap", "normal force",
     "friction cone", "sliding friction", "losses", "ledger",
 )  # fmt: skip
-PASSING = ("turn", "apex", "kane_gain", "rest")  # events that begin no phase where the mode stays
 SPREAD = 25  # equally spaced times, besides those of events and the middles between them
 IN_FLIGHT = np.array([0.0, 1e-6, 1e-3, 0.03, 0.1, 0.25, 0.5, 0.75, 0.9, 0.97, 0.999, 1.0])  # of the time between two events
 EPSILON = float(np.finfo(float).eps)
@@ -34,7 +35,6 @@ LEDGER_OF_SKIM = 1e-9  # ... of a massless hoop, whose load may be taken for bei
 LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
 LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is a thousand times less exact
 STATE = ("x", "height", "angle", "vx", "vy", "omega", "slip")
-LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 IMPULSES = ("impulse_normal", "impulse_tangential")
 
 
@@ -156,7 +156,7 @@ def _course(motion: Trajectory) -> _Course:
     modes = np.array([event.to_mode for event in motion.events])
     letters = modes[np.searchsorted(kernel_t, instants[:-1], side="right") - 1]
     letters[long] = middle.mode
-    begins = {float(at) for at, event in zip(kernel_t, motion.events, strict=False) if event.kind not in PASSING}
+    begins = {float(at) for at, event in zip(kernel_t, motion.events, strict=False) if event.kind not in PASSING_KINDS}
     begin = [at in begins for at in instants[:-1].tolist()]
     contact = motion.scenario.contact
     kind = "rigid" if contact.model == "rigid" else contact.friction

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation.invariants import EPSILON, IMPULSES, LOSSES, TINY, Finding, worst
+from hophoop.simulation.invariants import EPSILON, IMPULSES, TINY, Finding, worst
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary.quantities import LOSSES
 
 _SIGNED = {"x", "angle", "speed", "vx", "omega", "slope"}
 _SWAPPED = str.maketrans("SK", "KS")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -12,12 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.fingerprint import STATE, fingerprint
-from hophoop.kernel.physics.body import EVENT_NAMES, Event, Status
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.kernel.physics.energy import energies_after
 from hophoop.results.records import ArraySample, EventErrors, EventRecord, Events, Ledger, Sample, ScalarSample, Side, Velocity
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.words import EVENT_KINDS, MODE_LETTERS, MOTION_STATUSES, MotionStatus, plain
+from hophoop.vocabulary.events import EVENT_KINDS, sequence_of
+from hophoop.vocabulary.quantities import EVENT_NUMBERS, LOSSES, held_by
+from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
+from hophoop.vocabulary.words import MODE_LETTERS, plain
 
 if TYPE_CHECKING:
     import xarray
@@ -61,19 +63,12 @@ class Trajectory:
     @property
     def ok(self) -> bool:
         """Whether the motion reached its end: completed or at rest."""
-        return self._status in (Status.COMPLETED, Status.AT_REST)
+        return STATUSES[self.status].ok
 
     @cached_property
     def sequence(self) -> str:
         """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
-        marks = [*(row for row in self._events[:-1] if row["kind"] not in _PASSING), self._events[-1]]
-        letters = []
-        for row, following in pairwise(marks):
-            if following["t"] > row["t"]:
-                letters.append(MODE_LETTERS[row["after_mode"]])
-        if not letters and len(self._events):
-            letters = [MODE_LETTERS[self._events[-1]["after_mode"]]]
-        return "".join(letters)
+        return sequence_of(*(self._events[name].tolist() for name in ("kind", "after_mode", "t")))
 
     @cached_property
     def events(self) -> Events:
@@ -467,8 +462,8 @@ class Trajectory:
 
     def _event_record(self, row: np.void) -> EventRecord:
         unit = self.units
-        value = {name: float(row[name]) * unit.of(name) for name in _EVENT_NUMBERS}
-        before = Velocity(*(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip")))
+        value = {name: float(row[name]) * unit.of(name) for name in EVENT_NUMBERS if name != "t"}
+        before = Velocity(**{name: float(row[f"before_{name}"]) * unit.of(name) for name in held_by("Velocity")})
         before_mode = int(row["before_mode"])
         return EventRecord(
             t=self._seconds(float(row["t"])),
@@ -507,15 +502,8 @@ def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) 
     unit = motion.units
     events = motion.tables["events"]
     table = event_errors(motion.scenario.to_body(), events, motion.scenario.duration / unit.time, reached)
-    sizes = {name: unit.time if name == "t" else unit.of(name) for name in FIELDS}
-    return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
+    return EventErrors(**{name: table[:, i] * unit.of(name) for i, name in enumerate(FIELDS)})
 
 
-LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 _INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
-_PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))
-_EVENT_NUMBERS = (
-    "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
-    *LOSSES, "gain",
-)  # fmt: skip

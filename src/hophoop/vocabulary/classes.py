@@ -6,6 +6,8 @@ import zlib
 from typing import Final
 
 from hophoop.vocabulary import colors, words
+from hophoop.vocabulary.events import EVENTS
+from hophoop.vocabulary.statuses import STATUSES
 
 SEQUENCE: Final = "sequence"
 
@@ -18,15 +20,8 @@ CODES: Final[dict[str, dict[str, str]]] = {
         "takeoff": colors.VERMILION, "rest": colors.SKY, "jam": colors.BLACK,
         "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
     },
-    "status": {
-        "completed": colors.BLUE, "at_rest": colors.SKY, "jammed": colors.BLACK,
-        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
-    },
-    "first_event": {
-        "slip_start": colors.ORANGE, "takeoff": colors.VERMILION, "stick": colors.BLUE,
-        "turn": colors.GREEN, "end": colors.SKY, "impact": colors.YELLOW, "slip_reversal": colors.PURPLE,
-        "rest": colors.LIGHT_GRAY, "jam": colors.BLACK,
-    },
+    "status": {str(status): facts.color for status, facts in STATUSES.items()},
+    "first_event": {str(kind): facts.color for kind, facts in EVENTS.items() if facts.color},
 }  # fmt: skip
 # Colours of motions that do not hop, by their first slip and their last phase.
 FAMILIES: Final = {

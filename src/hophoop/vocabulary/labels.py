@@ -17,29 +17,6 @@ DISTANCE: Final = "Level distance (m)"  # where a slope is drawn as a slope
 HEIGHT: Final = "Height (m)"
 POINT_SPEED: Final = "Speed of the ring's points (m/s)"
 
-VARIABLES: Final[dict[str, tuple[str, str]]] = {
-    "mode": ("1", "Mode"),
-    "x": ("m", "Position of the centre along the plane"),
-    "height": ("m", "Gap between rim and plane"),
-    "angle": ("rad", "Angle from the plane's normal to the centre of gravity"),
-    "vx": ("m/s", "Velocity of the centre along the plane"),
-    "vy": ("m/s", "Velocity of the centre away from the plane"),
-    "omega": ("rad/s", "Angular velocity"),
-    "slip": ("m/s", "Slip velocity of the lowest point"),
-    "friction_force": ("N", "Friction force along the plane"),
-    "normal_force": ("N", "Normal force"),
-    "kinetic": ("J", "Kinetic energy"),
-    "potential": ("J", "Potential energy"),
-    "total": ("J", "Kinetic and potential energy"),
-    "friction": ("J", "Energy lost in slip so far"),
-    "impact_normal": ("J", "Energy lost in the normal part of impacts so far"),
-    "impact_tangential": ("J", "Energy lost in the tangential part of impacts so far"),
-    "rolling_resistance": ("J", "Energy lost to rolling resistance so far"),
-    "spring": ("J", "Energy stored in the compliant contact"),
-    "damping": ("J", "Energy lost in the damper of the compliant contact so far"),
-}
-"""Columns of a sample: unit and meaning."""
-
 PARAMETERS: Final = {
     "plane.mu": "Friction μ",
     "plane.mu_static": r"Static friction $\mu_s$",

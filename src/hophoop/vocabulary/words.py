@@ -1,4 +1,4 @@
-"""Words for modes, events, statuses and endings, as people are shown them.
+"""Words for modes, as people are shown them.
 
 A mode's letter says how the rim slips: S where v_t < 0, K where v_t > 0. Its word says what the hoop does, and
 follows the rotation: it spins where the rim turns too fast for the way it goes (v_t θ̇ < 0), and skids where it
@@ -9,7 +9,7 @@ that rolls back it is the other way round. Colours follow the words.
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,14 +17,14 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.errors import InputError
 
 
-class _Word(StrEnum):
+class Word(StrEnum):
     """A string of the file format that type checkers and editors know; it is printed as a plain string."""
 
     def __repr__(self) -> str:
         return repr(self.value)
 
 
-class ModeLetter(_Word):
+class ModeLetter(Word):
     """Letter of a mode; S and K are the sign of the slip velocity v_t."""
 
     ROLL = "R"
@@ -34,41 +34,8 @@ class ModeLetter(_Word):
     SKIM = "M"
 
 
-class EventKind(_Word):
-    """Kind of an event, in the order in which simultaneous ones are written."""
-
-    START = "start"
-    SLIP_START = "slip_start"
-    STICK = "stick"
-    SLIP_REVERSAL = "slip_reversal"
-    TAKEOFF = "takeoff"
-    IMPACT = "impact"
-    TURN = "turn"
-    APEX = "apex"
-    BOUNCE_LIMIT = "bounce_limit"
-    PAINLEVE_INCONSISTENT = "painleve_inconsistent"
-    PAINLEVE_INDETERMINATE = "painleve_indeterminate"
-    JAM = "jam"
-    KANE_GAIN = "kane_gain"
-    SKIM = "skim"
-    REST = "rest"
-    END = "end"
-
-
-class MotionStatus(_Word):
-    """How a motion ended."""
-
-    COMPLETED = "completed"
-    AT_REST = "at_rest"
-    JAMMED = "jammed"
-    UNDETERMINED = "undetermined"
-    EVENT_LIMIT = "event_limit"
-
-
 # By the numbers that the kernels use for them.
 MODE_LETTERS: Final = tuple(ModeLetter)
-EVENT_KINDS: Final = tuple(EventKind)
-MOTION_STATUSES: Final = tuple(MotionStatus)
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = "roll", "spin", "skid", "flight", "skim"
 MODES: Final = (ROLL, SPIN, SKID, FLIGHT, SKIM)
@@ -161,43 +128,6 @@ def coming_rotation(omega: ArrayLike) -> NDArray[np.float64]:
     following = np.searchsorted(turning, np.arange(sign.size))
     found: NDArray[np.float64] = sign[turning[np.minimum(following, turning.size - 1)]]
     return found
-
-
-class EventWords(NamedTuple):
-    """What a kind of event is called, and what the hoop does there."""
-
-    noun: str
-    verb: str
-
-
-EVENTS: Final[dict[str, EventWords]] = {
-    "start": EventWords("start", "starts"),
-    "slip_start": EventWords("slip starts", "slips"),
-    "stick": EventWords("slip ends", "rolls"),
-    "slip_reversal": EventWords("slip reverses", "slips the other way"),
-    "takeoff": EventWords("take-off", "hops"),
-    "impact": EventWords("landing", "lands"),
-    "turn": EventWords("turns back", "turns back"),
-    "apex": EventWords("apex", "is highest"),
-    "bounce_limit": EventWords("end of the bounces", "has bounced out"),
-    "painleve_inconsistent": EventWords("Painlevé", "meets Painlevé's paradox"),
-    "painleve_indeterminate": EventWords("Painlevé", "meets Painlevé's indeterminacy"),
-    "jam": EventWords("jam", "jams"),
-    "kane_gain": EventWords("gain of energy", "gains energy (Kane)"),
-    "skim": EventWords("skims", "skims"),
-    "rest": EventWords("rest", "rests"),
-    "end": EventWords("end", "ends"),
-}
-"""By the kinds of the file format."""
-
-STATUSES: Final[dict[str, str]] = {
-    "completed": "",
-    "at_rest": "It has come to rest.",
-    "jammed": "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",
-    "undetermined": "The model does not determine the motion beyond.",
-    "event_limit": "The limit of events (contact.max_events), or of work for one motion, was reached before the end.",
-}
-"""How a motion ended, in a sentence; nothing where it just went on for as long as was asked."""
 
 
 def plain(word: Any) -> str:

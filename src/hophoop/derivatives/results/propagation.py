@@ -13,29 +13,27 @@ from numpy.typing import NDArray
 
 from hophoop.derivatives.events.ending import go_through
 from hophoop.derivatives.layout import (
-    BEFORE_OM,
-    BEFORE_VN,
-    BEFORE_VT,
     CARRIED,
     IMPACT_N,
     IMPACT_T,
     KEPT,
     OM,
-    P_N,
-    P_T,
     RESISTED,
-    TH,
-    VN,
     VT,
     Reason,
-    T,
-    X,
-    Y,
 )
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.pieces.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.pieces.sampling import sample_changes
 from hophoop.derivatives.results.friction_utilization import greatest_peaks, greatest_use, no_change, settled_by, use_rates
+from hophoop.derivatives.units import (
+    DIRECT,
+    ENERGY,
+    SPEED,
+    UNIT_OF_ROW,
+    UNITS,
+    sizes_and_rates,
+)
 from hophoop.derivatives.workspace import ROWS
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
@@ -47,48 +45,10 @@ from hophoop.kernel.rigid.run import run
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
+from hophoop.vocabulary.quantities import QUANTITIES
 
-# Exponents of the units of length, time and mass.
-LENGTH, TIME, ANGLE, SPEED, TURNING = (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, -1, 0), (0, -1, 0)
-MOMENTUM, ENERGY = (1, -1, 1), (2, -2, 1)
-# What can be asked of an event: column of the record, row of its derivatives, unit.
-DIRECT = {
-    "t": ("t", T, TIME),
-    "x": ("x", X, LENGTH),
-    "height": ("height", Y, LENGTH),
-    "angle": ("angle", TH, ANGLE),
-    "omega": ("omega", OM, TURNING),
-    "slip": ("slip", VT, SPEED),
-    "vy": ("vy", VN, SPEED),
-    "before.omega": ("before_omega", BEFORE_OM, TURNING),
-    "before.slip": ("before_slip", BEFORE_VT, SPEED),
-    "before.vy": ("before_vy", BEFORE_VN, SPEED),
-    "impulse_normal": ("impulse_normal", P_N, MOMENTUM),
-    "impulse_tangential": ("impulse_tangential", P_T, MOMENTUM),
-    "impact_normal": ("impact_normal", IMPACT_N, ENERGY),
-    "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
-    "rolling_resistance": ("rolling_resistance", RESISTED, ENERGY),
-}
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
-SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOMENTUM: "N s", ENERGY: "J"}
-UNITS = tuple(SI)
-EXPONENTS = np.array(UNITS)
-UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
-
-
-def sizes_and_rates(scales: Any, units: Any) -> tuple[Any, Any]:
-    """Sizes of UNITS, and their logarithmic rates in each direction, from those of length, time and mass."""
-    sizes = np.array([
-        scales.length, scales.time, 1.0, scales.speed, scales.rate, scales.impulse, scales.energy,
-    ])  # fmt: skip
-    by_units = np.empty((len(UNITS), units.shape[1]))
-    for i in range(len(UNITS)):
-        powers = EXPONENTS[i]
-        for k in range(units.shape[1]):
-            by_units[i, k] = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
-    return sizes, by_units
-
 
 BORDER, CONTACT = int(Reason.BORDER), int(Reason.CONTACT)
 
@@ -105,9 +65,7 @@ def unit_of(field: str) -> str:
     -------
     unit : str
     """
-    if field in ENERGIES:
-        return SI[ENERGY]
-    return SI[SPEED] if field in SUMS else SI[DIRECT[field][2]]
+    return QUANTITIES[field.removeprefix("before.")].unit
 
 
 @dataclass(frozen=True)
@@ -227,8 +185,7 @@ class Carried:
                 found = (states[:, 3] + states[:, 4], out[:, OM] + out[:, VT], SPEED)
             else:
                 _, row, exponents = DIRECT[field]
-                size = 1.0 if exponents == ANGLE else motion.units.of(field)
-                found = (values / size, out[:, row], exponents)
+                found = (values / motion.units.of(field), out[:, row], exponents)
             result[field] = (values, self.in_si(*found).rates)
         return result
 

@@ -12,9 +12,10 @@ import numpy as np
 
 from hophoop.derivatives.results.propagation import FIELDS, Carried, Rated, unit_of
 from hophoop.kernel.numerics.elementwise import cosine, sine
-from hophoop.kernel.physics.body import EVENT_NAMES, Event, Mode
+from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, Event, Mode
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
+from hophoop.vocabulary.events import phase_starts
 
 HOP = {
     "height": ("Greatest gap", "m"),
@@ -42,7 +43,6 @@ MAPPED = {
 _NAME = re.compile(r"(?P<what>[a-z_]+)(?:\[(?P<place>-?\d+)\])?\.(?P<field>[a-z_.]+)")
 _AT = re.compile(r"at\((?P<time>[^()]+)\)\.(?P<field>[a-z_]+)")
 AT_TIMES = tuple(name for name in FIELDS if not name.startswith(("before", "impulse")) and name != "t")
-PASSING = (Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST)
 
 
 class NotInMotion(InputError):
@@ -238,9 +238,8 @@ def _way_rolled(carried: Carried) -> Rated:
 
 def _rolling_since(motion: Motion) -> int:
     """The event at which the last phase began, where that is rolling, or −1."""
-    marks = [k for k, kind in enumerate(motion.tables["events"]["kind"].tolist()) if kind not in PASSING]
     since = -1
-    for k in marks:
+    for k in phase_starts(motion.tables["events"]["kind"].tolist()):
         rolls = motion.tables["events"]["after_mode"][k] == Mode.ROLL
         since = -1 if not rolls else k if since < 0 else since
     return since

@@ -63,6 +63,8 @@ class Event(IntEnum):
 
 
 EVENT_NAMES = tuple(event.name.lower() for event in Event)
+# Those that do not end a phase: the mode stays.
+PASSING = (int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST))
 
 
 class Status(IntEnum):

@@ -10,7 +10,7 @@ from numba import carray
 from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.derivatives.events.ending import go_through
 from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
-from hophoop.derivatives.results.propagation import UNIT_OF_ROW, sizes_and_rates
+from hophoop.derivatives.units import UNIT_OF_ROW, sizes_and_rates
 from hophoop.derivatives.workspace import ROWS
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.records.cells import body_of, scales_of

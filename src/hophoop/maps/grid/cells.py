@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics.body import ImpactLaw
 from hophoop.kernel.physics.mass import ideal_inertia
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.kernel.records.layout import (
@@ -37,6 +36,7 @@ from hophoop.kernel.records.layout import (
 )
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
+from hophoop.vocabulary.laws import LAWS
 
 Array = NDArray[Any]
 
@@ -99,7 +99,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
             cells[MU_STATIC] = array
             cells[MU_KINETIC] = array
         elif path == "plane.impact_law":
-            cells[LAW] = [int(ImpactLaw[word.upper()]) for word in array]
+            cells[LAW] = [LAWS[word].code for word in array]
         elif path == "plane.painleve":
             cells[STRIKE] = array == "impact"
         elif path == "start.speed":

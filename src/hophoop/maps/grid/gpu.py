@@ -77,7 +77,7 @@ def evaluate(
 def _evaluate_batch(cells: NDArray[np.float64], options: tuple[float, int, bool, int], hosts: list[NDArray[Any]]) -> None:
     from numba import cuda
 
-    from hophoop.maps.grid.gpu_kernel import PASSING, kernel
+    from hophoop.maps.grid.gpu_kernel import FLIGHT_EVENTS, kernel
 
     if not getattr(kernel, "overloads", True):  # the simulator compiles nothing
         print("hophoop compiles its kernel for the GPU; this takes minutes, once a process.", file=sys.stderr)
@@ -90,8 +90,8 @@ def _evaluate_batch(cells: NDArray[np.float64], options: tuple[float, int, bool,
     most = int(cells[MAX_EVENTS].max(initial=1))
     room = min(FIRST_EVENTS, most)
     while todo.size:
-        threads = max(1, min(todo.size, int(memory / ((room + PASSING) * EVENT.itemsize))))
-        events = cuda.device_array((threads, room + PASSING), EVENT)
+        threads = max(1, min(todo.size, int(memory / ((room + FLIGHT_EVENTS) * EVENT.itemsize))))
+        events = cuda.device_array((threads, room + FLIGHT_EVENTS), EVENT)
         left = []
         for first in range(0, todo.size, threads):
             these = todo[first : first + threads]

@@ -17,7 +17,7 @@ from hophoop.maps.grid import kernel as cells_kernel
 # What CUDA's simulator runs is Python.
 evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else jitted(cells_kernel.evaluate_cell)
 
-PASSING = 2  # events that a cell needs beside the motion's own
+FLIGHT_EVENTS = 2  # events that a cell needs beside the motion's own
 
 
 def evaluate_thread(
@@ -51,7 +51,7 @@ def evaluate_thread(
             cuda.local.array(4, int64),
         )
         scratch.counts[PANEL_LIMIT] = MOST_PANELS
-        room = events.shape[1] - PASSING
+        room = events.shape[1] - FLIGHT_EVENTS
         done = evaluate_cell(
             cells,
             todo[thread],

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.physics.body import Body, Event, Mode, Status
+from hophoop.kernel.physics.body import PASSING, Body, Event, Mode, Status
 from hophoop.kernel.records.cells import body_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, DURATION, EVENT, EVENTS, MAX_EVENTS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
@@ -56,7 +56,7 @@ ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(M
 START, SLIP_START, TAKEOFF, IMPACT, TURN = (
     int(kind) for kind in (Event.START, Event.SLIP_START, Event.TAKEOFF, Event.IMPACT, Event.TURN)
 )
-APEX, KANE_GAIN, JAM, REST = int(Event.APEX), int(Event.KANE_GAIN), int(Event.JAM), int(Event.REST)
+APEX, JAM, REST = int(Event.APEX), int(Event.JAM), int(Event.REST)
 INCONSISTENT, INDETERMINATE = int(Event.PAINLEVE_INCONSISTENT), int(Event.PAINLEVE_INDETERMINATE)
 COMPLETED, AT_REST, JAMMED = int(Status.COMPLETED), int(Status.AT_REST), int(Status.JAMMED)
 UNDETERMINED, EVENT_LIMIT = int(Status.UNDETERMINED), int(Status.EVENT_LIMIT)
@@ -99,7 +99,7 @@ class Rows(NamedTuple):
 
 def is_passing(kind):
     """Whether an event leaves the phase as it is."""
-    return kind in (TURN, APEX, KANE_GAIN, REST)
+    return kind in PASSING
 
 
 def leaves_plane(row):

@@ -9,14 +9,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.maps.grid import kernel
 from hophoop.scenario import InputError
+from hophoop.vocabulary.statuses import MOTION_STATUSES
 
 NOT_ALLOWED = "not_allowed"
 MORE_MARK = "+"
-_STATUSES = tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 _SEQUENCE = "sequence"
 
 
@@ -71,7 +71,7 @@ QUANTITIES: Mapping[str, Quantity] = {
     quantity.name: quantity
     for quantity in (
         Quantity(_SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
-        _code("status", "How the motion ended", _STATUSES),
+        _code("status", "How the motion ended", tuple(map(str, MOTION_STATUSES))),
         _code("ending", "What ended the span", kernel.ENDINGS),
         _code("first_event", "First event after the start but for the apex of a flight", EVENT_NAMES),
         _code("hop", "Whether the rim leaves the plane", ("no", "yes")),

@@ -1,4 +1,8 @@
-"""Go through a certificate event by event."""
+"""Go through a certificate event by event.
+
+On purpose the checker has words and rules of its own, such as which events do not end a phase: it shares no table with
+what it checks.
+"""
 
 from __future__ import annotations
 
