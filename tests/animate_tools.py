@@ -2,7 +2,7 @@
 
 from functools import cache
 
-import imageio_ffmpeg
+import av
 import numpy as np
 from scipy import ndimage
 
@@ -17,12 +17,11 @@ def motion(speed=3.1, mu=1.0, duration=2.0, slope=0.0, load_fraction=0.75):
 
 
 def decoded(path):
-    """Pictures of a film, n × height × width × 3, and what its header says."""
-    reader = imageio_ffmpeg.read_frames(str(path), pix_fmt="rgb24")
-    header = next(reader)
-    width, height = header["size"]
-    pictures = [np.frombuffer(data, np.uint8).reshape(height, width, 3) for data in reader]
-    return np.array(pictures), header
+    """Pictures of a film, n × height × width × 3, and its codec, pictures a second and duration [s]."""
+    with av.open(str(path)) as box:
+        stream = box.streams.video[0]
+        header = {"codec": stream.codec_context.name, "fps": stream.average_rate, "seconds": box.duration / 1e6}
+        return np.array([frame.to_ndarray(format="rgb24") for frame in box.decode(stream)]), header
 
 
 def darkest_spot(picture, radius, below=0):

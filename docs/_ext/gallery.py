@@ -10,8 +10,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-import imageio_ffmpeg
-from PIL import Image
+import av
 from sphinx.application import Sphinx
 from sphinx_gallery.scrapers import matplotlib_scraper
 
@@ -70,10 +69,11 @@ def _film(data: bytes, variables: dict[str, Any]) -> str:
 
 
 def _picture_of_film(film: Path, path: Path) -> tuple[int, int]:
-    frames = imageio_ffmpeg.read_frames(str(film))
-    size: tuple[int, int] = next(frames)["size"]
-    pictures = list(frames)
-    Image.frombytes("RGB", size, pictures[len(pictures) * 6 // 10]).save(path)
+    with av.open(str(film)) as box:
+        frames = list(box.decode(video=0))
+    shown = frames[len(frames) * 6 // 10].to_image()
+    shown.save(path)
+    size: tuple[int, int] = shown.size
     return size
 
 

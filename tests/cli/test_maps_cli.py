@@ -1,8 +1,10 @@
 """`hophoop map`, as a person or a script calls it."""
 
 import re
+from types import SimpleNamespace
 
 import numpy as np
+import psutil
 import pytest
 from typer.testing import CliRunner
 
@@ -89,6 +91,18 @@ def test_a_map_that_does_not_fit_into_memory_is_refused_before_it_starts(monkeyp
     with pytest.raises(ValueError, match=r"400,000,000 motions, which need 1\.8 GB of memory where 1\.0 GB are free"):
         maps.sweep(None, values)
     assert memory.check_memory([1000, 1000], ["f8"], "no") is None
+
+
+def test_free_memory_is_what_the_system_can_give(monkeypatch):
+    """Not all memory, and on every system: of 64 GB, 0.5 GB are available here."""
+    monkeypatch.setattr(psutil, "virtual_memory", lambda: SimpleNamespace(total=64e9, available=5e8, free=1e8))
+    with pytest.raises(ValueError, match=r"need 1\.0 GB of memory where 0\.5 GB are free: take fewer\."):
+        memory.check_memory([100_000_000], ["f8"], "take fewer")
+
+
+def test_free_memory_of_this_machine():
+    """Less than all of it: this process is in memory."""
+    assert 0.0 < memory.free_memory() < psutil.virtual_memory().total
 
 
 def test_no_memory_is_one_sentence(monkeypatch):

@@ -381,7 +381,7 @@ def test_files_hold_the_motion(tmp_path, motion):
 
 
 def test_a_film_is_made_and_has_its_limit():
-    pytest.importorskip("imageio_ffmpeg")
+    pytest.importorskip("av")
     short = hh.Scenario(duration=0.2)
     assert files.KINDS["motion.gif"].make(short, limits.USUAL)[:4] == b"GIF8"
     with pytest.raises(limits.TooMuch, match="at most 20 s for a film"):

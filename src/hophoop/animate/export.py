@@ -1,16 +1,14 @@
-"""Pictures into films: mp4, webm, gif and PNG, streamed to the encoder that imageio-ffmpeg ships."""
+"""Pictures into films: mp4, webm, gif and PNG, encoded by PyAV as they are drawn."""
 
 from __future__ import annotations
 
+import contextlib
 import os
-import queue
 import re
 import shutil
-import subprocess
-import tempfile
-import threading
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
 from typing import Any, Protocol
@@ -19,7 +17,7 @@ import numpy as np
 
 from hophoop._support.extras import need
 from hophoop._support.files import replacing, require_folder_of
-from hophoop._support.stopping import child, temporary_folder
+from hophoop._support.stopping import temporary_folder
 from hophoop.animate.canvas import Bytes
 from hophoop.scenario import InputError
 
@@ -27,7 +25,6 @@ Progress = Callable[[int, int], None]
 FORMATS = (".mp4", ".webm", ".gif", ".png")
 PALETTE_PICTURES = 32
 MAX_GIF_FPS = 50.0
-WAITING = 3  # pictures between the painter and the encoder
 
 
 class Pictures(Protocol):
@@ -111,13 +108,11 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
     if kind == "png":
         return _write_png(pictures, target, progress)
     check_film(kind, pictures.size, pictures.fps)
-    with temporary_folder() as folder, replacing(target) as part:
-        inputs: list[str] = []
-        if kind == "gif":
-            palette = folder / "palette.png"
-            _encode(_sampled(pictures), _command(pictures, _PALETTE, palette))
-            inputs = ["-i", str(palette)]
-        _encode(_all(pictures, progress), _command(pictures, _OPTIONS[kind], part, inputs))
+    av = need("av", "films")
+    with replacing(target) as part, _failures(av, kind, pictures.size):
+        frames = _frames(av, pictures, range(pictures.count), progress)
+        coloured = _in_palette(av, pictures, frames) if kind == "gif" else _in_bt709(frames)
+        _encode(av, coloured, kind, pictures, part)
     return target
 
 
@@ -143,92 +138,108 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
         raise InputError.of_field("fps", fps, f"at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones")
 
 
-_PALETTE = ["-vf", "palettegen=max_colors=255:reserve_transparent=0:stats_mode=full", "-frames:v", "1"]
-# H.264 in the profile that every browser plays, its index in front; colours as in HDTV, and said so.
-_BT709 = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
-_TAGS = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"]
+# Colours as in HDTV, and marked so.
+_TO_BT709 = {"dst_colorspace": "ITU709", "src_color_range": "JPEG", "dst_color_range": "MPEG", "interpolation": "BICUBIC"}
+_BT709 = {"colorspace": "bt709", "color_primaries": "bt709", "color_trc": "bt709", "color_range": "tv"}
+_ENCODERS = {"mp4": "libx264", "webm": "libvpx-vp9", "gif": "gif"}
+# H.264 in the profile that every browser plays, its index in front.
 _OPTIONS = {
-    "mp4": [
-        "-vf", _BT709, "-c:v", "libx264", "-preset", "veryfast", "-crf", "19", "-profile:v", "high",
-        "-movflags", "+faststart", *_TAGS,
-    ],
-    "webm": [
-        "-vf", _BT709, "-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "30", "-deadline", "realtime",
-        "-cpu-used", "6", "-row-mt", "1", *_TAGS,
-    ],
-    # Without dithering, flat areas stay flat, and only the rectangle that changed is stored.
-    "gif": ["-lavfi", "[0:v][1:v]paletteuse=dither=none:diff_mode=rectangle", "-loop", "0"],
-}  # fmt: skip
+    "mp4": {"preset": "veryfast", "crf": "19", "profile": "high", **_BT709},
+    "webm": {"b": "0", "crf": "30", "deadline": "realtime", "cpu-used": "6", "row-mt": "1", **_BT709},
+    "gif": {},
+}
+_FILE_OPTIONS = {"mp4": {"movflags": "+faststart"}, "webm": {}, "gif": {"loop": "0"}}
+_PALETTE = "max_colors=255:reserve_transparent=0:stats_mode=full"
+# Without dithering, flat areas stay flat, and only the rectangle that changed is stored.
+_PAINTING = "dither=none:diff_mode=rectangle"
 
 
-def _command(pictures: Pictures, options: list[str], out: Path, inputs: list[str] | None = None) -> list[str]:
-    width, height = pictures.size
-    return [
-        need("imageio_ffmpeg", "films").get_ffmpeg_exe(),
-        *("-hide_banner", "-loglevel", "error", "-nostdin", "-y"),
-        *("-f", "rawvideo", "-pix_fmt", "rgb0", "-s", f"{width}x{height}", "-r", f"{pictures.fps:.9g}"),
-        *("-i", "pipe:0"),
-        *(inputs or []),
-        *options,
-        *("-an", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"),
-        str(out),
-    ]  # fmt: skip
+def _encode(av: Any, frames: Iterable[Any], kind: str, pictures: Pictures, path: Path) -> None:
+    options = {**_FILE_OPTIONS[kind], "fflags": "+bitexact"}
+    # 'file:' keeps FFmpeg from reading a colon in the name as a protocol
+    with av.open(f"file:{path}", "w", format=kind, container_options=options) as box:
+        stream = box.add_stream(_ENCODERS[kind], rate=_rate(pictures))
+        stream.options = {**_OPTIONS[kind], "flags": "+bitexact"}
+        stream.width, stream.height = pictures.size
+        stream.pix_fmt = "pal8" if kind == "gif" else "yuv420p"
+        stream.thread_type = "AUTO"  # slices alone make larger files
+        for frame in frames:
+            box.mux(stream.encode(frame))
+        box.mux(stream.encode())
 
 
-def _all(pictures: Pictures, progress: Progress | None) -> Iterator[Bytes]:
-    for k in range(pictures.count):
-        yield pictures.draw(k)
+def _frames(av: Any, pictures: Pictures, numbers: Iterable[int], progress: Progress | None = None) -> Iterator[Any]:
+    for k in numbers:
+        frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(pictures.draw(k)), format="rgba")
+        frame.pts, frame.time_base = k, 1 / _rate(pictures)
+        yield frame
         if progress is not None:
             progress(k + 1, pictures.count)
 
 
-def _sampled(pictures: Pictures) -> Iterator[Bytes]:
+def _rate(pictures: Pictures) -> Fraction:
+    return Fraction(pictures.fps).limit_denominator(1_000_000)
+
+
+def _in_bt709(frames: Iterable[Any]) -> Iterator[Any]:
+    for frame in frames:
+        yield frame.reformat(format="yuv420p", **_TO_BT709)
+
+
+def _in_palette(av: Any, pictures: Pictures, frames: Iterable[Any]) -> Iterator[Any]:
+    """Yield frames in one palette for the whole film."""
+    palette = _palette(av, pictures)
+    graph = av.filter.Graph()
+    source, sink = _source(graph, pictures), graph.add("buffersink")
+    colours = graph.add_buffer(width=palette.width, height=palette.height, format=palette.format, time_base=palette.time_base)
+    painting = graph.add("paletteuse", _PAINTING)
+    source.link_to(painting, 0, 0)
+    colours.link_to(painting, 0, 1)
+    painting.link_to(sink)
+    graph.configure()
+    colours.push(palette)
+    colours.push(None)
+    for frame in frames:
+        source.push(frame.reformat(format="rgb24"))
+        yield from _ready(sink)
+    source.push(None)
+    yield from _ready(sink)
+
+
+def _ready(sink: Any) -> Iterator[Any]:
+    with contextlib.suppress(BlockingIOError, EOFError):
+        while True:
+            yield sink.pull()
+
+
+def _palette(av: Any, pictures: Pictures) -> Any:
+    """Return the palette of a film as a frame."""
     # A palette from every picture would need the film twice, or all of it in memory.
-    for k in np.unique(np.linspace(0, pictures.count - 1, min(PALETTE_PICTURES, pictures.count)).astype(int)):
-        yield pictures.draw(int(k))
+    sample = np.unique(np.linspace(0, pictures.count - 1, min(PALETTE_PICTURES, pictures.count)).astype(int))
+    graph = av.filter.Graph()
+    source, gathering, sink = _source(graph, pictures), graph.add("palettegen", _PALETTE), graph.add("buffersink")
+    source.link_to(gathering)
+    gathering.link_to(sink)
+    graph.configure()
+    for frame in _frames(av, pictures, map(int, sample)):
+        source.push(frame.reformat(format="rgb24"))
+    source.push(None)
+    return sink.pull()
 
 
-def _encode(pictures: Iterable[Bytes], command: list[str]) -> None:
-    """Send pictures to the encoder, drawing the next while it takes the last."""
-    with (
-        tempfile.TemporaryFile() as said,
-        child(subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)) as encoder,
-    ):
-        assert encoder.stdin is not None
-        waiting: queue.Queue[bytes | None] = queue.Queue(WAITING)
-        broken = threading.Event()
+def _source(graph: Any, pictures: Pictures) -> Any:
+    width, height = pictures.size
+    return graph.add_buffer(width=width, height=height, format="rgb24", time_base=1 / _rate(pictures))
 
-        def send() -> None:
-            while (data := waiting.get()) is not None:
-                try:
-                    if not broken.is_set():
-                        encoder.stdin.write(data)  # type: ignore[union-attr]
-                except OSError:
-                    broken.set()  # the encoder has gone; what it said is reported below
 
-        sender = threading.Thread(target=send, name="film", daemon=True)
-        sender.start()
-        try:
-            for picture in pictures:
-                if broken.is_set():
-                    break
-                waiting.put(picture.tobytes())
-        except BaseException:
-            broken.set()
-            encoder.kill()
-            raise
-        finally:
-            waiting.put(None)
-            sender.join()
-            try:
-                encoder.stdin.close()
-            except OSError:
-                broken.set()
-            code = encoder.wait()
-        if code != 0 or broken.is_set():
-            said.seek(0)
-            words = "; ".join(said.read().decode(errors="replace").split("\n")).strip("; ")[:400]
-            raise OSError(f"The encoder failed ({code}): {words or 'it said nothing'}")
+@contextmanager
+def _failures(av: Any, kind: str, size: tuple[int, int]) -> Iterator[None]:
+    try:
+        yield
+    except av.codec.codec.UnknownCodecError as error:
+        raise OSError(f"The encoder failed: this PyAV has no {error}.") from None
+    except av.error.FFmpegError as error:
+        raise OSError(f"The encoder failed ({kind}, {size[0]} × {size[1]} pixels): {error.strerror}.") from None
 
 
 def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> Path:
@@ -242,8 +253,10 @@ def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> P
     home = folder if target.suffix else folder.parent
     home.mkdir(parents=True, exist_ok=True)
     with temporary_folder(".film-", home) as part:
-        for k, picture in enumerate(_all(pictures, progress)):
-            save_png(picture, part / f"{stem}{k:05d}.png")
+        for k in range(pictures.count):
+            save_png(pictures.draw(k), part / f"{stem}{k:05d}.png")
+            if progress is not None:
+                progress(k + 1, pictures.count)
         folder.mkdir(exist_ok=True)
         if target.suffix:
             # a longer film of before must not go on behind this one

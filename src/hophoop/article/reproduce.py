@@ -127,7 +127,7 @@ def films(out: Path, progress: Progress) -> list[Path]:
     ImportError
         If what films need is not installed.
     """
-    need("imageio_ffmpeg", "films")
+    need("av", "films")
     if find_spec("hophoop.animate") is None:
         raise MissingExtra("this version makes no films.")
     from hophoop.animate import article_films

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 
 import numpy as np
 
+from hophoop._support.extras import need
 from hophoop.scenario import InputError
 
 # Beside the result: cells, numbers and events of a chunk on every core.
@@ -16,23 +15,19 @@ WORKING = 200e6
 
 
 def free_memory() -> float:
-    """Memory that can still be had; infinite where the system does not say.
+    """Return the memory that is free or that the system can free without swapping.
 
     Returns
     -------
     bytes : float
         [1].
+
+    Raises
+    ------
+    ImportError
+        If psutil is missing.
     """
-    try:
-        for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
-            if line.startswith("MemAvailable:"):
-                return 1024.0 * float(line.split()[1])
-    except (OSError, ValueError, IndexError):
-        pass
-    try:
-        return float(os.sysconf("SC_PHYS_PAGES")) * os.sysconf("SC_PAGE_SIZE")
-    except (AttributeError, ValueError, OSError):
-        return math.inf
+    return float(need("psutil", "maps").virtual_memory().available)
 
 
 def check_memory(shape: Sequence[int], kinds: Iterable[str], advice: str) -> None:
