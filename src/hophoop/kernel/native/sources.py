@@ -13,7 +13,7 @@ PACKAGE = Path(__file__).parents[2]
 # Rooms whose files are kernels, files of other rooms, and what says how they are compiled.
 ROOMS = (
     "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
-    "theory/kernels", "derivatives", "derivatives/events", "derivatives/pieces", "derivatives/results",
+    "theory/kernels", "derivatives", "derivatives/events", "derivatives/pieces",
 )  # fmt: skip
 FILES = (
     "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/entries.py", "kernel/native/marks.py", "lab/wasm/nrt.c",

@@ -1,6 +1,6 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources fe8f2fbd83676ec471a7882c2301f6eb */
-var Ol=Object.create;var ao=Object.defineProperty;var Cl=Object.getOwnPropertyDescriptor;var ql=Object.getOwnPropertyNames;var jl=Object.getPrototypeOf,Bl=Object.prototype.hasOwnProperty;var Wl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Fl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ql(e))!Bl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Cl(e,i))||n.enumerable});
-return s};var $l=(s,e,t)=>(t=s!=null?Ol(jl(s)):{},Fl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Wl(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 83f6acf352362c91ec66c97d212d34e3 */
+var Ol=Object.create;var ao=Object.defineProperty;var Cl=Object.getOwnPropertyDescriptor;var ql=Object.getOwnPropertyNames;var jl=Object.getPrototypeOf,Bl=Object.prototype.hasOwnProperty;var Fl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Wl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ql(e))!Bl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Cl(e,i))||n.enumerable});
+return s};var $l=(s,e,t)=>(t=s!=null?Ol(jl(s)):{},Wl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Fl(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
 "2d").drawImage(i,0,0),o}toDataURL(e,t,n,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
@@ -8,7 +8,7 @@ r);if(i==="image/svg+xml"||!i)return a.async?Promise.resolve(u):u;if(i==="image/
 st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(u,t,n),d=h.toDataURL(i,o);return h.remove(),d})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,i,o,a,r,l){if(l||(l={}),!l.async)throw new Error(
 "svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let u=await this.svg2canvas(c,t,n),
-d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Wa=new Kn;var Fa=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
+d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Fa=new Kn;var Wa=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
 p.length;g++)h=h.replace(new RegExp("\\{"+p[g]+"\\}","gi"),d[p[g]]);return h}function a(h){var d,p,g;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",g=0;g<12;g++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
 return p}function r(h,d){var p,g,f={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)g="&"+h[p+1]+";",b=parseInt(h[p],d),f[g]="&#"+b+";";return f["\\xa0"]="&#\
@@ -135,18 +135,18 @@ multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));
 translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,g,f,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,g,f,b]));this.setTransform(
 w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){return Wa.getImageData(this.getSvg(),
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){return Fa.getImageData(this.getSvg(),
 this.width,this.height,h,d,p,g,f)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
-globalCompositeOperation=function(){},e})();function Ne(s){this.ctx=new Fa(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
+globalCompositeOperation=function(){},e})();function Ne(s){this.ctx=new Wa(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
 display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute("class")||""},set:function(i){
 return n.setAttribute("class",i)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(i){
 Object.defineProperty(t,i,{get:function(){return e.getAttribute(i)|0},set:function(o){if(!(isNaN(o)||typeof o>"u"))return t.ctx[i]=o,e.setAttribute(i,o),n[i]=o}})}),
 ["style","id"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return n[i]},set:function(o){if(typeof o<"u")return n[i]=o}})}),["getBoundingClient\
 Rect"].forEach(function(i){t[i]=function(){return e[i]()}})}Ne.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupported type of context for SVG\
 Canvas");return this.ctx};Ne.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Wa.toDataURL(this.svg,this.width,this.height,s,e,t)};Ne.prototype.addEventListener=
+utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Fa.toDataURL(this.svg,this.width,this.height,s,e,t)};Ne.prototype.addEventListener=
 function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.prototype.getAttribute=function(s){
-return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Ns.Context=Fa;Ns.Element=Ne});function xe(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ro=s=>wt(s)>.2?"#111111":"#ffffff",yt=(s,e)=>`rgba(${xe(s).join(",")}\
+return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Ns.Context=Wa;Ns.Element=Ne});function xe(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ro=s=>wt(s)>.2?"#111111":"#ffffff",yt=(s,e)=>`rgba(${xe(s).join(",")}\
 ,${e})`,Hl=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function wt(s){let[e,t,n]=xe(s).map(Hl);return .2126*e+.7152*t+.0722*n}function vt(s,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(wt(s)<.002)return"#eceef2";let t=s;for(let n=0;wt(t)<.2&&n<1;n+=.05)t=`#${xe(s).map(i=>Math.round(i+(255-i)*n).toString(
 16).padStart(2,"0")).join("")}`;return t}var Ut=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Gl(){let s=[];
@@ -1344,12 +1344,12 @@ function yn(s){_e=s in _t?s:"en",kt=new Map,xt=new Set,it.clear(),bo=Object.keys
 function eh(){let s=pe(fo);return s&&s in _t?s:(globalThis.navigator?.languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in _t)??"en"}function wo(s){fe(
 fo,s)}var mo=s=>s.replace(Vt,"").length;function th(s){let e=[...s.matchAll(Vt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
 return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=s=>Xl.has(_e)?s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function k(s,e){let t=wn[_e];if(e)
-return F(vo(t?.[s]??po(s),e));if(!t||!/\p{L}/u.test(s))return ge(s);if(xt.has(s))return s;let n=kt.get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??sh(i,t)??
-po(i),a=s.replace(i,()=>o);return kt.size>go&&kt.clear(),kt.set(s,a),F(a)}function F(s){return xt.size>go&&xt.clear(),xt.add(s),s}var yo=(s,e)=>s.replace(Vt,(t,n)=>String(
+return W(vo(t?.[s]??po(s),e));if(!t||!/\p{L}/u.test(s))return ge(s);if(xt.has(s))return s;let n=kt.get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??sh(i,t)??
+po(i),a=s.replace(i,()=>o);return kt.size>go&&kt.clear(),kt.set(s,a),W(a)}function W(s){return xt.size>go&&xt.clear(),xt.add(s),s}var yo=(s,e)=>s.replace(Vt,(t,n)=>String(
 e[n])),vo=(s,e)=>s.replace(Vt,(t,n)=>n.startsWith("word")?String(e[n]):k(String(e[n])));function sh(s,e){for(let{key:t,pattern:n,names:i}of bo){let o=s.match(n);
 if(o)return vo(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return nh(s)}function nh(s){if(s.includes(" → "))return s.split(" → ").map(e=>k(e)).join("\
  → ")}function ko(s){if(!wn[_e])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],{comma:n,stop:i}=_e==="zh"?{comma:"，",stop:"。"}:{comma:", ",
-stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>k(r)).join(n);return F(`${a[0]?.toLocaleUpperCase(_e)??""}${a.slice(1)}${i}${t?` ${k(
+stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>k(r)).join(n);return W(`${a[0]?.toLocaleUpperCase(_e)??""}${a.slice(1)}${i}${t?` ${k(
 t)}`:""}`)}function po(s){let e=/\p{L}{3,}/u.test(s)&&!Ql.test(s);return _e!=="en"&&e&&it.size<200&&it.add(s),ge(s)}var vn=new WeakMap,bn=new WeakMap;function kn(s){
 let e=document.createTextNode(k(s));return vn.set(e,s),e}function ot(s,e,t){let n=bn.get(s)??{};n[e]=t,bn.set(s,n),s.setAttribute(e,k(t))}function ih(s){let e=document.
 createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.nodeValue??"").replace(/\s+/g," ");n.trim()&&vn.set(t,n)}for(let t of s.
@@ -1364,21 +1364,21 @@ return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function ah(
 e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function xn(s){let e=getComputedStyle(
 s),t=i=>e.getPropertyValue(i).trim(),n=i=>ah(t(i));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--paper"),panel:n("--panel"),ground:n("--gro\
 und"),font:t("--font"),dark:wt(n("--paper"))<.2}}function at(s,e){let t=m("a",{href:URL.createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),
-setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var x=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
 s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[i,o]=s.toExponential(e-1).split("e");n=`${xo(i)}·10${rh(Number(o))}`}else
 n=xo(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return ge(n.replace("-","−"))}function xo(s){return s.includes(".")&&!s.includes("e")?s.replace(
 /\.?0+$/,""):s}function rh(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
 "")}var j=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>ge(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Le(s){let e=Math.abs(s),[t,n]=e>=.995?
 [1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return j(S(s*t,3),n)}function Z(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),i=t/n;return(i>5?10:i>2?5:i>1?
 2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=Z(e-s,t),i=[];for(let o=Math.ceil(s/n-1e-9);o*n<=e+1e-9*n&&i.length<
-200;o++)i.push(o*n);return i}function oe(s,e){let t=x(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):ge((Math.abs(s)<e*1e-6?
+200;o++)i.push(o*n);return i}function oe(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):ge((Math.abs(s)<e*1e-6?
 0:s).toFixed(t).replace("-","−"))}var So=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],lh="tfc",hh=/^[0-9a-f]{16}$/,ch=400;function Eo({time:s=0,options:e={},zoom:t=1,
 pan:n=[0,0],from:i,more:o,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Number(s.toFixed(4))}`);let c=So.filter(([u])=>e[u]).map(([,u])=>u);return c.join(
 "")!==lh&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),n.some(u=>Math.abs(u)>5e-4)&&l.push(`pan=${n.map(u=>Number(u.toFixed(3))).
 join(",")}`),i&&l.push(`from=${i.map(u=>Number(u.toPrecision(3))).join(",")}`),o&&l.push(`more=${o}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
 Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function To(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
 0&&(t.time=n);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(So.map(([y,v])=>[y,i.includes(v)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=
-x(o,.05,60));let a=_o(e.get("pan"),2);a&&(t.pan=a.map(y=>x(y,-20,20)));let r=_o(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,
+_(o,.05,60));let a=_o(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=_o(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,
 f]=e.get("map")?.split(",")??[],b=[h,d,g,f].map(Number);f!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]});
 let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>hh.test(y)?y:"")),t}function _o(s,e){let t=(s??"").split(",").map(Number);
 return s&&t.length===e&&t.every(Number.isFinite)?t:null}var uh=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
@@ -1387,8 +1387,8 @@ opstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(
 queries()))return;let n=t.link();e==="step"?history.pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(
 t=>{let n=()=>t();addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=uh();JSON.stringify(
 t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var St=[.05,.1,.25,.5,1,2,4],Xt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
-for(let e of this.listeners)e(this)}seek(e){this.time=x(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[x(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+for(let e of this.listeners)e(this)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
+duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[_(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
 this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function dh(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
 (i,o,a)=>`e${o&&"-"}${a.normalize("NFKD")}`);let n=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return n?n[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
@@ -1424,7 +1424,7 @@ this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.
 let n=this.info.degrees?e*_n:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",j(S(e,4),this.info.
 unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?_n:1);this.
 entry.show(n?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":k("auto {value}",{value:S(o,2)}),this.entry.input.title=
-n?j(String(o),this.info.unit):"";let a=x(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+n?j(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
 String(a)),this.say(o)}};function wh(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
 o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ts=class{way;kind;gravity;apart;derived;film;constructor(e,t){
 this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new Sn(i,this.onchange));this.choices=
@@ -1492,14 +1492,14 @@ vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.v
 this.grip=e,this.film=t,this.view=i,this.before=is(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
 i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
-let n=this.read(e),{radius:i}=this.film;if(this.turned+=Et(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=x(this.before.slope+this.turned,-ns,ns);
+let n=this.read(e),{radius:i}=this.film;if(this.turned+=Et(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-ns,ns);
 this.held.slope=Math.abs(o)<An?0:o}else if(this.grip==="load")this.held.angle=Et(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
 this.held.height=o<Sh*i?0:o;let a=n.along-this.from.along;this.held.angle=Et(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
 push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Do;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>Do,c=Io(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=x((o.turned-
-a.turned)/r,-c/i.radius,c/i.radius):(t.vx=x((o.along-a.along)/r,-c,c),t.vy=t.height>0?x((o.away-a.away)/r,-c,c):0)),t}};function Co(s,e,t,n,i){let o={ArrowLeft:-1,
+trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>Do,c=Io(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
+a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Co(s,e,t,n,i){let o={ArrowLeft:-1,
 ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=Et(n.angle+(o||a)*5*An*r);return{...n,angle:h}}if(s===
-"plane"){let h=x(n.slope+(o||-a)*An*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Io(i),c=x(n.height+a*.05*r*i.radius,0,4*i.radius),u=x(n.vx+o*.1*r,-l,
+"plane"){let h=_(n.slope+(o||-a)*An*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Io(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
 l);return{...n,height:c<1e-9?0:c,vx:u}}function J(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
 n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function qo(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
@@ -1514,7 +1514,7 @@ o.preventDefault();n.addEventListener("touchmove",i,{passive:!1}),this.settle=ie
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.
 toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),
-u=this.onPlane(t),h=x(1.1*r*a,Rn,190),d=[["plane",u,Rn],["hoop",l,h],["load",c,Rn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
+u=this.onPlane(t),h=_(1.1*r*a,Rn,190),d=[["plane",u,Rn],["hoop",l,h],["load",c,Rn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
 e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
 point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
 let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:k("gap {height}, speed {speed} m/s",{height:Le(t.height),speed:S(t.vx,3)}),plane:G(
@@ -1689,12 +1689,17 @@ most:.6g} for this hoop, whose inertia about the contact it would cancel at some
  cannot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",
 beside_a_value:"{path} cannot stand beside a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: par\
 ts are numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"\
-flies",skim:"skims the plane"},events:{start:"starts",slip_start:"slips",stick:"rolls",slip_reversal:"slips the other way",takeoff:"hops",impact:"lands",turn:"t\
-urns back",apex:"is highest",bounce_limit:"has bounced out",painleve_inconsistent:"meets Painlevé's paradox",painleve_indeterminate:"meets Painlevé's indetermi\
-nacy",jam:"jams",kane_gain:"gains energy (Kane)",skim:"skims",rest:"rests",end:"ends"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal \
-force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"\
-The limit of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim",
-"+":"…"},story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
+flies",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip begins",summed_up:!0},stick:{verb:"\
+rolls",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip turns round",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
+impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
+bounce_limit:{verb:"has bounced out",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
+painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
+verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming begins",summed_up:!0},rest:{verb:"rests",label:"at rest",
+summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
+≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
+s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
+ of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
+story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
 starts skimming",slip_start:"It {verb} at {where}; friction is used up: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction is used up: the r\
 im turns too fast for the way it goes.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip turns round at {where}; it {verb}.",takeoff:"\
 It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s downwards \
@@ -1714,16 +1719,16 @@ no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (
 t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0): whether it slips or hops hangs on where it turns \
 back; the map shows it"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"\
 #0072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#5\
-6B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#5\
-6B4E9",impact:"#F0E442",slip_reversal:"#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F\
-2B5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","ma\
-ss","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","\
-max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,flight_turns:2e3,allowed:{duration:{least:1e-9,most:1e9,words:"\
-from 1e-09 to 1e+09"},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.load\
-_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or \
-from 1e-12 to 1e+06",also:[0]},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e-12\
- to 1e+06"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pl\
-ane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{least:0,
+6B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
+impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
+5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass",
+"eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
+events","ideal","rolling_resistance","allowed"],laws:{stronge:2,newton:0,poisson:1},events:2e3,flight_turns:2e3,allowed:{duration:{least:1e-9,most:1e9,words:"fr\
+om 1e-09 to 1e+09"},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.load_f\
+raction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or fr\
+om 1e-12 to 1e+06",also:[0]},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e-12 t\
+o 1e+06"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"plan\
+e.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{least:0,
 most:1,words:"from 0 to 1"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.angle":{
 least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"from -\
 1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"contact.stiffne\
@@ -1757,7 +1762,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,je=s=>s==="inf"?1/0:s;var _={sources:"a80409bdd4ac682523a35dabe94c9d6d",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,je=s=>s==="inf"?1/0:s;var x={sources:"96827b282faecdc755b31c3493e77c9e",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
@@ -1778,51 +1783,48 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "completed","at_rest","jammed","undetermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:[
 "start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain",
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
-ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
-"jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
-compliant_segment_bytes:536};var Be=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Bo=Be(_.cell),we=Be(_.heads),H=Be(_.events),Ln=Be(_.samples),Wo=Be(_.changes),Fo=Be(_.numbers),Pn=Be(_.words),
-zh={newton:0,poisson:1,stronge:2};function lt(s){let e=new Float64Array(_.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
-er")),law:zh[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return _.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Dn(s){let e=t=>t??
-Number.NaN;return Float64Array.of(_.laws.indexOf(s.law),_.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
-e(s.rtol))}var Se={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
-ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
-energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},$o=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Lh=new Set(["turn","apex","kane_gain","rest"]),Ph=3,Dh=1e-10;function Nh(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=
-0&&o==="apex"&&(n<0||c>s[n].height)&&(n=i),!Lh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=
-[i,-1]));return e}var as=class{constructor(e,t,n){let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),
-this.radius=e.radius,this.side=i??o,this.step=i?n:-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Ih(i,o))}rate(e,t){return this.side?this.side.rates[e*_.
-changes.length+Wo[t]]:Number.NaN}of(e,t){return this.step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Nh(
-this.events.slice(0,this.count)).map(({begin:e,top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.step*(this.rate(n,o)-this.rate(e,o));return{begin:e,end:n,height:this.
-of(t<0?e:t,"height"),distance:i("x"),duration:i("t")}})}};function Ih(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??
-!1)}function Go(s,e){let t=Math.abs(s);if(e==="°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e===
-"m/s"?j(S(t,3),e):j(S(o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>Dh*Math.max(e,.001);function Uo(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${Go(
-s,e)}`:"0":"–"}function Nn(s){let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>k(t>0?i:o,{amount:Go(t,n)})).join(ze()==="zh"?"，":", ");return F(
-e)}var Ho=["m","{amount} further to the right","{amount} further to the left"],Oh=["s","{amount} later","{amount} earlier"];function Ko(s){let{events:e,count:t}=s,
-n=[],i=s.hops();for(let[r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,Ph).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Nn([[u,"m","{amount} highe\
-r","{amount} lower"],[p,"m","{amount} longer","{amount} shorter"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount\
-} later","begins {amount} earlier"]]);g&&n.push(i.length>1?k("Hop {number}: {list}.",{number:r+1,list:g}):k("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(
-({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Nn([[s.of(o,"t"),...Oh],[s.of(o,"x"),...Ho]]);r&&n.push(k("The first event, {what}: {list}.",{what:k(Se[e[o].
-kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Nn([[s.of(a,"x"),...Ho],[r,"m/s","{amount} faster","{amount} slowe\
-r"]]);l&&n.push(k("At the end, after {time} s: {list}.",{time:S(e[a].t,4),list:l}))}return n}var We={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},ls=Object.keys(We);function Vo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),i=[];
-for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
-x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:We[o],x:a,rare:r,hidden:0})}return i.sort((o,a)=>o.
-x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Zo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-c)<1e-6?h.
-wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,d]=[Math.
-max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){let f=Math.
-floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Jo=.7,Yo=34,Ch=3,qh=400,jh=8,In=13;function Xo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,qh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
+ond","at"],impact_laws:["newton","poisson","stronge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painl\
+eve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["complete\
+d","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Be=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Bo=Be(x.cell),we=Be(x.heads),H=Be(x.events),Ln=Be(x.samples),Fo=Be(x.changes),Wo=Be(x.numbers),Pn=Be(x.words);
+function lt(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="number")),law:x.impact_laws.indexOf(s.
+impact_law),strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Dn(s){let e=t=>t??Number.NaN;
+return Float64Array.of(x.laws.indexOf(s.law),x.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
+e(s.rtol))}var zh=Object.entries(T.words.events),Se=Object.fromEntries(zh.map(([s,{label:e}])=>[s,e])),$o=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Lh=new Set(x.passing),Ph=3,Dh=1e-10;function Nh(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&o==="apex"&&(n<0||c>s[n].
+height)&&(n=i),!Lh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=[i,-1]));return e}var as=class{constructor(e,t,n){
+let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=i??o,this.step=i?n:
+-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Ih(i,o))}rate(e,t){return this.side?this.side.rates[e*x.changes.length+Fo[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Nh(this.events.slice(0,this.count)).map(({begin:e,
+top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.step*(this.rate(n,o)-this.rate(e,o));return{begin:e,end:n,height:this.of(t<0?e:t,"height"),distance:i("x"),duration:i(
+"t")}})}};function Ih(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Go(s,e){let t=Math.abs(s);if(e===
+"°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?j(S(t,3),e):j(S(o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.
+abs(s)>Dh*Math.max(e,.001);function Uo(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${Go(s,e)}`:"0":"–"}function Nn(s){let e=s.filter(([t])=>Number.
+isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>k(t>0?i:o,{amount:Go(t,n)})).join(ze()==="zh"?"，":", ");return W(e)}var Ho=["m","{amount} further to the right","{amoun\
+t} further to the left"],Oh=["s","{amount} later","{amount} earlier"];function Ko(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[r,{begin:l,end:c,height:u,distance:h,
+duration:d}]of i.slice(0,Ph).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Nn([[u,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);g&&n.push(i.length>1?k(
+"Hop {number}: {list}.",{number:r+1,list:g}):k("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Nn(
+[[s.of(o,"t"),...Oh],[s.of(o,"x"),...Ho]]);r&&n.push(k("The first event, {what}: {list}.",{what:k(Se[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Nn([[s.of(a,"x"),...Ho],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(k("At the end, after {time} s: {list}.",
+{time:S(e[a].t,4),list:l}))}return n}var Fe=T.words.signs,ls=Object.keys(Fe);function Vo(s,e=11){let n=[...s.filter(({kind:o})=>o in Fe)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),
+i=[];for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==Fe[o]&&i.push({mark:Fe[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Fe[o],x:a,rare:r,hidden:0})}return i.sort(
+(o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Zo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+c)<1e-6?h.wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,
+d]=[Math.max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){
+let f=Math.floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Jo=.7,Yo=34,Ch=3,qh=400,jh=8,In=13;function Xo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,qh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
 of(a,"x"),dy:s.of(a,"height")}))}function Qo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&rs(r,e)).sort((r,l)=>r-l);if(!n.length)
 return 0;let i=Math.max(Jo*e,Yo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function ea(s,e,t){
 let n=[],i=Ch*Math.max(Jo*s.film.radius,Yo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
 d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
 g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(E=>Math.abs(E.base-y)<In-1&&E.low<w&&E.high>b);)y-=In;if(g[1]-y>jh*In)continue;n.push({low:b,high:w,base:y});
-let v=y-g[1];Bh(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:We[o]??""})}}function Bh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
+let v=y-g[1];Bh(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:Fe[o]??""})}}function Bh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
 hypot(n[0]-l[0],n[1]-l[1]),[u,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=g,s.fillStyle=g,
 s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=f,s.setLineDash(a?[5,6]:[]),s.beginPath(),
 s.moveTo(l[0],l[1]),s.lineTo(n[0]-u*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
 f>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-u*d-h*d*.55,n[1]-h*d+u*d*.55),s.lineTo(n[0]-u*d+h*d*.55,n[1]-h*d-u*d*.55),s.closePath(),s.stroke(),s.fill());
 s.lineCap="butt";let p=o?r:"?";p&&(s.font=`600 11px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,l[0],l[1]-
-7),s.fillText(p,l[0],l[1]-7))}var ta=Math.PI/180,Wh=100,sa="plane.mu",Fh=/^(contact\.|duration$)/,$h=200,hs=T.reasons;function na(s,e){return s.textContent=e,s}var cs=class{on=!1;path=sa;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
-this.lab=e,this.later=ie(()=>this.fetch(),Wh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
+7),s.fillText(p,l[0],l[1]-7))}var ta=Math.PI/180,Fh=100,sa="plane.mu",Wh=/^(contact\.|duration$)/,$h=200,hs=T.reasons;function na(s,e){return s.textContent=e,s}var cs=class{on=!1;path=sa;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
+this.lab=e,this.later=ie(()=>this.fetch(),Fh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
 onclick:()=>this.turn()},"Arrows"),this.picked=m("select",{onchange:()=>this.pick(this.picked.value)}),this.step=m("span",{class:"more-step"}),this.take=m("butt\
 on",{type:"button",onclick:()=>this.apply()},"Do it"),this.said=m("ul",{class:"more-said"}),this.reason=m("p",{class:"more-reason",hidden:!0}),this.scale=m("p",
 {class:"hint"}),this.body=m("tbody",{}),this.rows=m("details",{class:"more-events"},m("summary",{},"Every event, by this step"),m("div",{class:"table-scroll",tabindex:"\
@@ -1833,7 +1835,7 @@ this.step,this.take),this.said,this.reason,this.rows,this.scale),e.stage.flat.ov
 active)return;let o=Qo(this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&ea(t,this.arrows,o||1),o!==this.factor&&(this.factor=
 o,this.tellScale())}}turn(e=!this.on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",
 e?this.changed(!0):this.forget(),this.lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.
-lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!Fh.test(t.path)).map(({info:t})=>t)}parameter(){
+lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!Wh.test(t.path)).map(({info:t})=>t)}parameter(){
 let{values:e,scenario:t}=this.lab.film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[i,o]=n.path.split("."),a=e[n.path]??t[i][o];return{
 info:n,value:Number(a==="inf"?1/0:a),step:n.step*(n.degrees?ta:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();
 let{query:t}=this.lab.film();this.known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.
@@ -1847,22 +1849,22 @@ ror"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.d
 rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,L(this.reason,e),this.speak&&this.lab.story.say(k(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
 t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>j(S(n.degrees?c/ta:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
 disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=Ko(e);!r.length&&e.failed<0&&r.push(k("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>na(
-m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(F([`${k(n.label)}\
+m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(W([`${k(n.label)}\
  ${a}.`,...r,l&&k(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),
 this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":k("The arrows in the \
 picture lead from where the rim touches to where it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?k(t):""}why(e){
-let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=k(Se[r]??r),u=k(hs[n.reason]);return F(k("From {what} at \
-{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?F(k("To one side only: {reason}.",{reason:k(hs.edge)})):a?F(k("To one side only: \
+let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=k(Se[r]??r),u=k(hs[n.reason]);return W(k("From {what} at \
+{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?W(k("To one side only: {reason}.",{reason:k(hs.edge)})):a?W(k("To one side only: \
 {reason}.",{reason:k(hs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Uo(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
-"span",{"aria-hidden":"true"},l),F(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,$h)).
+"span",{"aria-hidden":"true"},l),W(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,$h)).
 map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},Se[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
 a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
 t]],!0)}};var us=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ia=.22,oa=.03;function aa(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*x(.15+r,0,1):0}}function ra(s,e,t){let n=Math.
-sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>x(Math.abs(i.vy)/n,.02,1))}function Hh(s){
+"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function ra(s,e,t){let n=Math.
+sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/n,.02,1))}function Hh(s){
 let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ds=class{static heard=aa;static knocks=ra;context=null;on=!1;last=0;start(){
 let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Hh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
 ass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),n.connect(i).connect(
@@ -1900,7 +1902,7 @@ element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Nu
 replaceChildren(m("tr",{},o.map(({name:c,symbol:u,unit:h})=>m("th",{scope:"col",title:c},u,h&&m("small",{},` ${h}`))),m("th",{scope:"col"},"mode")));let a=ha(e,
 t,n);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((d,p)=>p===0?m("th",{scope:"row"},S(d,4)):m("td",
 {},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Cn+1e-6,l=k("The first {count}\
- rows.",{count:Cn});L(this.caption,r?e.summary:F(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+ rows.",{count:Cn});L(this.caption,r?e.summary:W(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("\
 now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${U[o].name} [${U[o].unit||"1"}]`),"mode"],i=ha(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
 ...a,o].join(","));at(new Blob([[n.join(","),...i,""].join(`\r
@@ -1935,7 +1937,7 @@ this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t
 t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.
 t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=
 this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.
-part=null}wanted(e,t=0){if(this.duration<ec*this.length)return null;let n=x(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=
+part=null}wanted(e,t=0){if(this.duration<ec*this.length)return null;let n=_(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=
 this.part.t[this.part.length-1])return null;let o=Math.max(n-.25*da,0);return[o,Math.min(o+da+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(
 this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return ko(
 this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===qn[e[n]]?i.to=this.t[n]:t.push({mode:qn[e[n]],from:this.
@@ -1944,37 +1946,37 @@ columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++
 e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(n[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(
 .95*(r.length-1))]||1,a}index(e){let t=0,n=this.length;for(;n-t>1;){let i=t+n>>1;this.t[i]<=e?t=i:n=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,
 from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,
-from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=x(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(
+from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(
 t),o=Math.min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:qn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){
 if(c==="t"||c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(Qh.has(c)){let p=this.columns[tc[c]];l[c]=sc(h,d,p[i]*a,p[o]*a,r)}else
 l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function sc(s,e,t,n,i){if(!Number.isFinite(t)||!Number.
-isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Wn=s=>s-360*Math.floor(s/360);function nc(s,e){let t=Math.abs(Wn(s-e+180)-180);return Math.round(100*x(1-(t-1)/89,0,1))}function ic(s,e){let t=Math.max(...e)-
-Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*x(1-2*n/(t||1),0,1))}var oc=0;function zt(s,e,t=!1){let n=`hh-guess-${++oc}`,
+isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Fn=s=>s-360*Math.floor(s/360);function nc(s,e){let t=Math.abs(Fn(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ic(s,e){let t=Math.max(...e)-
+Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var oc=0;function zt(s,e,t=!1){let n=`hh-guess-${++oc}`,
 i="",o=s.map(([a,r])=>{let l=m("input",{type:"radio",name:n,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
 {},r))}});return{element:m("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
 row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var Ee=168,Rt=58,
-jn=(s,e=Rt)=>{let t=s*Math.PI/180;return[Ee/2+e*Math.sin(t),Ee/2-e*Math.cos(t)]};function Fn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
+jn=(s,e=Rt)=>{let t=s*Math.PI/180;return[Ee/2+e*Math.sin(t),Ee/2-e*Math.cos(t)]};function Wn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=V(o),h=getComputedStyle(
 a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,Ee,Ee),u.strokeStyle=p,u.fillStyle=
 p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,Ee/2+Rt),u.lineTo(Ee-8,Ee/2+Rt),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(Ee/2,Ee/2,Rt,0,2*Math.PI),u.stroke(),u.font=
 "11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=jn(b,Rt-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
 u.arc(...jn(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...jn(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
-l=u=>{i===null&&(t=Wn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
+l=u=>{i===null&&(t=Fn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
 u.preventDefault(),a.focus({preventScroll:!0}),c(u),J(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-Wn(u),r(),nc(t,i))}}var At=9,[ye,ps,Fe,Bn]=[34,12,12,26];function ma({label:s,unit:e,most:t},n){let i=Array(At).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+Fn(u),r(),nc(t,i))}}var At=9,[ye,ps,We,Bn]=[34,12,12,26];function ma({label:s,unit:e,most:t},n){let i=Array(At).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
 h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:v=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[v.key];E&&(v.preventDefault(),v.stopPropagation(),
 g(y,i[y]+E*t/(v.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
-h=w=>ye+w/(At-1)*(u().width-ye-ps),d=w=>Fe+(1-w/t)*(u().height-Fe-Bn),p=()=>{let{context:w,width:y,height:v}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
+h=w=>ye+w/(At-1)*(u().width-ye-ps),d=w=>We+(1-w/t)*(u().height-We-Bn),p=()=>{let{context:w,width:y,height:v}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
 A).trim();w.clearRect(0,0,y,v),w.strokeStyle=R("--line"),w.fillStyle=R("--soft"),w.font="11px system-ui, sans-serif";for(let A=0;A<At;A+=2)w.textAlign="center",
-w.fillText(`${45*A}°`,h(A),v-8),w.strokeRect(h(A),Fe,0,v-Fe-Bn);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),ye-6,d(A)+4),w.strokeRect(ye,d(A),
-y-ye-ps,0);w.textAlign="left",w.fillText(e,ye+4,Fe+10);let M=(A,D,C)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(C),w.beginPath(),A.forEach((q,X)=>{let re=ye+
-X/(A.length-1)*(y-ye-ps);X?w.lineTo(re,d(x(q,0,t))):w.moveTo(re,d(x(q,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.forEach(
-(A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=x(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
-"aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),v=x((w.clientX-y.left-ye)/(y.width-ye-ps),0,1),E=Math.round(v*(At-1)),R=t*(1-(w.
-clientY-y.top-Fe)/(y.height-Fe-Bn)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener("pointer\
+w.fillText(`${45*A}°`,h(A),v-8),w.strokeRect(h(A),We,0,v-We-Bn);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),ye-6,d(A)+4),w.strokeRect(ye,d(A),
+y-ye-ps,0);w.textAlign="left",w.fillText(e,ye+4,We+10);let M=(A,D,C)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(C),w.beginPath(),A.forEach((q,X)=>{let re=ye+
+X/(A.length-1)*(y-ye-ps);X?w.lineTo(re,d(_(q,0,t))):w.moveTo(re,d(_(q,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.forEach(
+(A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
+"aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),v=_((w.clientX-y.left-ye)/(y.width-ye-ps),0,1),E=Math.round(v*(At-1)),R=t*(1-(w.
+clientY-y.top-We)/(y.height-We-Bn)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener("pointer\
 down",w=>{w.preventDefault(),f=null,b(w),J(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
 p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(At-1);return ic(i,i.map((v,E)=>w[Math.round(E*y)]))}}}var gs=2*Math.PI,se=(s,e)=>s.events.find(t=>t.kind===e),fs=s=>G(s-gs*Math.floor(s/gs));function ac(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
 t;r++){let l=s.columns.angle[0]+gs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
@@ -1991,11 +1993,11 @@ s),until:([s])=>rc(s,gs),answer:([s])=>{let e=ac(s,"vx");return{truth:e,text:"Wi
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:s=>Fn("Angle of the load where it begins to slip",s),until:([s])=>(se(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=se(s,"slip_start"),t=s.at(e.t).normal_force/
+guess:s=>Wn("Angle of the load where it begins to slip",s),until:([s])=>(se(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=se(s,"slip_start"),t=s.at(e.t).normal_force/
 (s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:fs(e.
 angle),share:`${S(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Fn("Angle of the load\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Wn("Angle of the load\
  where it takes off",s),until:([s])=>(se(s,"takeoff")?.t??0)+.12,answer:([s])=>{let e=se(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
  takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:fs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
 ane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at th\
@@ -2108,9 +2110,9 @@ height)}}restore(e){if(!ve.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])re
 e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return ve.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
 return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?bc:ka,this.box={width:e-this.left-wc,height:t-He-yc}}clip(e){e.beginPath(),e.rect(this.
 left,He,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return He+
-(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+x(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-He)/
+(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+_(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-He)/
 this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let i=this.info(n),[o,a]=this.windows[n],
-r=Math.max(Math.abs(o),Math.abs(a)),l=x(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${k(i.label)} = ${j(S(i.degrees?e[n]/xa:e[n],l),i.unit)}`};return`${t("x")}\
+r=Math.max(Math.abs(o),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${k(i.label)} = ${j(S(i.degrees?e[n]/xa:e[n],l),i.unit)}`};return`${t("x")}\
 , ${t("y")}`}draw(e,t,n){e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(this.left+.5,He+.5,this.box.width-1,this.box.height-1),e.font=`11px ${n.
 font}`;for(let i of ve){let o=this.info(i),a=o.degrees?1/xa:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,u=Z(l-r,c),h=this.
 deep(i),d=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-d,l-d,c).map(b=>b+d):le(r,l,c);for(let b of p){let w=h?S(b-d,3):oe(b,u);i==="x"?(e.textAlign="center",
@@ -2125,17 +2127,17 @@ e(Math.exp(-Math.min(Math.max(o.deltaY,-_a),_a)*vc),o))},{passive:!1}),s.addEven
 s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>Sc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
 pointerType!=="touch"&&_c(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>Ec(s,i))}function Gn(s,e){let t=s.body.getBoundingClientRect();
 return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function _c(s,e){s.tip.textContent=s.said(Gn(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
-tip.style.left=`${x(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Sc(s,e,t,n){e.preventDefault(),
+tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Sc(s,e,t,n){e.preventDefault(),
 s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Gn(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
 r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(o,u,h),s.redraw(),s.soon())};J(s.body,e,l,(c,u)=>{
 u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function Ec(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,Sa[e.key]){let[n,i]=Sa[e.key],{x:o,y:a}=s.
-axes.windows;s.pointed={x:x(t.x+n*(o[1]-o[0])/Ea,o[0],o[1]),y:x(t.y+i*(a[1]-a[0])/Ea,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
+axes.windows;s.pointed={x:_(t.x+n*(o[1]-o[0])/Ea,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/Ea,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
 key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var Tc=["start.height","start.vx","start.vy","start.omega"];function Ma(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
 ugh this motion starts otherwise":t&&e.some(n=>Tc.includes(n))?"of starts in any state, though this motion starts rolling":""}var Mc=Math.PI/180,Ac=12,Rc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Aa(s){return s.unit==="rad"?[1/Mc,"°"]:[1,s.unit==="1"?"":
 s.unit]}function zc({classes:s,what:e},t){let[n,i]=[1/0,-1/0];if(s)return[n,i];for(let o of t)o<n&&(n=o),o>i&&(i=o);return[Rc.includes(e)?Math.min(n,0):n,i]}function Ra(s){
 let{values:e}=s.arrays,t=s.header,{x:n,y:i,classes:o}=t,a=new ImageData(n.cells,i.cells),[r,l]=zc(t,e),c=o?.map(({color:h})=>xe(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
 n.cells;d++){let p=e[h*n.cells+d],g=4*((i.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let f=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<i.cells&&e[(h+1)*
-n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):st[x(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
+n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):st[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
 return be(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[n.from,n.to],y:[i.from,i.to],low:r,high:l}}function za(s,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
 o[1]+1e-300;return[...s.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Ac)}function La({header:s,low:e,high:t,values:n}){let{classes:i}=s;if(!i){let r=m("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=be(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${st[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
@@ -2251,7 +2253,7 @@ films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*
 this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){
 let t=this.body.getBoundingClientRect(),[n,i]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.columns,
 l=2*Math.PI,c={distance:1/0,t:0};for(let u=0;u<o.length;u++){let h=a[u]-Math.floor(a[u]/l)*l,d=Math.hypot(this.x(h)-n,this.y(r[u])-i);d<c.distance&&(c={distance:d,
-t:o.t[u]})}c.distance<40&&this.clock.seek(x(c.t,0,o.duration))}};var ct=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
+t:o.t[u]})}c.distance<40&&this.clock.seek(_(c.t,0,o.duration))}};var ct=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
 t,this.unit=n,this.curves=i,this.limits=o,this.symmetric=a,this.shared=r,this.canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas \
 plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"plot-body",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=
 m("section",{class:"plot","data-plot":e},m("header",{},m("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=
@@ -2265,12 +2267,12 @@ l);if(t.length>1)for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.
 curves(e).map(o=>({...o,color:o.color&&vt(o.color,n)}));let i=Object.keys(Rs);return this.curves(e).map((o,a)=>({...o,color:me(t,n),dash:i[a%i.length]}))}x(e){return I+
 (e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
 let t=[];for(let{film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(
-i[a])}return Na(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=x(this.x(i.from),I,I+this.box.width),a=x(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
+i[a])}return Na(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),I,I+this.box.width),a=_(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
 yt(n.modes[i.mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
 Rs[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
-isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=x(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
+isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
 [])}letter(e,{film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.
-isFinite(i[l]))return;let[c,u]=[this.x(a[l]),x(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
+isFinite(i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
 e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+
 t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},zs(i.color,
 i.dash),i.name," ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.
@@ -2281,7 +2283,7 @@ context:t,width:n,height:i}=V(this.over);if(t.clearRect(0,0,n,i),this.films.forE
 t.lineWidth=1,t.beginPath(),t.moveTo(p,z),t.lineTo(p,z+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+
 h*(w-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let v=this.y(y);!g||!(v>=z-1&&v<=z+this.box.height+1)||(t.fillStyle=
 f.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=yt("#0072B2",.2),t.fillRect(Math.min(
-o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=x((e.clientX-t.left-I)/(t.width-I-Te),0,1);return this.range[0]+n*(this.
+o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_((e.clientX-t.left-I)/(t.width-I-Te),0,1);return this.range[0]+n*(this.
 range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=e.clientX-t.left,i=this.valueAt(e),o=this.pinched(),a=r=>{if(o||=
 this.pinched(),o)return;let l=r.clientX-t.left;this.picked=e.pointerType==="mouse"&&Math.abs(l-n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
 this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(
@@ -2354,32 +2356,32 @@ r=(l,c,u,h)=>{t.strokeStyle=c,t.lineWidth=u,t.lineJoin="round",t.beginPath();let
 w,y):t.moveTo(w,y),d=!0};for(let g of e.pieces()){let{x:f,height:b,angle:w,mode:y}=g.film.columns;for(let v=g.from;v<g.to&&g.film.t[v]<=a;v++)h===void 0||y[v]===
 3===h?p(f[v],b[v],w[v]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),t.stroke()};t.globalAlpha=
 this.options.ahead?.45:1,r(o,n.ink,1.3),r(e.eccentricity*o,i.gravity_center,1.8,!1),r(e.eccentricity*o,i.airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:n,
-film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-x(.07*i.radius*a,2,
+film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-_(.07*i.radius*a,2,
 14)-3,2),0,2*Math.PI),n.stroke(),n.fillStyle=t,n.font=`700 17px ${this.look.font}`,n.textAlign="center",n.fillText(e,r-14,l+20)}hoop(){let{film:e,pose:t,context:n,
-look:i,colors:o,scale:a}=this,r=e.radius,l=x(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
+look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
 "butt",i.dark&&(n.strokeStyle=i.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){let b=this.common.
 speed;n.lineWidth=l;let w=2*Math.PI/Ja;for(let y=0;y<Ja;y++){let v=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.sin(v+.5*w));n.strokeStyle=
-Kt[x(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
+Kt[_(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
 n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=i.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(u[0],u[1])),n.lineTo(
 ...h(t.angle)),n.stroke();let d=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,n.stroke()};d(this.point(
-u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),x(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
-g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,x(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
+u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),_(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
+g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,_(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
 scale:r}=this,c=e.reduce((u,h)=>u+h.mass*(h.at??0),0)<0?-1:1;o.strokeStyle=a.ink;for(let u of e){let h=c*(u.at??0),d=this.point(t[0]+h*Math.sin(i.angle),t[1]+h*
 Math.cos(i.angle));if(o.fillStyle=a.ink,o.lineWidth=1,o.beginPath(),u.shape==="ring")o.globalAlpha=.22,o.arc(...d,u.outer_radius*r,0,2*Math.PI),o.arc(...d,u.inner_radius*
 r,0,2*Math.PI,!0),o.fill(),o.globalAlpha=1;else if(u.shape==="rod"){let p=.5*u.length,g=f=>this.point(t[0]+f*Math.sin(i.angle),t[1]+f*Math.cos(i.angle));o.lineWidth=
-4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:x(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
+4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:_(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
 p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,i=e.radius,o=e.mass*(e.gravity||9.81),a=l=>.55*i*l/o;if(t.mode==="H"||!(t.normal_force>
 0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],n.normal_force,`N = ${S(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],n.friction_force,
-`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[x(
-n,-h,h),x(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
+`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[_(
+n,-h,h),_(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
 f);for(let[R,M]of[[c.paper,6],[o,3]])l.strokeStyle=R,l.fillStyle=R,l.lineWidth=M,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-b*y,g[1]-w*y),l.stroke();if(l.beginPath(),
 l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[R,M]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
 c.paper,l.lineWidth=2,l.beginPath();for(let A of[-3,3])l.moveTo(R+b*(A-3)-w*7,M+w*(A-3)+b*7),l.lineTo(R+b*(A+3)+w*7,M+w*(A+3)-b*7);l.stroke()}l.font=`600 12px ${c.
 font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let E=r?[p[0]-.5*v-32*this.sine,p[1]+32*this.cosine]:[g[0]+
-12,x(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=x(E[0],4,u-v-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-v-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,n]=[0,0]){let{width:i,
-height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=x(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
+height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
 let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
 let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
 u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,d)=>{e.save(),e.beginPath(),
@@ -2487,12 +2489,12 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Ws=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Bs(e,st,qc,jc,{keep:!0}),this.floor=ut(this.space.gl,rr[0],rr[1]),this.corners=Ke(this.
+   }`],Fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Bs(e,st,qc,jc,{keep:!0}),this.floor=ut(this.space.gl,rr[0],rr[1]),this.corners=Ke(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Pt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=x(
+"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
 this.turned.distance/e,1.6,60):this.turned={...Pt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Pt.azimuth&&t===Pt.height&&n===
-Pt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:x(e,-1.5,1.5),height:x(t,.02,1.45),distance:x(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
-y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=x(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=x(t.height+(n.clientY-t.y)*.006,
+Pt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
+y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+(n.clientY-t.y)*.006,
 .02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.
 share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,i,o,a,r){let{canvas:l,space:c}=this,u=r??Math.min(globalThis.devicePixelRatio||
 1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*u),1),l.height=Math.max(Math.round(h.height*u),1);let d=e.map(f=>f.at(
@@ -2506,12 +2508,12 @@ slope,angle:.75,near:.05*n,far:40*n+6*u}}drawFloor(e,t){let{space:n}=this,i=he(t
 let{space:l}=this,c=e.radius,u=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:u,broad:3.2*u,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,
 plain:i.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=f=>h.map((b,w)=>b+f*d[w]);l.ball(p(c-u),.125*c,o.dark?[.9,.91,.94]:[.12,
 .13,.15],r),l.rod(h,d,c-u,.012*c,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(g?a.airborne:a.gravity_center),r)}drawForces(e,t,n,i){if(t.
-mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>x(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
+mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>_(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
 sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),o,he(i.friction_force))}linesOf(e,t,n){
 let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
 l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
 h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Bc=["hoop","mode","time","angle","v","R θ̇","gap"],Fs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Bc=["hoop","mode","time","angle","v","R θ̇","gap"],Ws=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
 three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Cs(this.plane,t),this.deep=
 null,this.outputs=Bc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
 legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Kt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
@@ -2519,7 +2521,7 @@ ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background
 m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
 ({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),n(e.airborne,
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:i,inks:o}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Ws(this.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Fs(this.
 space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",k(this.colors.mode_names[o.mode]),
 ge(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?Le(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
@@ -2536,18 +2538,18 @@ vent_limit"||o.shortened?" (not all events are shown)":"",a+1<e.length?m("br"):"
 this.film.story.map(o=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(o.t)},m("i",{class:"dot",style:`background:${n.modes[o.mode]}`,"aria-hidd\
 en":"true"}),m("span",{class:"when"},`${S(o.t,4)} s`),m("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(
 ...i.flatMap(({same:o,text:a})=>[" ",m("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;
-e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Wc(e)))}say(e){L(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).join(" ")))}cursor(e){
+e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Fc(e)))}say(e){L(this.live,e)}announce(e){this.say(W(e.map(t=>t.summary).join(" ")))}cursor(e){
 let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.
 classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];
 if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.
-list.clientHeight)}}};function Wc(s){if(!s)return[m("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},
+list.clientHeight)}}};function Fc(s){if(!s)return[m("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},
 document.createTextNode(s)),t=m("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(s),L(t,"Copied")}catch{getSelection()?.
 selectAllChildren(e)}},[m("span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Hs=class{constructor(){
 this.list=m("dl",{}),this.heading=m("h2",{},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){L(this.heading,t?
-`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Fc=["gravity_center","airborne","normal_force","friction_force"],Gs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
+`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Wc=["gravity_center","airborne","normal_force","friction_force"],Gs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
 this.mark(),this.look=xn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(lr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=xn(this.root),this.inks={...this.colors};for(let e of Fc)
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=xn(this.root),this.inks={...this.colors};for(let e of Wc)
 this.inks[e]=vt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
 k",this.hosted&&fe(lr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Us=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
 this.element=m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
@@ -2556,24 +2558,24 @@ erleave",()=>this.tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.
 let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ge(this.window,e)}zoom(e,t){let[n,i]=this.ends(),o=1e-6*this.clock.duration,
 a=Math.max((i-n)*e,o),r=(t-n)/(i-n);this.window=a<this.clock.duration?Ge([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
 return;let[e,t]=this.ends(),{time:n,duration:i}=this.clock;if(n>=e&&n<=t)return;let o=t-e;this.window=Ge(n>t?[n-.1*o,n+.9*o]:[n-.5*o,n+.5*o],[0,i])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[n,i]=this.ends();return n+x((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+canvas.getBoundingClientRect(),[n,i]=this.ends();return n+_((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let n=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));n(e),J(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
 let t=this.timeAt(e),n=this.nearest(t,8),i=n?`${k(Se[n.kind]??n.kind)} · ${S(n.t,5)} s · ${S(n.angle*180/Math.PI,4)}°`:`${S(t,4)} s`;this.tip.textContent=i,this.
-tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${x(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
+tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=o&&
 (!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:i,width:o,height:a}=V(this.canvas);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/(l-r)*
 o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:v,from:E,wide:R}of Zo(b.phases,c,o)){let M=n.modes[v];i.fillStyle=
 M,i.fillRect(E,y,R,h-2),this.named(i,k(n.mode_names[v]),E,R,y,h-2,M,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),this.marks(
 i,b,c,y,o,t),e.length>1&&(i.fillStyle=me(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let d=Z(l-r,o/60);i.fillStyle=
 t.soft,i.font=`10.5px ${t.font}`;let p=le(r,l,o/60);for(let b of p){let w=c(b);i.textAlign=w<14?"left":w>o-14?"right":"center",i.fillText(oe(b,d)+(b===p[0]?" s":
-""),w,a-3)}let g=x(c(this.clock.time),6,o-6),f=x(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
+""),w,a-3)}let g=_(c(this.clock.time),6,o-6),f=_(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
 g+6,u-10),i.lineTo(f,u-1),i.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=k(t.mode_names[l.at(n).mode]);return e.
 length>1?`${"AB"[c]} ${u}`:u}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria\
--valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:S(n,4),what:F(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
+-valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:S(n,4),what:W(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
 font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ro(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,n+.5*i,o+.5*a+1),e.textBaseline="alphab\
 etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
 c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Vo(r))e.
-fillText(l,x(c,6,o-6),i-4)}};var $c=1/60,Hc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Gc={three:"In space"},Ie=(s,e,t)=>m(
+fillText(l,_(c,6,o-6),i-4)}};var $c=1/60,Hc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Gc={three:"In space"},Ie=(s,e,t)=>m(
 "button",{type:"button",title:e,"aria-label":e,onclick:t},s),hr=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Ks=class{titled="";constructor(e,t,n,i,o){
 this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Ie(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},St.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
@@ -2588,10 +2590,10 @@ t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*$c*Ma
 flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:$o(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
 o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${k(`Hoop ${"AB"[r]}`)}: `:"",c=k(Se[a.kind]??a.kind);this.
-tell(F(`${l}${k("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var mt=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,ya(e,i);let{colors:r}=n;
+tell(W(`${l}${k("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var mt=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,ya(e,i);let{colors:r}=n;
 this.known=n.presets,this.sameness=new Ds(n.presets),this.address=i?new Yt(this):null,this.clock=new Xt,this.motions=new Ts(t,{shown:l=>this.changed(l),refined:()=>this.
 request(),settled:()=>this.story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.
-notice=new Ms,this.theme=new Gs(e,r,i,()=>this.show()),this.stage=new Fs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Ks(this.clock,()=>this.
+notice=new Ms,this.theme=new Gs(e,r,i,()=>this.show()),this.stage=new Ws(r,()=>{this.request(),this.address?.soon()}),this.transport=new Ks(this.clock,()=>this.
 films(),l=>this.toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Us(this.clock),this.story=new $s(this.clock),this.theory=new Hs,this.plots=
 new Ps(this.clock,r),this.phase=new Ls(t,this.clock,r),this.map=new _s(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.
 address?.soon()}),this.controls=new ts(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Is(this),this.singleKeys=new ks(i),this.help=fa(n.version,r,this.
@@ -2635,15 +2637,15 @@ n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("super
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),n?.removeEventListener(
 "abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Vs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
-i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Kc=150,Vc=240,Zc=6e3,[$b,cr,ur]=[0,1,2],Jc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Kc=150,Vc=240,Zc=6e3,[Hb,cr,ur]=[0,1,2],Jc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ii(s,e,t){let{rows:n,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
-min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Kc),Vc),Zc),c=_.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Kc),Vc),Zc),c=x.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
 for(let b=0;b<i;b++){let w=Math.min(n[b*c+H.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Yc(d,g,p,f)}function Yc(s,e,t,n){let i=s.length+t.length,o=_.samples.length,a=new Float64Array(i),r=new Float64Array(
+0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Yc(d,g,p,f)}function Yc(s,e,t,n){let i=s.length+t.length,o=x.samples.length,a=new Float64Array(i),r=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=s[h],r.set(e.subarray(h*o,(h+1)*o),l*
 o),l++;let u={t:a};for(let[h,d]of Object.entries(Jc)){let p=new Float64Array(i).fill(-0);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ln[g]];u[h]=p}return u.mode=
-Xc(r,i,u.omega),u}function Xc(s,e,t){let n=_.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
+Xc(r,i,u.omega),u}function Xc(s,e,t){let n=x.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
 Math.sign(t[a])||o;let r=s[a*n+Ln.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var Qc=s=>s/2**32|0,eu=s=>s>>>0;function dr(s,e,t,n){let i=Qc(t),o=eu(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
 `"${s}" `:"";function tu(s,e=""){if(typeof s!="number")throw new TypeError(oi(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
 oi(e)+"expected integer >= 0, got "+s);return s}function ai(s,e,t=""){if(mr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&tu(e,"length");let n=mr(s),i=e!==void 0?` of length ${e}`:"",o=n?`length=${s.length}`:
@@ -2673,65 +2675,65 @@ constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;
 ce(r,11)^ce(r,25),p=u+d+wr(r,l,c)+iu[h]+Oe[h]|0,f=(ce(n,2)^ce(n,13)^ce(n,22))+yr(n,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=n,n=p+f|0}n=n+this.A|0,i=i+this.B|0,o=o+
 this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,u=u+this.H|0,this.set(n,i,o,a,r,l,c,u)}roundClean(){li(Oe)}destroy(){this.destroyed=!0,this.set(0,0,
 0,0,0,0,0,0),li(this.buffer)}},ci=class extends hi{constructor(){super(32,vr)}};var kr=gr(()=>new ci,br(1));var xr=["t","x","height","angle","vx","vy","omega","slip"],ou=16,au=0x7ff8000000000000n;function _r(s,e){let t=new TextEncoder,n=kr.create(),i=new DataView(new ArrayBuffer(
-8*xr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*_.events.length;n.update(t.encode(_.kinds[s[l+H.kind]])),xr.forEach((c,u)=>{let h=s[l+H[c]];
+8*xr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*x.events.length;n.update(t.encode(x.kinds[s[l+H.kind]])),xr.forEach((c,u)=>{let h=s[l+H[c]];
 Number.isNaN(h)?i.setBigUint64(8*u,au,!0):i.setFloat64(8*u,h+0,!0)}),n.update(o)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,ou)}function Sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=ru(s.subarray(i*_.keys,(i+1)*_.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
-get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function ru(s){let e="";for(let t of s){let n=t;for(let i=0;i<_.letters_a_key&&
-n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===_.more?"+":_.letters[o-1])}}return e}var lu=256,hu=2048,cu=4096,uu=2e5,du=_.statuses.indexOf("buffer"),mu=new Set(["turn","apex","kane_gain","rest"]),ui=s=>Number.isFinite(s)?s:null,Ys=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Vs(this.exports),this.mostEvents=lu,this.mostSegments=hu,this.mostRows=
-cu}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=_.events.length;for(;;){let i=t.
-room("table",8*n*this.mostEvents),o=t.room("heads",8*_.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
-_.heads.length).slice(),r=a[we.events];if(a[we.status]===du)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
-let l=t.floats(i,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.
-put("cell",lt(e)),a=i.room("events",_.event_bytes*this.mostEvents),r=i.room("segments",_.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
-r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",lt(e)),r=o.put("contact",Dn(t)),l=o.room("events",_.event_bytes*this.mostEvents),
-c=o.room("rows",_.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,uu,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.
-mostRows=t:this.mostSegments*=4}motion(e){return Er(this.compute(e))}film(e){let t=this.compute(e);return{motion:Er(t),columns:ii(this,t)}}columns(e,t){return ii(
-this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),i=_.samples.length;return Object.fromEntries(_.samples.map((o,a)=>[o,Float64Array.from(
-t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows("samples",_.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact h\
-as no such rules.");let i=_.margins.length,o=this.rows("margins",i,this.compute(e),t,n);return Object.fromEntries(_.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*
-i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[n.segments,l,i.length,Number(
-o),c];return n.given.contact?this.call("compliant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){
-let{memory:n}=this,i=this.compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.
-count,larger:a,smaller:c}}side({count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*_.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cel\
-l","events","segments"].map(b=>a.room(b,8)),p=n[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),
-reason:_.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",lt(e)),i=t.room("answers",8*_.thresholds.length),o=e.rolling&&
-e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,_.thresholds.length),r=c=>{let u=a[_.thresholds.indexOf(c)];return Number.isNaN(u)?null:
-u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
-"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
-null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,
-o],a,r){let{memory:l}=this,c=l.put("cell",lt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
-return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.
-room("numbers",8*e*_.numbers.length),l=o.room("words",4*e*_.words.length),c=o.room("keys",8*e*_.keys),{angle:u,stop:h,timed:d}=_.spans[i],p=_.wanted[n];this.call(
-"map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return Sr(new BigUint64Array(g,c,e*_.keys),e);let f=new Float64Array(
-e);if(n in Pn){let b=new Int32Array(g,l,e*_.words.length);for(let w=0;w<e;w++)f[w]=b[w*_.words.length+Pn[n]]}else{let b=o.floats(r,e*_.numbers.length);for(let w=0;w<
-e;w++)f[w]=b[w*_.numbers.length+Fo[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*_.thresholds.length);return this.call("ideal_hoop",e,t),this.
-memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*_.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
-let{memory:n}=this,i=n.put("parts",t.flatMap(pu)),o=n.room("answers",8*_.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
-o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let n=t.put("cell",lt(e)),i=t.put("contact",Dn(e.contact)),o=t.room("answers",8*_.thresholds.length);this.call("compliance",n,i,o);let a=t.
-floats(o,_.chosen.length),r=l=>a[_.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
-depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function pu(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=_.
-shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
-0,s.at]:[t,s.mass,0,0,s.at]}var fu=["friction","impact_normal","impact_tangential","rolling_resistance"],gu=["kinetic","potential",...fu,"residual"],Tr=["x","he\
-ight","angle","vx","vy","omega"];function Er({given:s,head:e,rows:t,count:n,duration:i}){let o=_.events.length,a=Array.from({length:n},(u,h)=>bu(t.subarray(h*o,
-(h+1)*o))),r=a[n-1],l=Object.fromEntries([...gu,...s.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:_.statuses[e[we.
-status]],sequence:wu(a),fingerprint:c===null?_r(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Tr.map(u=>[u,r[u]]))},energy:l,doubt:c}}
-function bu(s){let e=_.kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:_.letters[t],to:_.letters[s[H.to_mode]]};for(let i of Tr)n[i]=ui(s[H[i]]);
-return n.before=Object.fromEntries(["vx","vy","omega"].map(i=>[i,ui(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},
-s[H.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function wu(s){let e=s.filter((n,i)=>i===s.
-length-1||!mu.has(n.kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var di=1e4,yu="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Mr(s){let e=URL.createObjectURL(
+0,ou)}function Sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=ru(s.subarray(i*x.keys,(i+1)*x.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
+get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function ru(s){let e="";for(let t of s){let n=t;for(let i=0;i<x.letters_a_key&&
+n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var lu=256,hu=2048,cu=4096,uu=2e5,du=x.statuses.indexOf("buffer"),mu=new Set(x.passing),ui=s=>Number.isFinite(s)?s:null,Ys=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Vs(this.exports),this.mostEvents=lu,this.mostSegments=hu,this.mostRows=cu}call(e,...t){let n=this.
+exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;for(;;){let i=t.room("table",8*n*this.
+mostEvents),o=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,x.heads.length).slice(),
+r=a[we.events];if(a[we.status]===du)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(i,r*n).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.put("cell",lt(e)),a=i.room("e\
+vents",x.event_bytes*this.mostEvents),r=i.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){
+let{memory:o}=this,a=o.put("cell",lt(e)),r=o.put("contact",Dn(t)),l=o.room("events",x.event_bytes*this.mostEvents),c=o.room("rows",x.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,uu,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return Er(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:Er(t),columns:ii(this,t)}}columns(e,t){return ii(this,this.compute(e),t)}samples(e,t){let n=this.states(
+this.compute(e),t,!1),i=x.samples.length;return Object.fromEntries(x.samples.map((o,a)=>[o,Float64Array.from(t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows(
+"samples",x.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let i=x.margins.length,o=this.rows(
+"margins",i,this.compute(e),t,n);return Object.fromEntries(x.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.
+length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[n.segments,l,i.length,Number(o),c];return n.given.contact?this.call("compli\
+ant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:n}=this,i=this.
+compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.count,larger:a,smaller:c}}side({
+count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cell","events","segments"].map(b=>a.
+room(b,8)),p=n[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:x.reasons[Math.max(g,0)],
+sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",lt(e)),i=t.room("answers",8*x.thresholds.length),o=e.rolling&&e.angle===0;this.call("thresho\
+lds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,x.thresholds.length),r=c=>{let u=a[x.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["jam_angle","jam_angl\
+e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
+_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
+"stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,o],a,r){let{memory:l}=this,
+c=l.put("cell",lt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
+d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.room("numbers",8*e*x.numbers.
+length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],p=x.wanted[n];this.call("map_cells",a,e,u??Number.NaN,
+h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return Sr(new BigUint64Array(g,c,e*x.keys),e);let f=new Float64Array(e);if(n in Pn){let b=new Int32Array(
+g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+Pn[n]]}else{let b=o.floats(r,e*x.numbers.length);for(let w=0;w<e;w++)f[w]=b[w*x.numbers.length+
+Wo[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*x.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){
+let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){let{memory:n}=this,i=n.
+put("parts",t.flatMap(pu)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=n.floats(
+o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The con\
+tact is rigid.");let n=t.put("cell",lt(e)),i=t.put("contact",Dn(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.floats(
+o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r(
+"depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function pu(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.shapes.indexOf(
+e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,
+s.mass,0,0,s.at]}var fu=["friction","impact_normal","impact_tangential","rolling_resistance"],gu=["kinetic","potential",...fu,"residual"],Tr=["x","height","angl\
+e","vx","vy","omega"];function Er({given:s,head:e,rows:t,count:n,duration:i}){let o=x.events.length,a=Array.from({length:n},(u,h)=>bu(t.subarray(h*o,(h+1)*o))),
+r=a[n-1],l=Object.fromEntries([...gu,...s.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:x.statuses[e[we.status]],sequence:wu(
+a),fingerprint:c===null?_r(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Tr.map(u=>[u,r[u]]))},energy:l,doubt:c}}function bu(s){let e=x.
+kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[H.to_mode]]};for(let i of Tr)n[i]=ui(s[H[i]]);return n.before=Object.
+fromEntries(["vx","vy","omega"].map(i=>[i,ui(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},s[H.collision]===
+0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function wu(s){let e=s.filter((n,i)=>i===s.length-1||!mu.has(
+n.kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var di=1e4,yu="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Mr(s){let e=URL.createObjectURL(
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function Rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
 var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Ys(e),this.motions=new ft(t,e,2,di);let i=navigator.hardwareConcurrency||
-2;this.maps=new ft(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${_.module}`,e)),n=()=>Ar(new URL(`hophoop-deri\
-vatives.wasm?${_.derivatives}`,e)),i=new URL(`kernel.js?${_.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
+2;this.maps=new ft(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${x.module}`,e)),n=()=>Ar(new URL(`hophoop-deri\
+vatives.wasm?${x.derivatives}`,e)),i=new URL(`kernel.js?${x.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
 n):new s(t,Mr(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await Rr(e),Mr(t),async()=>Rr(await n()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
 ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(o=>new ft(this.start,o,1,di)),(await this.rates.catch(()=>{throw this.rates=
 null,new Error(yu)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,i,o){return this.motions.ask("regions",[e,
-t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=_.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
+t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=x.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
 a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let g=await this.maps.ask("map",[{count:d,rows:p},n,i],o,[p.buffer]),f=g.sequences?.map(b=>(l.includes(
 b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=f?f[g.values[b]]??Number.NaN:g.values[b]},u=Array.from({length:Math.ceil(e/mi)},(h,d)=>d*mi);return await Promise.
 all(u.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var vu=4,ku="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Xs=class{constructor(e){this.base=e,this.shares=
@@ -2774,23 +2776,23 @@ typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${en(e.ch
 ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var en=(s,e)=>s.toString(16).padStart(e,"0"),Du=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
 jr=s=>s===" "||!Du.test(s);function Br(s){if(s===`
 `)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${en(e,2)}`:e<65536?`\\u${en(e,4)}`:`\\U${en(e,8)}`}function Nr(s){
-let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:jr(n)?n:Br(n));return e+t.join("")+e}var Wr=s=>[...s].map(e=>jr(e)?e:Br(
+let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:jr(n)?n:Br(n));return e+t.join("")+e}var Fr=s=>[...s].map(e=>jr(e)?e:Br(
 e)).join("");function tn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var Ir="[\\s\\x1c-\\x1f\\x85]*",Nu=new RegExp(`^${Ir}([+-]?)(?:(in\
-f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Ir}$`,"i");function Fr(s){let e=Nu.exec(s);if(!e||s.includes(
-"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:$r,scenario:Hr}=T,P=class extends Error{constructor(e){super(Wr(e)),this.name="InputError"}},ne=class extends P{},N=(s,e={})=>B($r[s],e),de=s=>s!==null&&
-typeof s=="object"&&!Array.isArray(s);function Ce(s=()=>!1,e=""){return{said:[],above:e,float:s}}function W(s,e,t,n,i){Je(s,e,t,N(n,i))}function Je(s,e,t,n){let i=typeof t==
+f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Ir}$`,"i");function Wr(s){let e=Nu.exec(s);if(!e||s.includes(
+"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:$r,scenario:Hr}=T,P=class extends Error{constructor(e){super(Fr(e)),this.name="InputError"}},ne=class extends P{},N=(s,e={})=>B($r[s],e),de=s=>s!==null&&
+typeof s=="object"&&!Array.isArray(s);function Ce(s=()=>!1,e=""){return{said:[],above:e,float:s}}function F(s,e,t,n,i){Je(s,e,t,N(n,i))}function Je(s,e,t,n){let i=typeof t==
 "bigint"?String(t):ue(t,s.float(e)),o=s.above+e||$r.whole_scenario;s.said.push(N("finding",{path:o,shown:tn(i),allowed:n}))}function Ot(s,e,t,n,i={}){let{fields:o,
-place:a}=Hr.models[s];if(!de(e))return W(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(Ct(a,c,Object.keys(o))),null;
+place:a}=Hr.models[s];if(!de(e))return F(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(Ct(a,c,Object.keys(o))),null;
 let r=n.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,n):Object.
 hasOwn(e,c)?l[c]=wi(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=je(u.default)}return n.said.length===r?{values:l,
 given:new Set(Object.keys(e))}:null}function Ct(s,e,t){let n=Dr(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
 {path:`${s}${tn(e)}`,hint:i})}function wi(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return Ou(e,t,n);if(s.kind==="word")return s.options.
-includes(e)||W(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return W(n,t,e,"number");if(i&&!(o>=0))return W(n,
-t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return W(n,t,e,"whole");if(!i&&!Number.isFinite(o))return W(n,t,e,"finite_number");for(let[a,r]of s.limits??
-[])if(!Iu(a,o,r))return W(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!qe(s.range,o)?W(n,t,e,"range",s.range):o+0}function Iu(s,e,t){return s===
+includes(e)||F(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return F(n,t,e,"number");if(i&&!(o>=0))return F(n,
+t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return F(n,t,e,"whole");if(!i&&!Number.isFinite(o))return F(n,t,e,"finite_number");for(let[a,r]of s.limits??
+[])if(!Iu(a,o,r))return F(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!qe(s.range,o)?F(n,t,e,"range",s.range):o+0}function Iu(s,e,t){return s===
 "greater_than"?e>t:s==="greater_than_equal"?e>=t:s==="less_than"?e<t:e<=t}var qe=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(i=>je(i)===n);function Ou(s,e,t){
-return Array.isArray(s)?s.map((n,i)=>Cu(n,`${e}.${i}`,t)):W(t,e,s,"list")}function Cu(s,e,t){let n=yi(s,"shape",Hr.parts,e,t),i=n&&Ot(n,s,e,t);if(!i)return null;
-let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function yi(s,e,t,n,i,o){if(!de(s))return W(i,n,
+return Array.isArray(s)?s.map((n,i)=>Cu(n,`${e}.${i}`,t)):F(t,e,s,"list")}function Cu(s,e,t){let n=yi(s,"shape",Hr.parts,e,t),i=n&&Ot(n,s,e,t);if(!i)return null;
+let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function yi(s,e,t,n,i,o){if(!de(s))return F(i,n,
 s,"table"),null;let a=Object.hasOwn(s,e)?s[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${n}.${e}`})),null;if(typeof a=="stri\
 ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ue(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
 at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:tn(ue(r)),allowed:u};return i.said.push(N("finding",h)),null}function qt(s){let e=s.
@@ -2808,7 +2810,7 @@ configurable:!0,writable:!0})}function ju(s,e,t){let{mass:n,eccentricity:i,inert
 eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
 s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=ke(s,t().radius);return{height:a,vx:r,vy:l,
 omega:c}}return{}}function Bu(s,e,t,n){let i=s,o=e.pop(),a=l=>new P(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
-if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))ki(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Wu,limits:te}=T,{allowed:Fu,events:$u,flight_turns:Hu,quantities:Gu}=T.map,Uu=1e-300,O=(s,e={})=>B(Wu[s],e),Ei=s=>O("doubt",{time:Me(s,4)});function Ye(s){
+if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))ki(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Fu,limits:te}=T,{allowed:Wu,events:$u,flight_turns:Hu,quantities:Gu}=T.map,Uu=1e-300,O=(s,e={})=>B(Fu[s],e),Ei=s=>O("doubt",{time:Me(s,4)});function Ye(s){
 let{duration:e,hoop:t,contact:n}=s;if(e>te.duration)throw new ne(O("too_long",{duration:e,most:te.duration}));let i=t.parts?.length??0;if(i>te.parts)throw new ne(
 O("too_many_parts",{parts:i,most:te.parts}));let o=tl(el(s));if(o>te.turns)throw new ne(O("too_many_turns",{duration:e,turns:o,most:te.turns}));if(n.model==="co\
 mpliant"){let a=Ku(s,o);if(a>te.steps)throw new ne(O("too_stiff",{steps:a,most:te.steps}))}return n.max_events<=te.events?s:{...s,contact:{...n,max_events:te.events}}}
@@ -2821,7 +2823,7 @@ es",{one:r[0],other:r[1]}));return a}function Vu(s,e,t,n){let i=el(s),o=n==="fir
 l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Uu),Hu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
 c>te.turns)throw new ne(O("cell_turns",{turns:c,most:te.turns}));if(l<=te.map_turns)return;let u=a.length*r.length;throw new ne(O("map_turns",{cells:u,turns:l,most:te.
 map_turns}))}function Xr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
-s}var Bt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=Fu[s.startsWith("plane.mu")?"plane.mu":s];return!t||qe(
+s}var Bt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=Wu[s.startsWith("plane.mu")?"plane.mu":s];return!t||qe(
 t,e)}var{scenario:gt}=T,Zu=["load_fraction","eccentricity","inertia_ratio"],sl=["mu_static","mu_kinetic"],Ju=["height","vx","vy","omega"],Xe=class extends Error{};function $(s,e){
 throw new Xe(N(s,e))}function sn(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function nl({values:s,given:e},t){let n={...s},i=Zu.filter(
 u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),sn("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,Yu(n.radius,n.parts,
@@ -2841,14 +2843,14 @@ r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.co
 entries(gt.relative)){let r=s[i];if(r===null)continue;let l=e[i];qe(a,l)||$("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
 n=je(gt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var Qu=1e3;function ll(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>Qu)throw new P(N("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
-Map))throw new P(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new P(N("given_twice",{path:o}));c.set(l,Fr(a)??a)}let n=t.
+Map))throw new P(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new P(N("given_twice",{path:o}));c.set(l,Wr(a)??a)}let n=t.
 get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",ed(i)),Mi(t)}function ed(s){let e=Array.from({length:s.size},(n,i)=>String(
 i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new P(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function Mi(s){return Array.isArray(
 s)?s.map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function hl(s){return cl(s,"").map(([e,t])=>`${e}=${td(e,t)}`).join("&")}function cl(s,e){
 return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>cl(n,e?`${e}.${t}`:t))}function td(s,e){return nn(s,e).replace("e+","e").replace(
 /\.0$/,"")}function nn(s,e){return typeof e=="string"?e:sd.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ze(e)}var sd=new Set(Object.values(T.scenario.models).flatMap(
 ({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Ae}=T,nd={rigid:"Rigid",compliant:"Compliant"};function Ai(s,e,t=Ce()){let n=Ri(s,e,t);if(!n)throw new P(qt(t.said));return n}function Ri(s,e,t){let{
-fields:n,place:i}=Ae.models.Scenario;if(!de(s))return W(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
+fields:n,place:i}=Ae.models.Scenario;if(!de(s))return F(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
 Ct(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Ae.default[r];return[r,zi(r,l,e,t)]}));return t.said.
 length?null:dl(t,()=>Li(a,e))}function zi(s,e,t,n){if(s==="hoop")return on("Hoop",e,s,n,o=>nl(o,t));if(s==="plane")return on("Plane",e,s,n,il);if(s==="start")return on(
 "Start",e,s,n,ol);if(s!=="contact")return wi(Ae.models.Scenario.fields[s],e,s,n);let i=yi(e,"model",nd,s,n,"rigid");return i&&on(i,e,s,n,al)}function Li(s,e){return rl(
@@ -2856,17 +2858,17 @@ s,e,ee),s}function on(s,e,t,n,i){let o=Ot(s,e,t,n);return o&&dl(n,()=>i(o))}func
 push(t.message),null}}function Pi(s,e){return Ai(ll(s),e,Ce(()=>!0))}function an(s,e,t){let n=Si(s,Re(s),e,(i,o,a)=>ml(i,o,t,a));return Ai(n,t,Ce(_i([...e.keys()])))}
 function rn(s,e,t){let n=Ce();try{let i=Si(s,Re(s),e,(r,l,c)=>ml(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,zi(r,i[r],t,n)]);return n.
 said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof P)return null;throw i}}function ml(s,e,t,n){let i=Ce(n),o=zi(s,e,t,i);if(i.said.length)throw new P(
-qt(i.said));return o}var id=s=>s===1/0?"inf":s,Wt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,id(s[t])])),Di=s=>Object.keys(Ae.models[s].fields);
-function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:od(e),plane:ad(t),start:rd(n),contact:Wt(i,Di(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function od(s){if(s.parts){let t=s.parts.map(n=>Wt(n,Di(Ae.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Wt(s,["radius","mass",...e])}function ad(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
-0&&e.push("rolling_resistance"),Wt(s,Di("Plane").filter(t=>!e.includes(t)))}function rd(s){return Wt(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
+qt(i.said));return o}var id=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,id(s[t])])),Di=s=>Object.keys(Ae.models[s].fields);
+function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:od(e),plane:ad(t),start:rd(n),contact:Ft(i,Di(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function od(s){if(s.parts){let t=s.parts.map(n=>Ft(n,Di(Ae.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return Ft(s,["radius","mass",...e])}function ad(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
+0&&e.push("rolling_resistance"),Ft(s,Di("Plane").filter(t=>!e.includes(t)))}function rd(s){return Ft(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
 "x","angle","speed"])}function Ni(s,e){let{Hoop:t,Start:n}=Ae.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
 default,load_fraction:a.default}}return s==="plane"?Ae.default.plane:s==="start"?{...ul(n),speed:void 0}:ul(Ae.models[e==="compliant"?"Compliant":"Rigid"])}var ul=({
 fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function $t(s){let e={};for(let[t,n]of Object.entries(Re(s))){let i=Ae.default[t];
-if(Ft(n,i))continue;if(!de(n)){e[t]=n;continue}let o=Ni(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Ft(o[r],l));e[t]=a.length?Object.fromEntries(
-a):n}return hl(e)}function Ft(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
-Object.keys(e).length&&t.every(n=>Ft(s[n],e[n]))}var ld=8,{cell:Ii,laws:hd,quantities:pl}=T.map;async function Oi(s,{x:e,y:t},n,i){let o=Bt(e),a=Bt(t),r=cd(s,e.path,t.path)?ud(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
+if(Wt(n,i))continue;if(!de(n)){e[t]=n;continue}let o=Ni(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Wt(o[r],l));e[t]=a.length?Object.fromEntries(
+a):n}return hl(e)}function Wt(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
+Object.keys(e).length&&t.every(n=>Wt(s[n],e[n]))}var ld=8,{cell:Ii,laws:hd,quantities:pl}=T.map;async function Oi(s,{x:e,y:t},n,i){let o=Bt(e),a=Bt(t),r=cd(s,e.path,t.path)?ud(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
 [[t.path,a[p]],[e.path,o[d]]]);return rn(s,g,n)},l=o.length*a.length,c=new Float64Array(Ii.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
 now()-h>ld&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&md(Object.assign(u,g),n);
 if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ii.length;w++)c[w*l+b]=dd[w](f)}}return{count:l,rows:c}}function cd({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
@@ -2882,7 +2884,7 @@ let{duration:e,...t}=Re(s),n=[gl("duration",e,fl("","duration"))];for(let[i,o]of
 isArray(r))n.push(gl(a,r,fl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${bl(u,h)}`);n.push(`  { ${c.join(", ")}\
  },`)}n.push("]")}}return`${n.join(`
 `)}
-`}var gd={hoop:"Hoop",plane:"Plane",start:"Start"},bd=["load_fraction","mu"];function ji(s){let e=Re(s),t=Ft(e.contact,hn.default.contact)?"":`    contact=${ln(
+`}var gd={hoop:"Hoop",plane:"Plane",start:"Start"},bd=["load_fraction","mu"];function ji(s){let e=Re(s),t=Wt(e.contact,hn.default.contact)?"":`    contact=${ln(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
@@ -2898,74 +2900,74 @@ isArray(r))n.push(gl(a,r,fl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c
 `].join("")}function ln(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":gd[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Ni(
 s,t.model),a=Object.entries(t).filter(([r,l])=>bd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${Bi(r,l)}`);return e&&a.push(`parts=[${e.map(wd).join(", ")}]`),`hh\
 .${i}(${a.join(", ")})`}function wd({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${Bi(n,i)}`);return`hh.${hn.parts[s]}(${t.join(", ")})`}function Bi(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ue(e):nn(s,e)}var{letters:yl,modes:Fi,verbs:$i,events:yd,statuses:vd,story:Qe,summary:bt}=T.words,kd=["turn","apex","end"],xd=400,[,Wi,wl,_d,Sd]=Fi,Ed="⁰¹²³⁴⁵⁶⁷⁸⁹";
-function vl(s,e){let{omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>vl(s,e)),Gi=(s,e)=>.5*(s[e].t+s[e+1].t);
-function Ui(s,e=xd){let t=[],n=0,i=xl(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Md(s,o,a):B(Qe.more_bounces,
-{count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:yl[Fi.indexOf(un(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:B(Qe.left_out,
-{count:n})}),t}var kl=s=>s.kind==="impact"&&s.to==="H"&&s.collision!==!1;function xl(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&
-(kl(a)||i.length&&a.kind==="apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);
-n.set(r[e],r.length-e)}i=[]}return n}function Ki(s,e=6){let t=[],n=0,i=xl(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(
-B(bt.more_bounces,{count:u}));continue}if(c.kind==="start"||!t.length){t.push($i[un(s,l)]);continue}let h=Td(s,l,c);h&&(n++,n<=e&&t.push(B(bt.change,{phrase:h,where:tt(
-c.angle)})))}let o=n>e?B(bt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:vd[s.
-status]};return B(bt.sentence,r).trim()}function Td(s,e,t){return t.collision===!1?bt.without_collision:kl(t)?bt.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||_l(t)?$i[un(s,e)]:kd.includes(t.kind)?"":yd[t.kind]}function Md(s,e,t){let n=un(s,e),i={where:tt(t.angle),verb:$i[n],kind:t.kind.replaceAll("_"," ")},o=Ad(
-s.events,e,n,i);return B(Qe[o]??Qe.other,i)}function Ad(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=et(i.vx),n.started=B(t===_d?Qe.started_flight:
-t===Sd?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Wi?"slip_start_spin":o==="takeoff"?Rd(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?null:Math.abs(
-i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&_l(i)?"turn_in_slip":(o==="apex"&&(n.gap=Sl(i.height)),o==="\
-kane_gain"&&(n.gain=et(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Rd(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=Math.max(i,s[o].
-height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=Sl(i),t.time=et(s[o].t-n),
-"takeoff_and_landing"}return"takeoff"}function un(s,e){let t=s.events[e];return zd(t.to,vl(s.events,e)?s.omega(e):t.omega)}function zd(s,e){return s==="S"?e>0?Wi:
-wl:s==="K"?e<0?Wi:wl:Fi[yl.indexOf(s)]}var _l=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Sl(s){
+return e==="inf"?'float("inf")':typeof e=="string"?ue(e):nn(s,e)}var{letters:yl,modes:Wi,verbs:$i,events:yd,statuses:vd,story:Qe,summary:bt}=T.words,kd=400,[,Fi,wl,xd,_d]=Wi,Sd="⁰¹²³⁴⁵⁶⁷⁸⁹";function vl(s,e){let{
+omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>vl(s,e)),Gi=(s,e)=>.5*(s[e].t+s[e+1].t);function Ui(s,e=kd){
+let t=[],n=0,i=xl(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Td(s,o,a):B(Qe.more_bounces,{count:r});if(l){if(t.
+length>=e){n++;continue}t.push({t:a.t,event:o,mode:yl[Wi.indexOf(un(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:B(Qe.left_out,{count:n})}),t}var kl=s=>s.
+kind==="impact"&&s.to==="H"&&s.collision!==!1;function xl(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&(kl(a)||i.length&&a.kind===
+"apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}i=[]}
+return n}function Ki(s,e=6){let t=[],n=0,i=xl(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(B(bt.more_bounces,{count:u}));
+continue}if(c.kind==="start"||!t.length){t.push($i[un(s,l)]);continue}let h=Ed(s,l,c);h&&(n++,n<=e&&t.push(B(bt.change,{phrase:h,where:tt(c.angle)})))}let o=n>e?
+B(bt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:vd[s.status]};return B(bt.
+sentence,r).trim()}function Ed(s,e,t){if(t.collision===!1)return bt.without_collision;if(kl(t))return bt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+_l(t))return $i[un(s,e)];let{verb:n,summed_up:i}=yd[t.kind];return i?n:""}function Td(s,e,t){let n=un(s,e),i={where:tt(t.angle),verb:$i[n],kind:t.kind.replaceAll(
+"_"," ")},o=Md(s.events,e,n,i);return B(Qe[o]??Qe.other,i)}function Md(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=et(i.vx),n.started=B(t===xd?Qe.
+started_flight:t===_d?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Fi?"slip_start_spin":o==="takeoff"?Ad(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?
+null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&_l(i)?"turn_in_slip":(o==="apex"&&(n.gap=Sl(i.
+height)),o==="kane_gain"&&(n.gain=et(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Ad(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=
+Math.max(i,s[o].height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=Sl(i),t.
+time=et(s[o].t-n),"takeoff_and_landing"}return"takeoff"}function un(s,e){let t=s.events[e];return Rd(t.to,vl(s.events,e)?s.omega(e):t.omega)}function Rd(s,e){return s===
+"S"?e>0?Fi:wl:s==="K"?e<0?Fi:wl:Wi[yl.indexOf(s)]}var _l=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Sl(s){
 return s>=.995?`${et(s)} m`:s>=.00995?`${et(s*100)} cm`:`${et(s*1e3)} mm`}function et(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Me(s,3).split("e"),n=t===
-void 0?"":`·10${Ld(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var Ld=s=>[...String(s)].map(e=>e==="-"?"⁻":Ed[Number(e)]).join("");var El=2e3,Pd=s=>s===1/0?"inf":s;function dn(s,{status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}){let{schema:r,setup:l}=T;return{schema:r,version:l.
+void 0?"":`·10${zd(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var zd=s=>[...String(s)].map(e=>e==="-"?"⁻":Sd[Number(e)]).join("");var El=2e3,Ld=s=>s===1/0?"inf":s;function dn(s,{status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}){let{schema:r,setup:l}=T;return{schema:r,version:l.
 version,scenario:Re(s),status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}}function Vi(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{
-...dn(s,e),events:e.events.slice(0,El),query:$t(s),duration:e.duration,values:Dd(s),automatic:Nd(s,n),massless:s.hoop.inertia_ratio===0,summary:Ki(i),story:Ui(i),
-ending:T.words.statuses[e.status],shortened:e.events.length>El}}function Dd(s){let{speed:e}=s.start,t={...s,start:{...ke(s.start,s.hoop.radius),speed:e}},n=i=>{
-let[o,a]=i.split(".");return Pd(t[o][a])};return Object.fromEntries(T.shown.map(i=>[i,n(i)]))}function Nd(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};
-let{stiffness:t,slip_speed:n}=e.compliance(ee(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:Id,variables:Zi}=T.table,{letters:Od}=T.words,Ji=(s,e)=>JSON.stringify(dn(s,e),null,1);function Yi(s){let e=Math.min(Math.max(Math.floor(s*Id)+1,2),T.limits.
+...dn(s,e),events:e.events.slice(0,El),query:$t(s),duration:e.duration,values:Pd(s),automatic:Dd(s,n),massless:s.hoop.inertia_ratio===0,summary:Ki(i),story:Ui(i),
+ending:T.words.statuses[e.status],shortened:e.events.length>El}}function Pd(s){let{speed:e}=s.start,t={...s,start:{...ke(s.start,s.hoop.radius),speed:e}},n=i=>{
+let[o,a]=i.split(".");return Ld(t[o][a])};return Object.fromEntries(T.shown.map(i=>[i,n(i)]))}function Dd(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};
+let{stiffness:t,slip_speed:n}=e.compliance(ee(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:Nd,variables:Zi}=T.table,{letters:Id}=T.words,Ji=(s,e)=>JSON.stringify(dn(s,e),null,1);function Yi(s){let e=Math.min(Math.max(Math.floor(s*Nd)+1,2),T.limits.
 samples),t=s/(e-1);return Float64Array.from({length:e},(n,i)=>i===e-1?s:i*t)}function Xi(s,e){let t=Object.keys(Zi),n=t.map(l=>Zi[l]==="1"?l:`${l} [${Zi[l]}]`),
-{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let u=t.map(h=>h==="mode"?Od[a.
+{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let u=t.map(h=>h==="mode"?Id[a.
 mode[l]]:Ze(a[h][l]));r.push([Ze(c),...u].join(","))}return`${r.join(`\r
 `)}\r
-`}var Cd=["hoop.eccentricity","plane.slope"],qd={"hoop.radius":jd,"hoop.mass":({hoop:s})=>s.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:s}})=>s===
+`}var Od=["hoop.eccentricity","plane.slope"],Cd={"hoop.radius":qd,"hoop.mass":({hoop:s})=>s.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:s}})=>s===
 null?null:{eccentricity:1,inertia_ratio:-2*s},"hoop.eccentricity":()=>({eccentricity:1}),"hoop.inertia_ratio":()=>({inertia_ratio:1}),"plane.gravity":()=>({gravity:1}),
 "plane.slope":()=>({slope:1}),"plane.mu":({plane:{mu:s}})=>s===null||s===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:s})=>s.mu_static===1/0?null:
 {mu_static:1},"plane.mu_kinetic":({plane:s})=>s.mu_kinetic===1/0?null:{mu_kinetic:1},"plane.restitution":()=>({restitution:1}),"plane.rolling_resistance":({hoop:s})=>s.
 inertia_ratio===0?null:{rolling_resistance:1},"start.x":()=>({x:1}),"start.height":()=>({height:1}),"start.angle":()=>({angle:1}),"start.speed":({hoop:s,start:e})=>e.
 speed===null?null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.vy":()=>({vy:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius}),duration:()=>({duration:1})};
-function jd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(s*s),e?
-{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Qi(s,e){let t=qd[e](s),{smaller:n,larger:i}=Bd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(_.
-cell.length);for(let[a,r]of Object.entries(t))o[Bo[a]]=r;return{rates:o,smaller:n,larger:i}}function Bd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,i=Wd(s,e),{least:o,
-most:a,also:r=[]}=T.map.allowed[e.startsWith("plane.mu")?"plane.mu":e],l=t!==n,c=s.hoop.inertia_ratio===0&&Cd.includes(e);return{smaller:!c&&i>Math.min(o,...r.map(
-je))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function Wd(s,e){return e==="start.omega"?ke(s.start,s.hoop.radius).omega:e.split(
-".").reduce((t,n)=>t[n],s)}var{calls:Fd,regions:Ml,map:$d}=T,Hd={samples:{window:{read:Gd}},regions:{window:{read:Ud,usual:Ml.usual}},map:{x:{read:Tl},y:{read:Tl},what:{read:Vd,usual:"seq\
+function qd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(s*s),e?
+{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Qi(s,e){let t=Cd[e](s),{smaller:n,larger:i}=jd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(x.
+cell.length);for(let[a,r]of Object.entries(t))o[Bo[a]]=r;return{rates:o,smaller:n,larger:i}}function jd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,i=Bd(s,e),{least:o,
+most:a,also:r=[]}=T.map.allowed[e.startsWith("plane.mu")?"plane.mu":e],l=t!==n,c=s.hoop.inertia_ratio===0&&Od.includes(e);return{smaller:!c&&i>Math.min(o,...r.map(
+je))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function Bd(s,e){return e==="start.omega"?ke(s.start,s.hoop.radius).omega:e.split(
+".").reduce((t,n)=>t[n],s)}var{calls:Fd,regions:Ml,map:Wd}=T,$d={samples:{window:{read:Hd}},regions:{window:{read:Gd,usual:Ml.usual}},map:{x:{read:Tl},y:{read:Tl},what:{read:Kd,usual:"seq\
 uence"}}};function Al(s,e){let t=Fd[s],n=Object.keys(e).find(i=>!t.includes(i));return n===void 0?null:Ct("",n,t)}function Rl(s,e,t){let n={};for(let[i,{read:o,
-usual:a}]of Object.entries(Hd[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):n[i]=a;return n}function zl(s,e,t,n,i){if(!Array.
-isArray(s)||s.length!==n)return Je(t,e,s,i);let o=t.said.length;return s.forEach((a,r)=>{typeof a!="number"?W(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||W(t,
-`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function Gd(s,e,t){let n=zl(s,e,t,2,O("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Je(t,e,s,O("times")),
-n}function Ud(s,e,t){let n=zl(s,e,t,4,O("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<Ml.widest);return i<o&&a<r&&l||Je(t,e,s,O("window")),
-n}function Tl(s,e,t){return Ot("Axis",s,e,t,{number_path:Kd})?.values??null}function Kd(s,e,t){if(typeof s!="string")return W(t,e,s,"word");let n=Jr(s);return n?
-t.said.push(n):Yr(s)||Je(t,e,s,O("number_path")),s}function Vd(s,e,t){if(typeof s!="string")return W(t,e,s,"word");let n=Object.keys($d.quantities);return n.includes(
-s)||Je(t,e,s,O("one_of",{known:n.join(", ")})),s}var{limits:mn}=T;function pn(s,e,t){let n=Al(s,e);if(n)throw new P(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Ce(),l=null;i!==void 0&&!de(i)?W(r,"scenario",
-i,"table"):i!==void 0&&(l=Ri(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&W(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!Jd(
-h)).map(Yd)):W(r,"changes",a,"list");let c=Rl(s,e,r);if(r.said.length)throw new P(qt(r.said));Zd(a.length,c),(o!==null||!l)&&(l=Pi(o??"",t));let u=new Map;for(let[
-h,d]of a)jt([...u.keys(),h])&&(l=an(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?an(l,u,t):l}}var fn=(s,e)=>pn("film",s,e).checked;function Zd(s,{x:e,
+usual:a}]of Object.entries($d[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):n[i]=a;return n}function zl(s,e,t,n,i){if(!Array.
+isArray(s)||s.length!==n)return Je(t,e,s,i);let o=t.said.length;return s.forEach((a,r)=>{typeof a!="number"?F(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||F(t,
+`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function Hd(s,e,t){let n=zl(s,e,t,2,O("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Je(t,e,s,O("times")),
+n}function Gd(s,e,t){let n=zl(s,e,t,4,O("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<Ml.widest);return i<o&&a<r&&l||Je(t,e,s,O("window")),
+n}function Tl(s,e,t){return Ot("Axis",s,e,t,{number_path:Ud})?.values??null}function Ud(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Jr(s);return n?
+t.said.push(n):Yr(s)||Je(t,e,s,O("number_path")),s}function Kd(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Object.keys(Wd.quantities);return n.includes(
+s)||Je(t,e,s,O("one_of",{known:n.join(", ")})),s}var{limits:mn}=T;function pn(s,e,t){let n=Al(s,e);if(n)throw new P(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Ce(),l=null;i!==void 0&&!de(i)?F(r,"scenario",
+i,"table"):i!==void 0&&(l=Ri(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&F(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!Zd(
+h)).map(Jd)):F(r,"changes",a,"list");let c=Rl(s,e,r);if(r.said.length)throw new P(qt(r.said));Vd(a.length,c),(o!==null||!l)&&(l=Pi(o??"",t));let u=new Map;for(let[
+h,d]of a)jt([...u.keys(),h])&&(l=an(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?an(l,u,t):l}}var fn=(s,e)=>pn("film",s,e).checked;function Vd(s,{x:e,
 y:t}){if(s>mn.changes)throw new ne(O("too_many_changes",{pairs:s,most:mn.changes}));if(!e)return;if(e.path===t.path)throw new P(O("equal_axes",{path:e.path}));let n=e.
-cells*t.cells;if(n>mn.cells)throw new ne(O("too_many_cells",{cells:n,most:mn.cells}))}var Jd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",Yd=s=>O("n\
+cells*t.cells;if(n>mn.cells)throw new ne(O("too_many_cells",{cells:n,most:mn.cells}))}var Zd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",Jd=s=>O("n\
 ot_a_pair",{change:new Ve(It(s).slice(0,60))});var{theory:K}=T.words;function to({hoop:s,plane:e},t){let n=[],i=(r,l,c,u)=>{l!==null&&n.push({key:r,label:K[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
-o=()=>i("painleve",t.painleve_friction,"1",r=>Qd(r,t,e));if(e.gravity<=0)return o(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?K.loss_by_friction:
+o=()=>i("painleve",t.painleve_friction,"1",r=>Xd(r,t,e));if(e.gravity<=0)return o(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?K.loss_by_friction:
 K.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>B(r,{where:tt(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:u,
 any_speed:h}=K;i("first_slip",t.first_slip_speed,"m/s",d=>eo(d,r,u)),i("first_hop",t.first_hop_speed,"m/s",d=>eo(d,l,u)),i("immediate_hop",t.immediate_hop_speed,
-"m/s",d=>eo(d,c,h))}else n.push({key:"uphill",label:K.uphill,value:null,unit:"",text:K.no_threshold});i("needed_friction",t.needed_friction,"1",r=>Xd(r,e)),o();
+"m/s",d=>eo(d,c,h))}else n.push({key:"uphill",label:K.uphill,value:null,unit:"",text:K.no_threshold});i("needed_friction",t.needed_friction,"1",r=>Yd(r,e)),o();
 let a=t.jam_angles.map(tt).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>B(K.jam_at,{places:a})),s.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>B(
-K.rest_at,{where:tt(r)})),n}function eo(s,e,t){return s<T.words.least_speed?B(t,{would:e}):Number.isFinite(s)?B(K.above,{would:e,speed:Me(s,4)}):K.no_speed}function Xd(s,{
-mu_static:e}){return Number.isFinite(s)?B(s<=e?K.friction_enough:K.friction_short,{mu:Me(s,3)}):K.no_friction}function Qd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return K.never;let n=s<=t?K.paradox_here:K.paradox_not_here;return B(n,{mu:Me(s,3),where:tt(e)})}var tm=360,sm=240,so={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},nm=["motion.nc","motion.mp4","mo\
+K.rest_at,{where:tt(r)})),n}function eo(s,e,t){return s<T.words.least_speed?B(t,{would:e}):Number.isFinite(s)?B(K.above,{would:e,speed:Me(s,4)}):K.no_speed}function Yd(s,{
+mu_static:e}){return Number.isFinite(s)?B(s<=e?K.friction_enough:K.friction_short,{mu:Me(s,3)}):K.no_friction}function Xd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return K.never;let n=s<=t?K.paradox_here:K.paradox_not_here;return B(n,{mu:Me(s,3),where:tt(e)})}var em=360,tm=240,so={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},sm=["motion.nc","motion.mp4","mo\
 tion.gif"],Ht=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
-keys(so),...i?nm:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=pn(e,t,this.mechanics);if(e==="fi\
+keys(so),...i?sm:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=pn(e,t,this.mechanics);if(e==="fi\
 lm")return this.film(i,n);if(e==="samples"){let a=ee(Ye(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{
 header:{python:ji(i),toml:cn(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(ee(i),n);return{header:{thresholds:to(i,a)},arrays:{}}}if(e==="r\
-egions"){let{window:a}=o,r=ee(i),l=await this.kernel.regions(r,a,tm,sm,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(
+egions"){let{window:a}=o,r=ee(i),l=await this.kernel.regions(r,a,em,tm,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(
 `The page does not answer ${e}.`)}async film(e,t){let n=ee(Ye(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(
 n,t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:$t(e)},t);let r=await this.turning(n,i,t),
 l=Vi(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:Ei(a)},arrays:o}}async turning(e,{events:t},n){let i=Hi(t);if(!i.length)return()=>0;let o=Float64Array.
@@ -2978,11 +2980,11 @@ let n=fn({query:t},this.mechanics);if(e==="motion.toml")return cn(n);let i=Ye(n)
 server.file(e,t)).text();if(e==="motion.json")return Ji(i,a);let r=Yi(a.duration);return Xi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(
 e?`?${e}`:"",this.base)}${t}`}};async function no(s,e,t){let n=e&&new Xs(e);try{let i=await Dt.load(s);return new Ht(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function Ll(s){
 navigator.serviceWorker?.register(s).catch(()=>{})}async function Pl(s){let e=new Qs(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Dt.
-unpack(s.get("module"),s.get("worker"),t);return new Ht(n,n.mechanics,{server:e})}catch{return e}}var im=new URL("./",import.meta.url);async function om(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),n,i;try{n=await no(im,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&Ll(t.getAttribute("content")??"");let o=new mt(
+unpack(s.get("module"),s.get("worker"),t);return new Ht(n,n.mechanics,{server:e})}catch{return e}}var nm=new URL("./",import.meta.url);async function im(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),n,i;try{n=await no(nm,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&Ll(t.getAttribute("content")??"");let o=new mt(
 s,n,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=To(location.hash);try{await o.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function dv(s,e,t,n){let i=await no(
-e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new mt(s,i,o,{panels:n});return await a.open([t]),a}async function am({model:s,el:e}){let t=document.
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function mv(s,e,t,n){let i=await no(
+e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new mt(s,i,o,{panels:n});return await a.open([t]),a}async function om({model:s,el:e}){let t=document.
 createElement("div");e.append(t);let n=await Pl(s),i=new mt(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
 i.motions.set([pt(s.get("film"))]),i.begin();let o=()=>i.motions.replace(pt(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var Dl=document.getElementById("hophoop-lab");Dl&&om(Dl);var mv={render:am};export{ih as adopt,ze as current,mv as default,zn as languageMenu,dv as mount,Zt as repeat,k as t,it as untranslated};
+i.close()}}var Dl=document.getElementById("hophoop-lab");Dl&&im(Dl);var pv={render:om};export{ih as adopt,ze as current,pv as default,zn as languageMenu,mv as mount,Zt as repeat,k as t,it as untranslated};
