@@ -4,11 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from scipy.optimize import least_squares
 
 import hophoop as hh
 from fitting_tools import PLANE, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
 from hophoop.fitting.jacobian import exact_slopes
-from hophoop.fitting.losses import influence, influence_slope, soften, soften_slope
+from hophoop.fitting.losses import SOFT, influence, influence_slope, loss
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.solving import Choice, slopes
@@ -102,12 +103,19 @@ def test_slopes_go_along_with_what_is_tied(hop):
     assert slopes(problem, tied, ("mu_kinetic",))[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
 
 
+def test_the_loss_is_the_one_that_is_minimized():
+    """The loss compares minima and is what `sample` draws from; SciPy finds the minima."""
+    off = np.array([-8.0, -2.0, -1e-3, 0.5, 3.0, 20.0])
+    for soft, name in ((True, "soft_l1"), (False, "linear")):
+        found = least_squares(lambda _: off, [0.0], loss=name, f_scale=SOFT)
+        assert loss(off, soft) == pytest.approx(2.0 * found.cost, rel=1e-14)
+    assert loss(np.array([1e-9]), True) == pytest.approx(1e-18, rel=1e-15)
+    assert loss(np.array([50.0]), True) < 20.0**2 < loss(np.array([50.0]), False)
+
+
 def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
     off = np.array([-8.0, -2.0, -1e-3, 0.5, 3.0, 20.0])
     step = 1e-6
-    rise = (soften(off + step, True) - soften(off - step, True)) / (2 * step)
-    assert soften_slope(off) == pytest.approx(rise, rel=1e-8)
-    assert soften(np.array([1e-9]), True) == pytest.approx([1e-9], rel=1e-15)
-    loss = (soften(off + step, True) ** 2 - soften(off - step, True) ** 2) / (4 * step)
-    assert influence(off) == pytest.approx(loss, rel=1e-7, abs=1e-9)
+    rise = [(loss(one + step, True) - loss(one - step, True)) / (4 * step) for one in off]
+    assert influence(off) == pytest.approx(rise, rel=1e-7, abs=1e-9)
     assert influence_slope(off) == pytest.approx((influence(off + step) - influence(off - step)) / (2 * step), rel=1e-7)

@@ -71,7 +71,7 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], r
     Raises
     ------
     ImportError
-        If latex2mathml is missing.
+        If math-core is missing.
     """
     runs = runs or Runs()
     here = files("hophoop.article")

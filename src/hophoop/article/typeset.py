@@ -9,9 +9,6 @@ from hophoop._support.extras import need
 DISPLAYED = re.compile(r"\\\[(.+?)\\\]", re.DOTALL)
 INLINE = re.compile(r"\\\((.+?)\\\)", re.DOTALL)
 
-FUNCTION = re.compile("<mi>(cos|sin)</mi>")
-BEFORE = re.compile("(</mi>|</msup>|</msub>)<mi>(cos|sin)</mi>")
-
 
 def typeset(text: str) -> str:
     r"""A page whose formulas, as LaTeX in ``\(…\)`` and ``\[…\]``, are MathML.
@@ -28,7 +25,7 @@ def typeset(text: str) -> str:
     Raises
     ------
     ImportError
-        If latex2mathml is missing.
+        If math-core is missing.
     """
     text = DISPLAYED.sub(lambda match: f"<div class='formula' tabindex='0'>{mathml(match[1], displayed=True)}</div>", text)
     return INLINE.sub(lambda match: mathml(match[1], displayed=False), text)
@@ -36,9 +33,5 @@ def typeset(text: str) -> str:
 
 def mathml(latex: str, displayed: bool) -> str:
     """One formula as an element of a page."""
-    convert = need("latex2mathml.converter", "plots").convert
-    made: str = convert(latex.strip(), display="block" if displayed else "inline")
-    made = made.replace("<mover>", "<mover accent='true'>")  # close to its letter
-    # names of functions stand off from what is beside them
-    made = FUNCTION.sub(r"<mi>\1</mi><mspace width='0.17em'/>", made)
-    return BEFORE.sub(r"\1<mspace width='0.17em'/><mi>\2</mi>", made)
+    converter = need("math_core", "plots").LatexToMathML(fancy_error=False)
+    return str(converter.convert_with_local_state(latex.strip(), displaystyle=displayed))

@@ -10,44 +10,24 @@ Floats = NDArray[np.float64]
 SOFT = 3.0  # standard deviations from which a residual counts less than its square
 
 
-def soften(residuals: Floats, soft: bool) -> Floats:
-    """Residuals whose square is the soft loss: as they are when small, growing as a root when large.
+def loss(residuals: Floats, soft: bool) -> float:
+    """Return the sum of squares, or the soft loss: SciPy's soft_l1 with the scale `SOFT`, twice.
 
     Parameters
     ----------
     residuals : ndarray
         [standard deviations]
     soft : bool
-        False leaves them as they are.
 
     Returns
     -------
-    residuals : ndarray
+    loss : float
         [1]
     """
-    if not soft:
-        return residuals
-    root = np.sqrt(1.0 + (residuals / SOFT) ** 2)
-    size: Floats = residuals * np.sqrt(2.0 / (root + 1.0))
-    return size
-
-
-def soften_slope(residuals: Floats) -> Floats:
-    """Derivative of softened residuals by those that they come from.
-
-    Parameters
-    ----------
-    residuals : ndarray
-        [standard deviations]
-
-    Returns
-    -------
-    slope : ndarray
-        1 at 0, and less elsewhere [1].
-    """
-    root = np.sqrt(1.0 + (residuals / SOFT) ** 2)
-    slope: Floats = np.sqrt(0.5 * (root + 1.0)) / root
-    return slope
+    squares = residuals**2
+    if soft:
+        squares = 2.0 * squares / (np.sqrt(1.0 + squares / SOFT**2) + 1.0)
+    return float(squares.sum())
 
 
 def influence(residuals: Floats) -> Floats:

@@ -12,7 +12,7 @@ from hophoop._support.extras import need
 from hophoop.fitting.channels import Lasting
 from hophoop.fitting.covariance import memories
 from hophoop.fitting.guess import gathered
-from hophoop.fitting.losses import influence, soften
+from hophoop.fitting.losses import influence, loss
 from hophoop.fitting.posterior import Posterior
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.result import Fit
@@ -109,7 +109,7 @@ def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats]
             return -np.inf
         values = complete(problem, choice, dict(zip(names, place.tolist(), strict=True)))
         fresh = news(problem, problem.residuals(values), memory)
-        return -0.5 * float((soften(fresh, soft) ** 2).sum()) / scale**2
+        return -0.5 * loss(fresh, soft) / scale**2
 
     return likelihood
 

@@ -13,7 +13,7 @@ from hophoop._support.extras import need
 from hophoop.fitting.covariance import covariance_of
 from hophoop.fitting.guess import SPREADS, Candidate, gathered
 from hophoop.fitting.jacobian import exact_slopes
-from hophoop.fitting.losses import soften, soften_slope
+from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
@@ -123,7 +123,7 @@ def solve(problem: Problem, choice: Choice, soft: bool) -> Solution:
 
 
 def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS) -> Minimum:
-    """One minimum, by Levenberg and Marquardt.
+    """Return one minimum, found by SciPy's trust-region least squares.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS
     soft : bool
         Whether outliers count less.
     most : int
-        Calls of the motion at most [1].
+        Maximum number of calls of the motion [1].
 
     Returns
     -------
@@ -143,27 +143,35 @@ def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS
     ValueError
         If an expression makes no sense.
     """
-    lmfit = need("lmfit", "fit")
-    parameters = _parameters(lmfit, problem, choice)
-    seen = _Seen(problem, soft)
-    if choice.free:
+    parameters = _parameters(need("lmfit", "fit"), problem, choice)
 
-        def jacobian(now: Any) -> Floats:
-            off = seen.residuals(now)  # known: the step to here was taken
-            found = slopes_at(problem, choice, now, choice.free)
-            return found if not soft else found * soften_slope(off)[:, None]
+    def at(free: Floats) -> Any:
+        for name, value in zip(choice.free, free, strict=True):
+            parameters[name].value = value
+        return parameters
 
-        lmfit.minimize(
-            seen.softened, parameters, method="leastsq", Dfun=jacobian, max_nfev=most, scale_covar=False, ftol=1e-8, xtol=1e-8
-        )
-    else:
-        seen.softened(parameters)
-    return Minimum(seen.values, seen.cost, seen.off)
+    def residuals(free: Floats) -> Floats:
+        return problem.residuals(dict(at(free).valuesdict()))
+
+    begin = np.array([parameters[name].value for name in choice.free])
+    if not choice.free:
+        off = residuals(begin)
+        return Minimum(dict(parameters.valuesdict()), loss(off, soft), off)
+    found = need("scipy.optimize", "fit").least_squares(
+        residuals,
+        begin,
+        lambda free: slopes_at(problem, choice, at(free), choice.free),
+        np.transpose([choice.limits(name) for name in choice.free]),
+        loss="soft_l1" if soft else "linear",
+        f_scale=SOFT,
+        max_nfev=most,
+    )
+    return Minimum(dict(at(found.x).valuesdict()), 2.0 * float(found.cost), found.fun)
 
 
 def cost_at(problem: Problem, values: dict[str, float], soft: bool) -> float:
     """The sum of the squares, softened if asked for, at values of all parameters."""
-    return float((soften(problem.residuals(values), soft) ** 2).sum())
+    return loss(problem.residuals(values), soft)
 
 
 def spread_of(problem: Problem, cost: float, free: int) -> float:
@@ -171,45 +179,15 @@ def spread_of(problem: Problem, cost: float, free: int) -> float:
     return max(1.0, cost / max(problem.count - free, 1))
 
 
-class _Seen:
-    """Residuals at values that lmfit holds; remembers the best, since lmfit keeps the last where calls run out."""
-
-    def __init__(self, problem: Problem, soft: bool) -> None:
-        self.problem, self.soft = problem, soft
-        self.values: dict[str, float] = {}
-        self.off, self.cost = np.zeros(0), np.inf
-        self._last: tuple[dict[str, float], Floats] = {}, np.zeros(0)
-
-    def residuals(self, now: Any) -> Floats:
-        values = dict(now.valuesdict())
-        if values != self._last[0]:
-            self._last = values, self.problem.residuals(values)
-        return self._last[1]
-
-    def softened(self, now: Any) -> Floats:
-        off = self.residuals(now)
-        result = soften(off, self.soft)
-        cost = float((result**2).sum())
-        if cost < self.cost:
-            self.values, self.off, self.cost = self._last[0], off, cost
-        return result
-
-
-def _parameters(lmfit: Any, problem: Problem, choice: Choice, away: float = 1e-4) -> Any:
-    """Parameters for lmfit, free ones away from their bounds by a part of the range.
-
-    The transform of a bound has no slope at the bound itself.
-    """
+def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:
+    """Parameters for lmfit, which evaluates the expressions of those that are tied."""
     parameters = lmfit.Parameters()
     for name in problem.names:
         low, high = choice.limits(name)
-        value = choice.values[name]
         if name in choice.free:
-            inside = away * (high - low) if np.isfinite(high - low) else 0.0
-            value = float(np.clip(value, low + inside, high - inside))
-            parameters.add(name, value=value, min=low, max=high)
+            parameters.add(name, value=float(np.clip(choice.values[name], low, high)), min=low, max=high)
         else:
-            parameters.add(name, value=value, vary=False)
+            parameters.add(name, value=choice.values[name], vary=False)
     for name, text in choice.tied.items():
         try:
             parameters[name].set(expr=text)
@@ -241,7 +219,7 @@ def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dic
     """
     if not choice.tied:
         return {**choice.values, **free}
-    return dict(_parameters(need("lmfit", "fit"), problem, choice.at(free), 0.0).valuesdict())
+    return dict(_parameters(need("lmfit", "fit"), problem, choice.at(free)).valuesdict())
 
 
 def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
@@ -261,7 +239,7 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
     jacobian : ndarray, shape (count, len(names))
         [1 over the parameter's unit]
     """
-    parameters = _parameters(need("lmfit", "fit"), problem, choice, 0.0)
+    parameters = _parameters(need("lmfit", "fit"), problem, choice)
     return slopes_at(problem, choice, parameters, names)
 
 
