@@ -104,6 +104,7 @@ def phase_starts(kinds: Sequence[int]) -> list[int]:
 
     Examples
     --------
+    >>> from hophoop.kernel.physics.body import Event
     >>> phase_starts([Event.START, Event.TURN, Event.SLIP_START, Event.END])
     [0, 2, 3]
     """
@@ -134,6 +135,7 @@ def sequence_of(kinds: Sequence[int], modes: Sequence[int], times: Sequence[Any]
 
     Examples
     --------
+    >>> from hophoop.kernel.physics.body import Event
     >>> kinds = [Event.START, Event.TURN, Event.SLIP_START, Event.END]
     >>> sequence_of(kinds, [Mode.ROLL, Mode.ROLL, Mode.SKID, Mode.SKID], [0.0, 1.0, 2.0, 3.0])
     'RK'
