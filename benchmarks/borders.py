@@ -20,9 +20,9 @@ from pathlib import Path
 from typing import Any
 
 import hophoop as hh
-import hophoop.simulation.simulate
 from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.precise import solve
+from hophoop.simulation import exact_start
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from random_scenarios import BORDERS, draw_beside_a_border, scenario_of
@@ -43,17 +43,17 @@ def work(task: tuple[int, int]) -> tuple[str, dict[str, int], str]:
     border, sections = draw_beside_a_border(seed, index)
     scenario = scenario_of(sections)
     asked = []
-    decide = hophoop.simulation.simulate.script_until
+    decide = exact_start.script_until
 
     def noted(*arguments: Any) -> Any:
         asked.append(arguments)
         return decide(*arguments)
 
-    hophoop.simulation.simulate.script_until = noted
+    exact_start.script_until = noted
     try:
         motion = hh.simulate(scenario)
     finally:
-        hophoop.simulation.simulate.script_until = decide
+        exact_start.script_until = decide
     ours = letters((event.kind, event.to_mode) for event in motion.events)
     truth = None
     try:

@@ -20,10 +20,12 @@ from hophoop.derivatives.results.propagation import carry
 from hophoop.derivatives.workspace import ROWS
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.kernel.records.cells import start_of
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.rigid.run import run
-from hophoop.simulation.simulate import NO_SCRIPT, start_of
+from hophoop.scenario import cell_of, time_unit
+from hophoop.simulation.exact_start import NO_SCRIPT
 
 PATHS = (
     "hoop.load_fraction", "hoop.radius", "hoop.mass", "plane.gravity", "plane.slope", "plane.mu_static",
@@ -34,9 +36,11 @@ ROUNDS = 400
 
 def plain(scenario):
     """The bare kernel of the motion, as a call without arguments."""
-    body, start, scratch = scenario.to_body(), start_of(scenario), new_scratch()
+    unit = time_unit(scenario.hoop, scenario.plane)
+    start = start_of(np.array([cell_of(scenario)], dtype=object).T, 0, unit)
+    body, scratch = scenario.to_body(), new_scratch()
     events, segments = np.empty(64, EVENT), np.empty(256, SEGMENT)
-    end = scenario.duration / math.sqrt(scenario.hoop.radius / scenario.plane.gravity)
+    end = scenario.duration / unit
     arguments = (body, start, end, math.nan, 0, events, segments, scratch, NO_SCRIPT)
     kernel = compiled(run)
     return lambda: kernel(*arguments)

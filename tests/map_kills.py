@@ -22,7 +22,7 @@ START = """
 import functools, signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background leaves it ignored
 from hophoop.cli import app
-from hophoop.maps import sweeping
+from hophoop.maps.grid import sweeping
 sweeping.sweep = functools.partial(sweeping.sweep, chunk_cells=250)
 print("ready", flush=True)
 app()

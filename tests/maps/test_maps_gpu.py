@@ -37,7 +37,7 @@ PROGRAM = """
 import sys
 import numpy as np
 from hophoop import maps
-from hophoop.maps import gpu
+from hophoop.maps.grid import gpu
 from hophoop.maps.grid.evaluate import run_cells
 from hophoop.maps.grid.quantities import make_span
 cells = np.load("cells.npy")

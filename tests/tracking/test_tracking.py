@@ -134,7 +134,7 @@ def test_hints_are_followed(films, motion):
     below = tracked(film, path, ground=(0.0, 170.0, 319.0, 170.0), slope=0.1)
     assert below.slope == 0.1
     assert np.nanmedian(below.centre[:, 1]) == pytest.approx(RADIUS, abs=2e-3)
-    with pytest.raises(ValueError, match="shows no rim in the frame"):
+    with pytest.raises(ValueError, match="show no rim in the frame"):
         tracked(film, path, centre=(280.0, 40.0), rim=25.0)
     with pytest.raises(ValueError, match="no patch of that colour"):
         tracked(film, path, marker="cyan")
