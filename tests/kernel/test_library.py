@@ -271,3 +271,12 @@ def test_a_numba_that_is_too_old_is_refused_and_a_new_one_is_told_of(capsys):
     assert capsys.readouterr().err == ""
     refuse_older("1.0.0rc1")
     assert capsys.readouterr().err == "Numba 1.0.0rc1 has not been tried: 0.62 to 0.68 have built the kernels.\n"
+
+
+def test_the_build_itself_imports_no_kernels_of_maps_and_theory():
+    """A group depends on all sources that its process imports, and would be compiled again with each change of any of them."""
+    done = python("import sys, hophoop.kernel.build.__main__; print(*sys.modules)")
+    assert done.returncode == 0, done.stderr
+    assert not [
+        name for name in done.stdout.split() if name.startswith(("hophoop.theory", "hophoop.maps", "hophoop.derivatives"))
+    ]

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from hophoop.kernel.build.link import RUNTIME, anonymous, joined, optimised, zig
-from hophoop.lab.wasm.layout import layout
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE, sources
 
 TRIPLE = "wasm32-unknown-unknown"
@@ -105,5 +104,7 @@ def module_of(name: str) -> bytes:
 
 def told_of(contents: Mapping[str, bytes], versions: dict[str, str]) -> dict[str, Any]:
     """What `layout.json` says of the modules: their sources, their hashes, how they are called."""
+    from hophoop.lab.wasm.layout import layout  # it imports most kernels, which a group of the library need not depend on
+
     tags = {MODULES[name].name: hashlib.sha256(content).hexdigest()[:16] for name, content in contents.items()}
     return {"sources": sources(), **tags, "built_with": versions, **layout()}
