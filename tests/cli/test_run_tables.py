@@ -78,7 +78,7 @@ def test_errors_that_take_long_show_how_far_they_are(monkeypatch):
     from rich.console import Console
 
     from hophoop.cli import _work
-    from hophoop.simulation.trajectory import event_errors_watched
+    from hophoop.simulation.event_errors import event_errors_watched
 
     monkeypatch.setattr(_work, "SOON", 0.0)
     monkeypatch.setattr(_work, "LOOKS", 0.001)

@@ -297,7 +297,7 @@ def _errors(motion: Trajectory) -> EventErrors:
     from rich.console import Console
 
     from hophoop.cli._work import watched
-    from hophoop.simulation.trajectory import event_errors_watched
+    from hophoop.simulation.event_errors import event_errors_watched
 
     return watched(lambda reached: event_errors_watched(motion, reached), Console(stderr=True), "errors")
 

@@ -57,7 +57,7 @@ def simulate_rigid(scenario: Scenario) -> RigidMotion:
     """
     outcome, tables, script = _ran(scenario, NO_SCRIPT)
     doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
-    if not math.isnan(outcome.doubt_until):
+    if not (math.isnan(outcome.doubt_until) or outcome.panels_used):
         outcome, tables, script = _decided(scenario, outcome, tables)
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     if len(script) > 1:
@@ -86,7 +86,7 @@ def _decided(scenario: Scenario, outcome: Outcome, tables: Tables) -> tuple[Outc
     """Decide the doubts of a motion in extended precision, one after the other."""
     found = outcome, tables, NO_SCRIPT
     decisions = Decisions(scenario)
-    while not found[0].panels_used and (script := decisions.script(found[0].doubt_until)) is not None:
+    while (script := decisions.script(found[0].doubt_until)) is not None:
         found = _ran(scenario, script)
         if found[0].panels_used:  # the last of its events may lie beyond what the panels reach
             return _ran(scenario, NO_SCRIPT)
@@ -107,7 +107,9 @@ def script_of(scenario: Scenario) -> np.ndarray:
         In kernel units; of length 0 where doubles decide everything [1].
     """
     outcome, tables, script = _ran(scenario, NO_SCRIPT)
-    return script if math.isnan(outcome.doubt_until) else _decided(scenario, outcome, tables)[2]
+    if math.isnan(outcome.doubt_until) or outcome.panels_used:
+        return script
+    return _decided(scenario, outcome, tables)[2]
 
 
 def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:

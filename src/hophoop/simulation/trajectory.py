@@ -215,6 +215,8 @@ class Trajectory:
         ValueError
             If the contact is compliant, whose errors follow from its rtol.
         """
+        from hophoop.simulation.event_errors import event_errors_watched
+
         return event_errors_watched(self)
 
     @cached_property
@@ -475,34 +477,6 @@ class Trajectory:
             stable=None if row["stable"] < 0 else bool(row["stable"]),
             **value,
         )
-
-
-def event_errors_watched(motion: Trajectory, reached: np.ndarray | None = None) -> EventErrors:
-    """`Trajectory.errors`, for who shows from another thread how far they are.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    reached : ndarray, shape (1,), optional
-        Is given the share that is computed, again and again [1].
-
-    Returns
-    -------
-    errors : EventErrors
-
-    Raises
-    ------
-    ValueError
-        If the contact is compliant.
-    """
-    if motion.scenario.contact.model != "rigid":
-        raise InputError("motion.errors needs rigid contact; a compliant contact keeps to contact.rtol.")
-    from hophoop.kernel.rigid.errors import FIELDS, event_errors
-
-    unit = motion.units
-    events = motion.tables["events"]
-    table = event_errors(motion.scenario.to_body(), events, motion.scenario.duration / unit.time, reached)
-    return EventErrors(**{name: table[:, i] * unit.of(name) for i, name in enumerate(FIELDS)})
 
 
 _INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
