@@ -54,7 +54,7 @@ def test_falls_are_where_numpy_has_roots():
         col.coefficients(values, series)
         slope = (roots[1] - roots[0]) * (roots[2] - roots[0]) * np.exp(slow * roots[0])
         rounding = 3.0 * np.spacing(1.0) * np.abs(values).max()
-        found = search.first_fall(series, 0.0, stack)
+        found = search.first_downcrossing(series, 0.0, stack)
         assert found == pytest.approx(roots[0], rel=0.0, abs=rounding / slope + np.spacing(1.0))
 
 
@@ -74,15 +74,15 @@ def test_a_fall_on_the_border_of_two_intervals(place, floor):
     for series in (exact, bent):  # with slopes of 0.01 and 1 at the fall
         for _ in range(100):
             rounded = series + 1e-16 * random.uniform(-1.0, 1.0, col.ORDER)
-            found = search.first_fall(rounded, floor, stack)
+            found = search.first_downcrossing(rounded, floor, stack)
             assert found == pytest.approx(place, rel=0.0, abs=1e-13)
-            assert search.first_fall_after(rounded, found, floor, stack) == search.NOT_FOUND
-    assert search.first_fall(exact, 8.0, stack) == search.NOT_FOUND  # it does not fall so far
+            assert search.first_downcrossing_after(rounded, found, floor, stack) == search.NOT_FOUND
+    assert search.first_downcrossing(exact, 8.0, stack) == search.NOT_FOUND  # it does not fall so far
     touching = np.zeros(col.ORDER)
     touching[:3] = chebyshev.poly2cheb(np.polynomial.polynomial.polymul([-place, 1.0], [-place, 1.0]))
     for _ in range(100):
         series = touching + 1e-16 * random.uniform(-1.0, 1.0, col.ORDER)
-        assert search.first_fall(series, max(floor, 1e-14), stack) == search.NOT_FOUND
+        assert search.first_downcrossing(series, max(floor, 1e-14), stack) == search.NOT_FOUND
 
 
 def test_what_is_no_number_falls_nowhere():
@@ -90,7 +90,7 @@ def test_what_is_no_number_falls_nowhere():
     for bad in (np.nan, np.inf):
         series = np.ones(col.ORDER)
         series[3] = bad
-        assert search.first_fall(series, 0.0, stack) == search.NOT_FOUND
+        assert search.first_downcrossing(series, 0.0, stack) == search.NOT_FOUND
 
 
 def test_a_resolved_function_stays_near_the_range_of_its_nodes():
@@ -132,7 +132,7 @@ def same_bits(kernel, *arguments):
     for function in (source_of(kernel), kernel):
         out = np.full(col.ORDER, 7.0)
         with np.errstate(all="ignore"):
-            given = function(*arguments, *([out] if kernel is not col.tail else []))
+            given = function(*arguments, *([out] if kernel is not col.truncation_error else []))
         outcomes.append(np.append(out, np.nan if given is None else given).view(np.uint64).tolist())
     return outcomes[0] == outcomes[1]
 
@@ -143,7 +143,7 @@ def test_whole_arrays_give_the_bits_of_the_loops(row):
     for matrix in (col.ANTIDERIVATIVE_T, col.REMAINDER_T, col.SERIES_T, search.LEFT_T):
         assert same_bits(col.product, matrix, row)
     for scale in (0.0, 2.5, np.inf):
-        assert same_bits(col.tail, row, scale)
+        assert same_bits(col.truncation_error, row, scale)
     if np.nanmax(np.abs(row)) < 700.0:  # beyond, Python's exponential raises an error
         assert same_bits(col.exponentials, row)
         assert same_bits(col.exponentials, row / 3.0)

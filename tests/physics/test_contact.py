@@ -60,8 +60,8 @@ def test_rolling(case):
     body, th, om = case
     _, _, alpha, friction, normal = accelerations(body, th, om, "roll")
     s, c, u = math.sin(th), math.cos(th), om * om
-    assert contact.rolling_acceleration(body, s, c, u) == near(alpha)
-    assert contact.rolling_forces(body, s, c, u) == near((friction, normal))
+    assert contact.rolling_acceleration(body, s, c, u, 0.0) == near(alpha)
+    assert contact.rolling_forces(body, s, c, u, 0.0) == near((friction, normal))
 
 
 @pytest.mark.parametrize("sigma", [1, -1])
@@ -69,11 +69,11 @@ def test_slip(case, sigma):
     body, th, om = case
     ax, _, alpha, _, normal = accelerations(body, th, om, sigma)
     s, c, u = math.sin(th), math.cos(th), om * om
-    assert contact.slip_motion(body, s, c, u, sigma) == near((alpha, normal, ax - alpha))
+    assert contact.slip_motion(body, s, c, u, sigma, 0.0) == near((alpha, normal, ax - alpha))
     assert contact.slip_torque_arm(body, s, c, sigma) == near(body.kap * alpha / normal)
     # v_n with a force (−σ μk, 1) N: p_σ = dv_n/dp
     along, up = responses(body, th)
-    assert contact.slip_stiffness(body, s, c, sigma) == near(body.kap * (up[1] - sigma * body.mu_k * along[1]))
+    assert contact.slip_stiffness(body, s, c, sigma, 0.0) == near(body.kap * (up[1] - sigma * body.mu_k * along[1]))
 
 
 @pytest.mark.parametrize("mu", [0.0, 0.3, 2.0])
@@ -116,9 +116,9 @@ def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
         inertia = 1 + mpf(kap) + mpf(eps) ** 2 + 2 * eps * c
         turning = {speed: (eps * s * (speed + body.gn) + gt * (1 + eps * c)) / inertia for speed in (u, 1e-9)}
     sine, cosine = float(s), float(c)
-    assert contact.slip_motion(body, sine, cosine, u, 1.0)[2] == pytest.approx(float(rate), rel=1e-12)
+    assert contact.slip_motion(body, sine, cosine, u, 1.0, 0.0)[2] == pytest.approx(float(rate), rel=1e-12)
     for speed, expected in turning.items():
-        assert contact.rolling_acceleration(body, sine, cosine, speed) == pytest.approx(float(expected), rel=1e-12)
+        assert contact.rolling_acceleration(body, sine, cosine, speed, 0.0) == pytest.approx(float(expected), rel=1e-12)
 
 
 @pytest.mark.parametrize("off", [0.3, 1e-3, 1e-6, 1e-9])

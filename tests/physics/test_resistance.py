@@ -36,14 +36,14 @@ def test_rolling_and_slip(body, f, th, om):
     rho = math.copysign(f, om)
     assert resistance.resistance_arm(body, s, c, om, 0) == rho
     _, _, alpha, friction, normal = accelerations(body, th, om, "roll", rho)
-    assert resistance.forces_rolling(body, s, c, om) == pytest.approx((friction, normal), rel=1e-12, abs=1e-12)
+    assert contact.rolling_forces(body, s, c, u, rho) == pytest.approx((friction, normal), rel=1e-12, abs=1e-12)
     assert resistance.acceleration_in_contact(body, s, c, om, 0) == pytest.approx(alpha, rel=1e-12, abs=1e-12)
     for sigma in (-1, 1):
         along, _, alpha, _, normal = accelerations(body, th, om, sigma, rho)
-        found = resistance.motion_slipping(body, s, c, om, sigma)
+        found = contact.slip_motion(body, s, c, u, sigma, rho)
         assert found == pytest.approx((alpha, normal, along - alpha), rel=1e-11, abs=1e-11)
         # N = −f_n/p_σ
-        p_sigma = resistance.stiffness_slipping(body, s, c, om, sigma) / body.kap
+        p_sigma = contact.slip_stiffness(body, s, c, sigma, rho) / body.kap
         assert normal * p_sigma == pytest.approx(-contact.free_acceleration(body, s, c, u)[1], rel=1e-11)
         exact = painleve.exact_slip_stiffness(body, th, 0.0, sigma, rho)[1]
         assert exact / body.kap == pytest.approx(p_sigma, rel=1e-12)
@@ -51,18 +51,12 @@ def test_rolling_and_slip(body, f, th, om):
 
 @pytest.mark.parametrize("body", BODIES)
 @pytest.mark.parametrize(("th", "om"), STATES)
-def test_without_resistance_it_is_as_without(body, th, om):
-    s, c, u = math.sin(th), math.cos(th), om * om
-    assert resistance.resistance_arm(body, s, c, om, 0) == 0.0
-    assert resistance.resisted_forces(body, s, c, u, 0.0) == pytest.approx(contact.rolling_forces(body, s, c, u), rel=1e-13)
-    for sigma in (-1, 1):
-        plain = contact.slip_motion(body, s, c, u, sigma)
-        assert resistance.resisted_slip(body, s, c, u, sigma, 0.0) == pytest.approx(plain, rel=1e-13)
-        assert resistance.motion_slipping(body, s, c, om, sigma) == plain
-        assert resistance.acceleration_in_contact(body, s, c, om, sigma) == plain[0]
-        assert resistance.stiffness_slipping(body, s, c, om, sigma) == contact.slip_stiffness(body, s, c, sigma)
-    assert resistance.forces_rolling(body, s, c, om) == contact.rolling_forces(body, s, c, u)
-    assert resistance.acceleration_in_contact(body, s, c, om, 0) == contact.rolling_acceleration(body, s, c, u)
+def test_without_resistance_there_is_no_couple(body, th, om):
+    s, c = math.sin(th), math.cos(th)
+    for sigma, mode in ((0, "roll"), (1, 1), (-1, -1)):
+        assert resistance.resistance_arm(body, s, c, om, sigma) == 0.0
+        alpha = accelerations(body, th, om, mode, 0.0)[2]
+        assert resistance.acceleration_in_contact(body, s, c, om, sigma) == pytest.approx(alpha, rel=1e-11, abs=1e-11)
 
 
 @pytest.mark.parametrize("body", BODIES)
@@ -79,14 +73,12 @@ def test_at_rest_the_couple_holds_what_it_can(body, f):
             alpha = resistance.acceleration_in_contact(body, s, c, 0.0, sigma)
             if sigma == 0:
                 forces = tuple(accelerations(body, th, 0.0, "roll", rho)[3:])
-                assert resistance.forces_rolling(body, s, c, 0.0) == pytest.approx(forces, rel=1e-11, abs=1e-12)
+                assert contact.rolling_forces(body, s, c, 0.0, rho) == pytest.approx(forces, rel=1e-11, abs=1e-12)
             if abs(need) <= f:
                 held += 1
                 assert rho == pytest.approx(need)
                 assert alpha == pytest.approx(0.0, abs=1e-15)
-            elif (
-                resistance.stiffness_slipping(body, s, c, 0.0, sigma) > 0.0 and contact.rolling_forces(body, s, c, 0.0)[1] > 0.0
-            ):
+            elif contact.slip_stiffness(body, s, c, sigma, rho) > 0.0 and contact.rolling_forces(body, s, c, 0.0, 0.0)[1] > 0.0:
                 assert rho == math.copysign(f, need)
                 assert alpha * need > 0.0
     assert held > 0
@@ -98,7 +90,8 @@ def test_at_rest_the_couple_holds_what_it_can(body, f):
 def test_series_of_the_candidate_motion(body, sigma, th, om):
     """First derivatives of N and of v̇_t along the motion, from differences of the closed forms."""
     body = body._replace(resist=0.2)
-    if resistance.stiffness_slipping(body, math.sin(th), math.cos(th), om, sigma) <= 0.0:
+    s, c = math.sin(th), math.cos(th)
+    if contact.slip_stiffness(body, s, c, sigma, resistance.resistance_arm(body, s, c, om, sigma)) <= 0.0:
         return
     normal, _, _, slip = jets.candidate_series(body, th, om, sigma)
     step = 1e-5
@@ -110,8 +103,8 @@ def test_series_of_the_candidate_motion(body, sigma, th, om):
         rate = om + alpha * tau
         s, c = math.sin(later), math.cos(later)
         if sigma == 0:
-            return resistance.forces_rolling(body, s, c, rate)[1], 0.0
-        return resistance.motion_slipping(body, s, c, rate, sigma)[1:]
+            return contact.rolling_forces(body, s, c, rate * rate, resistance.resistance_arm(body, s, c, rate, 0))[1], 0.0
+        return contact.slip_motion(body, s, c, rate * rate, sigma, resistance.resistance_arm(body, s, c, rate, sigma))[1:]
 
     ahead, behind = values(step), values(-step)
     assert normal[1] == pytest.approx((ahead[0] - behind[0]) / (2.0 * step), rel=1e-6, abs=1e-6)
@@ -170,7 +163,9 @@ def test_what_follows_slip_at_painleves_paradox():
 
 def test_a_paradox_that_nothing_presses_is_indeterminate():
     body = BODIES[2]._replace(gn=0.0, mu_s=3.0, mu_k=3.0)
-    angles = [th for th in np.linspace(-3.0, 3.0, 61) if contact.slip_stiffness(body, math.sin(th), math.cos(th), 1) < -0.01]
+    angles = [
+        th for th in np.linspace(-3.0, 3.0, 61) if contact.slip_stiffness(body, math.sin(th), math.cos(th), 1, 0.0) < -0.01
+    ]
     assert angles
     for th in angles:
         assert modes.next_mode(body, th, 0.0, 0.0, 1.0) == modes.INDETERMINATE

@@ -142,7 +142,7 @@ def test_a_search_for_roots_ends(monkeypatch):
     """A wave needs more than one interval; with so few its fall is not found, and nothing hangs."""
     series = np.polynomial.chebyshev.chebinterpolate(lambda x: np.cos(4 * x + 1.0), roots.ORDER - 1)
     stack = np.zeros((roots.DEPTH + 3, roots.ORDER + 2))
-    search = roots.first_fall_after
+    search = roots.first_downcrossing_after
     found = search(series, -2.0, 0.0, stack)
     assert math.cos(4 * found + 1.0) == pytest.approx(0.0, abs=1e-7)
     monkeypatch.setattr(roots, "MOST_INTERVALS", 1)
@@ -304,7 +304,7 @@ def solving(monkeypatch, change):
 
 def choose(state, body):
     scratch = new_scratch()
-    state = panel_choice.anchored(body, 0, state, *sines_of(state), scratch)
+    state = panel_choice.set_anchor(body, 0, state, *sines_of(state), scratch)
     return panel_choice.choose_panel(body, 0, state, *sines_of(state), panel_choice.START_LEVEL, scratch), scratch
 
 

@@ -82,7 +82,7 @@ def turned(mode, th, vt=0.0, stop=0, **plane):
     state = state_of(th, 0.0, vt)._replace(t=3.0)
     limits = limits_of(state, 8.0, math.nan, stop)
     phase = phase_at(mode, state)
-    after = contact_phase.turned_step(body_of(**plane), phase, state, 7, limits, log, scratch)
+    after = contact_phase.turning_point_step(body_of(**plane), phase, state, 7, limits, log, scratch)
     return after, events_of(log)
 
 

@@ -18,7 +18,8 @@ from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
 from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR
 from hophoop.kernel.physics.body import Event, Status
-from hophoop.kernel.physics.resistance import forces_rolling
+from hophoop.kernel.physics.contact import rolling_forces
+from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.rigid import contact_phase
@@ -47,7 +48,7 @@ def test_an_angle_counted_in_the_next_turn_is_the_same(th, anchor, mu):
     """θ to 30 digits, from a valley or a hilltop of slip just as far; of the next hilltop of rolling D θ̇² + 2 V is another."""
     body = body_of(slope=0.3, mu=mu)
     before = state_of(0.0, 1.0)._replace(turns=5.0, th=th, th_low=3e-17, anchor=anchor)
-    after = contact_phase.counted(body, before)
+    after = contact_phase.normalize_turns(body, before)
     way = math.copysign(1.0, th)
     with mp.workdps(40):
         assert after.turns == 5.0 + way
@@ -74,7 +75,7 @@ def test_on_a_hilltop_only_what_is_there_exactly_stays(way, base, largest):
     for kind in (ROLLING, SLIPPING):
         for psi, still in ((0.0, True), (0.5 * largest, True), (2.0 * largest, False), (1e-20, False)):
             state = state_of(base, anchor=Anchor(kind, 0.0, base, 0.0, 0.5))._replace(th_low=way * psi)
-            assert contact_phase.is_still(body, 0, state) is still
+            assert contact_phase.is_equilibrium(body, 0, state) is still
 
 
 @pytest.mark.parametrize("th", [math.pi, -math.pi, 0.5 * math.pi, 0.0])
@@ -83,7 +84,7 @@ def test_elsewhere_what_has_no_torque_stays(th):
     valley = abs(th) == math.pi
     for anchor in (Anchor(FREE, 0.0, 0.0, 0.0, 0.0), Anchor(ROLLING, 0.0, th, 0.0, -0.5)):
         for psi in (0.0, 1e-16, 1e-14):
-            still = contact_phase.is_still(body_of(), 0, state_of(th + psi, anchor=anchor))
+            still = contact_phase.is_equilibrium(body_of(), 0, state_of(th + psi, anchor=anchor))
             assert still is ((valley and psi < 1e-15) or (th == 0.0 and psi < 1e-15))
 
 
@@ -108,10 +109,10 @@ def test_the_excess_of_slip_grows_by_the_panels_factor_at_its_end_only(kind):
     body = body_of()
     anchor = Anchor(SLIPPING, 0.5, 0.25, 1e-18, 0.75)
     given = Given(kind=kind, growth=4.0)
-    at_end = contact_phase.carried(body, given, given, 1.0, state_of(0.5, anchor=anchor))
+    at_end = contact_phase.propagate_anchor(body, given, given, 1.0, state_of(0.5, anchor=anchor))
     factor = 4.0 if kind == LINEAR else 0.25  # solved from the turning point back
     assert at_end.anchor == anchor._replace(excess=0.5 * factor)
-    inside = contact_phase.carried(body, given, given, math.nextafter(1.0, 0.0), state_of(0.5, anchor=anchor))
+    inside = contact_phase.propagate_anchor(body, given, given, math.nextafter(1.0, 0.0), state_of(0.5, anchor=anchor))
     assert inside.anchor.kind == FREE
 
 
@@ -121,7 +122,7 @@ def test_without_friction_the_excess_goes_as_one_over_the_inertia(xi):
     body = body_of(mu=0.0)
     anchor = Anchor(SLIPPING, 0.5, 0.0, 0.0, 0.75)
     given = Given(sine=math.sin(0.25))
-    after = contact_phase.carried(body, given, given, xi, state_of(1.0, anchor=anchor))
+    after = contact_phase.propagate_anchor(body, given, given, xi, state_of(1.0, anchor=anchor))
     inertia = [body.kap + (body.eps * math.sin(angle)) ** 2 for angle in (0.25, 1.0)]
     assert after.anchor.excess == pytest.approx(0.5 * inertia[0] / inertia[1], rel=1e-15)
 
@@ -142,7 +143,8 @@ def test_where_the_rotation_turns_round_the_couple_does_too_and_the_grip_may_go(
     body = motion.scenario.to_body()
     shares = []
     for omega in (1e-9 * side, -1e-9 * side):
-        friction, normal = forces_rolling(body, math.sin(turn.angle), math.cos(turn.angle), omega)
+        s, c = math.sin(turn.angle), math.cos(turn.angle)
+        friction, normal = rolling_forces(body, s, c, omega * omega, resistance_arm(body, s, c, omega, 0))
         shares.append(abs(friction) / normal)
     assert shares[0] < body.mu_s < shares[1]
 
@@ -168,7 +170,8 @@ def test_rolling_lasts_until_it_needs_all_friction(f, side):
         motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(rolling_resistance=f), hh.Start.rolling(3.1 * side), duration=1.0)
     slip, body = motion.find("slip_start")[0], motion.scenario.to_body()
     om = slip.omega * motion.units.time
-    friction, normal = forces_rolling(body, math.sin(slip.angle), math.cos(slip.angle), om)
+    s, c = math.sin(slip.angle), math.cos(slip.angle)
+    friction, normal = rolling_forces(body, s, c, om * om, resistance_arm(body, s, c, om, 0))
     assert abs(friction) == pytest.approx(body.mu_s * normal, rel=1e-11)
     assert normal > 0.0
 
@@ -186,7 +189,7 @@ def test_a_small_square_of_the_speed_has_its_digits_beside_a_turning_point(kind,
 
     weights = np.empty(ORDER)
     lagrange(xi, weights)
-    found = contact_phase.u_between(Given(kind=kind), xi, weights, square(NODES))
+    found = contact_phase.square_rate_inside(Given(kind=kind), xi, weights, square(NODES))
     assert found == pytest.approx(square(xi), rel=1e-13, abs=0.0)
 
 

@@ -40,7 +40,7 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     phase = sliding(sigma)
     state = phase.state._replace(t=0.0, t_low=0.0) if at_stop == 1.0 else phase.state
     t_end = state.t + at_stop * until
-    what, after = contact_phase.hold(body, phase.mode, state, t_end, log)
+    what, after = contact_phase.slide_without_rotation(body, phase.mode, state, t_end, log)
     stops = at_stop >= 1.0
     tau = until if stops else 0.5 * until
     slid = 1.5 * sigma * tau + 0.5 * rate * tau * tau
@@ -134,23 +134,23 @@ def test_a_load_close_to_the_plane_rests_in_its_valley_to_the_rounding_of_the_an
         return
     for turn in (0.0, -2.0 * math.pi):
         for th in (math.nextafter(valley + turn, -9.0), valley + turn, math.nextafter(valley + turn, 9.0)):
-            assert contact_phase.is_still(body, 0, state_of(0.0)._replace(th=th))
-        assert not contact_phase.is_still(body, 0, state_of(0.0)._replace(th=valley + turn + 1e-12))
+            assert contact_phase.is_equilibrium(body, 0, state_of(0.0)._replace(th=th))
+        assert not contact_phase.is_equilibrium(body, 0, state_of(0.0)._replace(th=valley + turn + 1e-12))
 
 
 @pytest.mark.parametrize("slope", [0.05 * k for k in range(-8, 9)])
 def test_a_ring_that_rolling_resistance_holds_on_a_slope_stays(slope):
     ring = hh.Scenario(hoop=hh.Hoop(eccentricity=0.0, inertia_ratio=0.7), plane=hh.Plane(slope=slope, rolling_resistance=0.5))
     for th in (0.0, 1.0, -4.0):
-        assert contact_phase.is_still(ring.to_body(), 0, state_of(th))
+        assert contact_phase.is_equilibrium(ring.to_body(), 0, state_of(th))
 
 
 def test_without_gravity_what_does_not_turn_stays():
-    assert contact_phase.is_still(body_of(gravity=0.0), 0, state_of(1.0))
+    assert contact_phase.is_equilibrium(body_of(gravity=0.0), 0, state_of(1.0))
 
 
 def test_the_massless_hoop_stays_where_it_slips_or_has_its_load_on_the_plane():
-    stays, massless = contact_phase.stays, body_of(1.0)
+    stays, massless = contact_phase.remains_at_rest, body_of(1.0)
     for sigma in (1, -1):
         assert stays(massless, sigma, state_of(1.0))
         assert not stays(body_of(), sigma, state_of(1.0))

@@ -16,7 +16,7 @@ from hophoop.kernel.panels.panel import A, B
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
-from hophoop.kernel.rigid.panel_events import fall_of
+from hophoop.kernel.rigid.panel_events import margin_downcrossing
 from newton_euler import accelerations
 
 SCRATCH = new_scratch()
@@ -153,7 +153,7 @@ def test_what_falls_all_the_way_has_no_smallest_value_inside():
 @pytest.mark.parametrize("place", np.linspace(-0.99, 0.99, 23))
 def test_the_nodes_show_where_to_look_for_a_graze(place):
     """A parabola that touches zero between them is nearly zero at one, beside its range."""
-    assert fall_of((NODES - place) ** 2 + 1e-12, False, 0.0, SCRATCH) == (NOT_FOUND, True)
+    assert margin_downcrossing((NODES - place) ** 2 + 1e-12, False, 0.0, SCRATCH) == (NOT_FOUND, True)
 
 
 class Sides(NamedTuple):

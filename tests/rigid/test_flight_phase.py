@@ -19,7 +19,7 @@ from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import flight_phase
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, limits_of
-from hophoop.kernel.rigid.phase import entered
+from hophoop.kernel.rigid.phase import begin_phase
 
 
 def body_of(gamma=0.75, **plane):
@@ -150,7 +150,7 @@ def test_at_the_angle_at_which_the_rim_approaches_the_centre_of_gravity_stays(an
     body = body_of()
     rises = 64.0 * math.copysign(1.0, angle)
     state = state_of(angle, vt=3.0, vn=-5.0 + body.eps * rises * math.sin(angle), om=rises)._replace(th_low=1e-17)
-    after = flight_phase.approaching(body, state)
+    after = flight_phase.mirror_to_approach(body, state)
     assert state.vn > 0.0 > after.vn
     assert (after.t, after.y, after.om, after.turns) == (state.t, state.y, state.om, state.turns)
     assert (after.th, after.th_low) == (-angle, -1e-17)
@@ -164,7 +164,7 @@ def test_at_the_angle_at_which_the_rim_approaches_the_centre_of_gravity_stays(an
 def step(state, stop, restitution=0.0):
     body = body_of(restitution=restitution)
     log, scratch = tables()
-    phase = entered(body, int(Mode.FLIGHT), state, 0.125, Ending.LANDING, scratch)
+    phase = begin_phase(body, int(Mode.FLIGHT), state, 0.125, Ending.LANDING, scratch)
     after = flight_phase.flight_step(body, phase, limits(state, 9.0, stop=stop), log, scratch)
     return after, log.events["kind"][: scratch.counts[EVENTS]].tolist()
 

@@ -20,7 +20,7 @@ from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import massless_phase
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.phase import GOING, entered
+from hophoop.kernel.rigid.phase import GOING, begin_phase
 
 
 def body_of(mu=0.5, restitution=0.0, gravity=9.81):
@@ -40,7 +40,7 @@ def tables():
 def let_go(body, state):
     """(mode, state, events)."""
     log, scratch = tables()
-    mode, after = massless_phase.let_go(body, state, log)
+    mode, after = massless_phase.begin_skim(body, state, log)
     return mode, after, log.events[: scratch.counts[EVENTS]]
 
 
@@ -159,7 +159,7 @@ def test_without_gravity_a_load_at_rest_never_strikes():
 
 def step(body, state, t_end=99.0):
     log, scratch = tables()
-    phase = entered(body, int(Mode.SKIM), state, 0.125, Ending.LOAD_STRIKE, scratch)
+    phase = begin_phase(body, int(Mode.SKIM), state, 0.125, Ending.LOAD_STRIKE, scratch)
     given = limits_of(state, t_end, math.nan, 0)
     after = massless_phase.skim_step(body, phase, given, log, scratch)
     return phase, after, log.events[: scratch.counts[EVENTS]], log.segments[: scratch.counts[SEGMENTS]]

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 import hophoop as hh
 from contact_tools import sines_of
 from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING
-from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, Begin, leaving_panel, linear_panel
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, leaving_panel, linear_panel
 from hophoop.kernel.records.layout import PANELS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
@@ -36,11 +36,11 @@ def state_of(th, om, vt=0.0):
 
 
 def begin_of(body, sigma, state, scratch=None):
-    return panel_choice.begin_of(body, sigma, state, *sines_of(state), scratch or new_scratch())
+    return panel_choice.panel_start(body, sigma, state, *sines_of(state), scratch or new_scratch())
 
 
 def anchored(body, sigma, state):
-    return panel_choice.anchored(body, sigma, state, *sines_of(state), new_scratch())
+    return panel_choice.set_anchor(body, sigma, state, *sines_of(state), new_scratch())
 
 
 # where a panel begins
@@ -123,7 +123,7 @@ def test_slip_beside_its_hilltop_has_all_digits_of_its_torque(sigma, psi):
 
 def test_how_much_narrower_the_next_panel_is():
     """By √2 a level, which gains 2⁸; never by more than four levels at once, and by three where nothing is known."""
-    narrower = panel_choice.narrower
+    narrower = panel_choice.narrower_level
     for size, more in ((1.0, 3), (math.inf, 3), (math.nan, 3), (0.99, 4), (2.0**25, 3), (2.0**-9, 4)):
         assert narrower(7, size) == 7 + more
     for power, more in ((0.5, 1), (7.5, 1), (8.5, 2), (15.5, 2), (16.5, 3), (23.5, 3), (24.5, 4), (36.5, 4)):
@@ -133,7 +133,7 @@ def test_how_much_narrower_the_next_panel_is():
 def test_how_much_narrower_slip_is_that_begins_beside_p_sigma_of_zero():
     """By as much as κ p_σ, or that times θ̇², is below 10⁻¹²; only where p_σ grows."""
     body = body_of(mu=0.5)
-    begin = Begin(0.0, 0.0, -0.6, 0.8, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
+    begin = PanelStart(0.0, 0.0, -0.6, 0.8, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
 
     def levels(way=1.0, sigma=1, **values):
         return panel_choice.levels_away(body, sigma, way, begin._replace(**values))
@@ -407,7 +407,7 @@ def test_a_panel_outlasts_the_motion():
     _, totals = linear(body_of(), 0, state_of(2.0, 1.0), 2, new_scratch())
 
     def outlasts(time, left):
-        return panel_choice.outlasts(totals._replace(time=time), left)
+        return panel_choice.exceeds_time_left(totals._replace(time=time), left)
 
     assert outlasts(64.1, 1.0)
     assert outlasts(64.1, 1e-9)
@@ -417,7 +417,7 @@ def test_a_panel_outlasts_the_motion():
 
 
 def shortened(body, state, panel, totals, left):
-    return panel_choice.shortened(body, panel, totals, state, left, new_scratch())
+    return panel_choice.narrow_to_time(body, panel, totals, state, left, new_scratch())
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])

@@ -26,7 +26,7 @@ SCRATCH = new_scratch()
 
 
 def fall(values, fresh=False, floor=0.0):
-    return panel_events.fall_of(np.array(values), fresh, floor, SCRATCH)
+    return panel_events.margin_downcrossing(np.array(values), fresh, floor, SCRATCH)
 
 
 @pytest.mark.parametrize("zero", [-0.9, -0.2, 0.0, 0.7])
@@ -233,7 +233,7 @@ def rolled(body, th, om, level=2):
     """(panel, totals, scratch) of a solved panel of rolling."""
     scratch = new_scratch()
     state = start_state(0.0, 0.0, th, 0.0, 0.0, om)
-    begin = panel_choice.begin_of(body, 0, state, *sines_of(state), scratch)
+    begin = panel_choice.panel_start(body, 0, state, *sines_of(state), scratch)
     panel = linear_panel(0, level, math.copysign(1.0, om), begin)
     return panel, panel_choice.solve(body, panel, scratch.work), scratch
 

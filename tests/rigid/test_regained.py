@@ -24,7 +24,7 @@ from hophoop.kernel.rigid.phase import Phase
 def test_the_centre_of_gravity_keeps_its_velocity_along_the_plane(om, angle):
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.75)).to_body()
     state = start_state(0.25, 0.0, angle, -0.5, 0.0, om)._replace(th_low=1e-10, vn=0.125)
-    after = contact_phase.regained(body, state, 0.16)
+    after = contact_phase.recover_slip_velocity(body, state, 0.16)
     assert after.om == math.copysign(0.4, om)
     along = [at.vt + at.om * (1.0 + 0.75 * math.cos(angle + 1e-10)) for at in (state, after)]
     assert along[1] == pytest.approx(along[0], abs=1e-14)

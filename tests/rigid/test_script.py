@@ -15,7 +15,7 @@ from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.records.writing import new_log, note
+from hophoop.kernel.records.writing import new_log, write_plain_event
 from hophoop.kernel.rigid import script as scripts
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.kernel.rigid.run import run
@@ -170,7 +170,7 @@ def repeated(body, state, kinds, mode, times):
     script, scratch = np.zeros(len(kinds), EVENT), new_scratch()
     log = new_log(script, np.zeros(0, SEGMENT), scratch)
     for kind in kinds:
-        note(log, kind, 0, mode, state)
+        write_plain_event(log, kind, 0, mode, state)
     script["t"] = times
     log = new_log(np.zeros(20, EVENT), np.zeros(0, SEGMENT), scratch)
     phase = scripts.repeat(body, script, log, scratch)

@@ -17,8 +17,8 @@ from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.records.writing import new_log, quiet
-from hophoop.kernel.rigid.transitions import close_bounces, collide, leave_cone, pass_singular, settle
+from hophoop.kernel.records.writing import event_without_jump, new_log
+from hophoop.kernel.rigid.transitions import collide, end_bounces, leave_cone, resolve_mode, resolve_painleve_singularity
 
 ALL_MODES = (Mode.ROLL, Mode.SPIN, Mode.SKID)
 
@@ -169,7 +169,7 @@ def test_the_end_of_bounces_without_slip_rolls(vt):
 
     thrown, _ = collide(body, 0.0, state, Event.IMPACT, Mode.FLIGHT, 1)
     assert thrown.vn > 0.1
-    after, cause = close_bounces(body, state)
+    after, cause = end_bounces(body, state)
     before, now = momentum_and_energy(state), momentum_and_energy(after)
     assert (after.vt, after.vn) == (0.0, 0.0)
     assert now[0] == pytest.approx(before[0], rel=1e-14)
@@ -182,7 +182,7 @@ def test_the_end_of_bounces_that_lift_hardly_at_all():
     """A throw of 0.1 is one, too."""
     body = body_of(0.75, mu=math.inf, restitution=0.5)
     state = start_state(0.0, 0.0, 1.0, 1e-3, -1e-6, 0.3)
-    after, _ = close_bounces(body, state)
+    after, _ = end_bounces(body, state)
     assert (after.vt, after.vn) == (0.0, 0.0)
 
 
@@ -204,10 +204,10 @@ def test_slip_without_friction_that_has_ended_does_not_go_on(way):
     body = hoop_of(0.5, 0.75, mu=0.0)
     state = start_state(0.0, 0.0, -way * 2.0, 0.0, 0.0, 0.0)
     ahead, back = (Mode.SKID, Mode.SPIN) if way > 0.0 else (Mode.SPIN, Mode.SKID)
-    (mode, _), events, _ = written(settle, body, state, quiet(Event.START, -1, state))
+    (mode, _), events, _ = written(resolve_mode, body, state, event_without_jump(Event.START, -1, state))
     assert (mode, events["kind"].tolist()) == (ahead, [Event.START])
     for before, after in ((ahead, back), (back, ahead)):
-        (mode, _), events, _ = written(settle, body, state, quiet(Event.STICK, before, state))
+        (mode, _), events, _ = written(resolve_mode, body, state, event_without_jump(Event.STICK, before, state))
         assert (mode, events["kind"].tolist(), events["after_mode"].tolist()) == (after, [Event.SLIP_REVERSAL], [after])
 
 
@@ -217,7 +217,7 @@ def test_with_friction_the_rule_decides_after_slip(mu):
     body = hoop_of(0.0, 1.0, mu=mu, slope=1.5)
     state = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     for before in (Mode.SKID, Mode.SPIN):
-        (mode, _), _, _ = written(settle, body, state, quiet(Event.STICK, before, state))
+        (mode, _), _, _ = written(resolve_mode, body, state, event_without_jump(Event.STICK, before, state))
         assert mode == Mode.SKID
 
 
@@ -225,7 +225,7 @@ def test_where_the_model_has_no_answer_the_event_is_of_rolling():
     """μ = ∞ where rolling would have to pull, and free motion would enter the plane."""
     body = hoop_of(0.5, 0.01, mu=math.inf)
     state = start_state(0.0, 0.0, 1.0, 0.0, 0.0, 1.6)
-    (mode, after), events, _ = written(settle, body, state, quiet(Event.START, -1, state))
+    (mode, after), events, _ = written(resolve_mode, body, state, event_without_jump(Event.START, -1, state))
     assert (mode, after) == (UNDECIDED, state)
     assert (events["kind"].tolist(), events["after_mode"].tolist()) == ([Event.START], [Mode.ROLL])
 
@@ -236,7 +236,7 @@ def test_a_paradox_is_of_the_slip_before_it(sigma):
     body = hoop_of(0.75, 0.4375, mu=1.3)
     for speed in (0.5, 1.0):
         state = start_state(0.0, 0.0, -sigma * 0.7, sigma * speed, 0.0, 0.1)
-        _, events, _ = written(settle, body, state, quiet(Event.START, -1, state))
+        _, events, _ = written(resolve_mode, body, state, event_without_jump(Event.START, -1, state))
         slip = Mode.SKID if sigma > 0 else Mode.SPIN
         assert events["kind"].tolist()[:2] == [Event.START, Event.PAINLEVE_INCONSISTENT]
         assert events["after_mode"].tolist()[:2] == [slip, slip]
@@ -263,7 +263,7 @@ def test_slip_that_runs_into_p_sigma_of_zero_stops_or_turns_round(side):
     assert side * turn > 0.0 > side * rate
     for vt, om in ((0.5, -1.0), (9.0, -0.25)):
         state = start_state(0.0, 0.0, th, side * vt, 0.0, side * om)._replace(impact_t=0.5, t=3.0)
-        (jams, after_mode, after), events, _ = written(pass_singular, body, int(mode), state)
+        (jams, after_mode, after), events, _ = written(resolve_painleve_singularity, body, int(mode), state)
         stop, round_trip = -side * vt / rate, -2.0 * side * om / turn
         p_n = min(stop, round_trip)
         assert not jams
@@ -288,7 +288,7 @@ def test_slip_without_speed_beside_p_sigma_of_zero_ends(side):
     mode = Mode.SKID if side > 0 else Mode.SPIN
     for slip in (0.0, -1e-9 * side, -1e-3 * side):
         state = start_state(0.0, 0.0, th, slip, 0.0, side * -1.0)
-        (jams, after_mode, after), events, _ = written(pass_singular, body, int(mode), state)
+        (jams, after_mode, after), events, _ = written(resolve_painleve_singularity, body, int(mode), state)
         assert (jams, after.vt, after.vn, after.om) == (False, 0.0, 0.0, state.om)
         assert after_mode != mode
         assert Event.IMPACT not in events["kind"]
@@ -301,7 +301,7 @@ def test_slip_that_jams_where_the_load_is_thrown_up():
     om = math.sqrt((1.0 - 1e-7) / (0.75 * math.cos(th)))
     for speed in (om, -om):
         state = start_state(0.0, 0.0, th, 9.0, 0.0, speed)
-        (jams, mode, after), events, _ = written(pass_singular, body, int(Mode.SKID), state)
+        (jams, mode, after), events, _ = written(resolve_painleve_singularity, body, int(Mode.SKID), state)
         if jams:
             assert (mode, events["kind"].tolist()) == (Mode.SKID, [Event.JAM])
             assert 0.75 * math.cos(th) * after.om**2 == pytest.approx(1.0, rel=1e-12)
@@ -310,7 +310,7 @@ def test_slip_that_jams_where_the_load_is_thrown_up():
     # elsewhere such an end of the panels is a failure
     for angle, speed in ((th, 0.5 * om), (th + 1e-4, om)):
         state = start_state(0.0, 0.0, angle, 9.0, 0.0, speed)
-        assert written(pass_singular, body, int(Mode.SKID), state)[0] == (False, UNDECIDED, state)
+        assert written(resolve_painleve_singularity, body, int(Mode.SKID), state)[0] == (False, UNDECIDED, state)
 
 
 @pytest.mark.parametrize("slip", [True, False])

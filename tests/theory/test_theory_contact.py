@@ -154,7 +154,7 @@ def test_jam_states_have_neither_p_nor_f(hoop, mu, slope):
     for state in states:
         s, c = math.sin(state.angle), math.cos(state.angle)
         u = (state.omega * unit) ** 2
-        assert slip_stiffness(body, s, c, 1 if state.mode == "K" else -1) == pytest.approx(0.0, abs=1e-12 * (1 + mu))
+        assert slip_stiffness(body, s, c, 1 if state.mode == "K" else -1, 0.0) == pytest.approx(0.0, abs=1e-12 * (1 + mu))
         assert free_acceleration(body, s, c, u)[1] == pytest.approx(0.0, abs=1e-13 * (1 + u))
 
 

@@ -83,7 +83,7 @@ def slow_end(hoop: Hoop, plane: Plane) -> SlowEnd:
     sine, cosine = math.sin(angle), math.cos(angle)
     body = to_body(hoop, plane)
     # det W over p_σ: what slip gains in v̇_t for each newton that is missing
-    gain = inertia_at_height(body, load_height(sine, cosine)) / slip_stiffness(body, sine, cosine, sigma) / hoop.mass
+    gain = inertia_at_height(body, load_height(sine, cosine)) / slip_stiffness(body, sine, cosine, sigma, 0.0) / hoop.mass
     loss = 9.0 * mu * normal * gain * slope**2 / (bend * omega**2)
     period = float(theory.rolling_period(hoop, critical, plane))
     return SlowEnd(period / loss, period, loss, angle)

@@ -48,10 +48,10 @@ from hophoop.kernel.numerics.circular import sine
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, SKIMMING
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.physics.contact import free_acceleration, rolling_forces
 from hophoop.kernel.physics.impact import impact
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.physics.resistance import forces_rolling
+from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.state import with_velocities
 from hophoop.kernel.records.writing import state_of
 
@@ -106,7 +106,7 @@ def begin_changes(body, row, changes, z, reasons):
 def end_rolling(body, row, before, rates, changes, z, reasons):
     """Rolling that ends at the friction cone, or at N = 0."""
     s, c = sine_cosine(before.th, before.th_low)
-    friction = forces_rolling(body, s, c, before.om)[0]
+    friction = rolling_forces(body, s, c, before.om * before.om, resistance_arm(body, s, c, before.om, 0))[0]
     meet_cone(body, before, rates, 1.0 if friction > 0.0 else -1.0, changes, z, reasons)
     if row["kind"] == SKIM_START:
         for k in range(z.shape[1]):

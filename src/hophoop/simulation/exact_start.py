@@ -37,7 +37,7 @@ NO_SCRIPT = np.empty(0, EVENT)
 _LAST = (Event.REST, Event.JAM, Event.END)
 
 
-def latest(scenario: Scenario) -> float:
+def exact_horizon(scenario: Scenario) -> float:
     """Until when the doubts of a motion are decided in more digits.
 
     Parameters
@@ -52,10 +52,10 @@ def latest(scenario: Scenario) -> float:
     light = scenario.hoop.inertia_ratio
     if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
         return -1.0
-    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(speed_of(scenario), FAST))
+    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(initial_speed(scenario), FAST))
 
 
-def speed_of(scenario: Scenario) -> float:
+def initial_speed(scenario: Scenario) -> float:
     """How fast a motion begins.
 
     Parameters
@@ -109,7 +109,7 @@ class Budget:
     reached: float = 0.0
 
 
-def pause(times: list[float], least: float) -> float | None:
+def first_quiet_gap(times: list[float], least: float) -> float | None:
     """Where events that come one after another leave a time between two of them.
 
     Parameters
@@ -151,7 +151,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
     from hophoop.precise import solve
     from hophoop.precise.series import TooManySteps
 
-    clear = min(CLEAR, MOST_TURNED / max(speed_of(scenario), 1.0))
+    clear = min(CLEAR, MOST_TURNED / max(initial_speed(scenario), 1.0))
     until = end + clear
     last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     whole = steps_allowed(scenario)
@@ -177,7 +177,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         before = [float(record.state.t) for record in records if record.kind != Event.END]
         if not before or until >= last or until - before[-1] >= 0.5 * clear or until == between:
             break
-        between = pause([t for t in before if t >= end], BETWEEN * clear)
+        between = first_quiet_gap([t for t in before if t >= end], BETWEEN * clear)
         until = before[-1] + clear if between is None else between
     if solution.status != Status.COMPLETED:
         # what ends the motion is for the kernel to say: it goes on from the last event before
@@ -242,7 +242,7 @@ class Decisions:
         script : ndarray of records.EVENT or None
             None where nothing is to be decided, or cannot be.
         """
-        last = latest(self._scenario)
+        last = exact_horizon(self._scenario)
         if self._taken == MOST or not until <= last:
             return None
         if self._budget is None:

@@ -10,19 +10,9 @@ from hophoop.derivatives.pieces.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.pieces.panels import momentum_change
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.trigonometry import sine_cosine
-from hophoop.kernel.physics.contact import (
-    free_acceleration,
-    slip_torque_arm,
-)
+from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness, slip_torque_arm
 from hophoop.kernel.physics.painleve import stiffness_slope
-from hophoop.kernel.physics.resistance import (
-    forces_rolling,
-    motion_slipping,
-    resistance_arm,
-    resisted_forces,
-    stiffness_slipping,
-    torque_at_rest,
-)
+from hophoop.kernel.physics.resistance import resistance_arm, torque_at_rest
 
 GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BORDER), -1
 FLAT = 1e-9  # beside its natural size: a smaller rate is that of a quantity that only touches zero
@@ -164,11 +154,11 @@ def is_on_border(body, state):
         sigma = 1 if state.vt > 0.0 else -1
         if at_rest and abs(abs(slip_torque_arm(body, s, c, sigma)) - body.resist) <= FLAT:
             return True
-        stiffness = stiffness_slipping(body, s, c, state.om, sigma)
+        stiffness = slip_stiffness(body, s, c, sigma, resistance_arm(body, s, c, state.om, sigma))
         return opening <= scale or abs(stiffness) <= FLAT
     if at_rest and abs(abs(torque_at_rest(body, s, c)) - body.resist * body.gn) <= scale:
         return True
-    friction, normal = forces_rolling(body, s, c, state.om)
+    friction, normal = rolling_forces(body, s, c, state.om * state.om, resistance_arm(body, s, c, state.om, 0))
     if math.isinf(body.mu_s):
         return abs(normal) <= scale
     margin = body.mu_s * normal - abs(friction)
@@ -197,10 +187,11 @@ def lose_slip(body, state, mode_sigma, changes, z, reasons):
         if state.om == 0.0 and body.resist > 0.0 and z[OM, k] != 0.0:  # which of both ends first is not gone into
             fail(z, reasons, k, BORDER)
             continue
-        normal = motion_slipping(body, s, c, state.om, sigma)[1]
+        rho = resistance_arm(body, s, c, state.om, sigma)
+        normal = slip_motion(body, s, c, state.om * state.om, sigma, rho)[1]
         rates = resisted_motion(body, sigma, state, 0.0)
         braking = rates[1]
-        if not (normal > 0.0 and sigma * braking < 0.0 and stiffness_slipping(body, s, c, state.om, sigma) > 0.0):
+        if not (normal > 0.0 and sigma * braking < 0.0 and slip_stiffness(body, s, c, sigma, rho) > 0.0):
             fail(z, reasons, k, BORDER)
             continue
         step_along(z, k, -given / braking, state, rates)
@@ -219,7 +210,7 @@ def part_at_rest(body, sigma, state, z, reasons):
     way = math.copysign(1.0, turning)
     rho = -way * body.resist
     if sigma == 0:
-        friction, normal = resisted_forces(body, s, c, 0.0, rho)
+        friction, normal = rolling_forces(body, s, c, 0.0, rho)
         keeps_mode = normal > 0.0 and (math.isinf(body.mu_s) or abs(friction) < body.mu_s * normal)
     else:
         keeps_mode = body.kap + body.eps * s * (slip_torque_arm(body, s, c, sigma) - rho) > 0.0

@@ -57,8 +57,8 @@ def loses_slip(body, s, c, om):
     if math.isinf(body.mu_k):
         return True
     for sigma in (-1, 1):
-        _, normal, along = slip_motion(body, s, c, om * om, sigma)
-        if not (normal > 0.0 and sigma * along < 0.0 and slip_stiffness(body, s, c, sigma) > 0.0):
+        _, normal, along = slip_motion(body, s, c, om * om, sigma, 0.0)
+        if not (normal > 0.0 and sigma * along < 0.0 and slip_stiffness(body, s, c, sigma, 0.0) > 0.0):
             return False
     return True
 
@@ -106,14 +106,14 @@ def let_fall(body, sigma, state, z, k):
     if sigma == 0:
         if body.rest > 0.0 or impact(body, 0.0, s, c, -along / away, -1.0)[0] != 0.0:
             return False
-        turning = rolling_acceleration(body, s, c, om * om)
+        turning = rolling_acceleration(body, s, c, om * om, 0.0)
         inertia = inertia_at_height(body, load_height(s, c))
         z[TH, k] += turning / away * height
         z[X, k] += (turning - along) / away * height
         z[OM, k] -= om * eps * (c * body.gn - s * body.gt - eps * om * om) / (inertia * away) * height
     else:
         q = slip_torque_arm(body, s, c, sigma)
-        stiffness = slip_stiffness(body, s, c, sigma)
+        stiffness = slip_stiffness(body, s, c, sigma, 0.0)
         if not stiffness > 0.0:
             return False
         signed_mu = sigma * body.mu_k

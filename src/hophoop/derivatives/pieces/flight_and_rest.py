@@ -16,12 +16,13 @@ from hophoop.kernel.physics.contact import (
     inertia_at_height,
     load_height,
     rolling_acceleration,
+    rolling_forces,
     slip_motion,
     slip_stiffness,
 )
 from hophoop.kernel.physics.flight import flight_gap
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.physics.resistance import resistance_arm, resisted_acceleration, resisted_forces, resisted_slip
+from hophoop.kernel.physics.resistance import resistance_arm
 
 ROLL, FLIGHT = int(Mode.ROLL), int(Mode.FLIGHT)
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
@@ -34,8 +35,8 @@ def motion_against(body, sigma, state, rho):
     s, c = sine_cosine(state.th, state.th_low)
     u = state.om * state.om
     if sigma == 0:
-        return resisted_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * resisted_forces(body, s, c, u, rho)[1]
-    turning, normal, along = resisted_slip(body, s, c, u, sigma, rho)
+        return rolling_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * rolling_forces(body, s, c, u, rho)[1]
+    turning, normal, along = slip_motion(body, s, c, u, sigma, rho)
     return turning, along, 0.0, rho * state.om * normal
 
 
@@ -57,13 +58,13 @@ def accelerations(body, mode, state, way):
     s, c = sine_cosine(state.th, state.th_low)
     u = state.om * state.om
     if mode == ROLL:
-        return rolling_acceleration(body, s, c, u), 0.0, 0.0, 0.0
+        return rolling_acceleration(body, s, c, u, 0.0), 0.0, 0.0, 0.0
     if mode == FLIGHT:
         along, away = free_acceleration(body, s, c, u)
         return 0.0, along, away, 0.0
     if body.kap == 0.0:  # the massless hoop that slides with its load on the plane
         return 0.0, body.gt - slip_direction(mode) * body.mu_k * body.gn, 0.0, 0.0
-    turning, _, along = slip_motion(body, s, c, u, slip_direction(mode))
+    turning, _, along = slip_motion(body, s, c, u, slip_direction(mode), 0.0)
     return turning, along, 0.0, 0.0
 
 
@@ -186,7 +187,7 @@ def follow_hold(body, sigma, begin, end, tau, changes, z):
             drive = (body.gn * s + body.gt * c) * deps + body.eps * s * changes[GN, k]
             drive = (drive + (1.0 + body.eps * c) * changes[GT, k]) / inertia
         else:
-            load = body.gn / slip_stiffness(body, s, c, sigma)
+            load = body.gn / slip_stiffness(body, s, c, sigma, 0.0)
             stiffness = body.eps * (c - signed_mu * s) * load
             drive = load * ((s + signed_mu * c) * deps + sigma * (1.0 + body.eps * c) * changes[MU_K, k])
         z[TH, k], z[OM, k] = disturbed(stiffness, drive, dth0, dom0, tau)

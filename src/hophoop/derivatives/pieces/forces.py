@@ -6,7 +6,7 @@ import math
 
 from hophoop.derivatives.layout import EPS, GN, GT, KAP, OM, RESIST, TH
 from hophoop.kernel.native import apart
-from hophoop.kernel.physics.resistance import resisted_acceleration, resisted_forces, resisted_inertia
+from hophoop.kernel.physics.contact import resisted_inertia, rolling_acceleration, rolling_forces
 
 
 @apart
@@ -19,9 +19,9 @@ def rolling_slopes(body, s, c, om, rho):
     eps = body.eps
     u = om * om
     arm = 1.0 + eps * c
-    alpha = resisted_acceleration(body, s, c, u, rho)
+    alpha = rolling_acceleration(body, s, c, u, rho)
     inertia = resisted_inertia(body, s, c, rho)
-    friction, normal = resisted_forces(body, s, c, u, rho)
+    friction, normal = rolling_forces(body, s, c, u, rho)
     a_th = eps * (c * (u + body.gn) - s * (body.gt + rho * u) + alpha * (2.0 * s + rho * c)) / inertia
     a_u = eps * (s + rho * c) / inertia
     a_eps = (s * (u + body.gn) + c * (body.gt + rho * u) - alpha * (2.0 * (eps + c) - rho * s)) / inertia

@@ -47,8 +47,8 @@ from hophoop.kernel.panels.panel import (
     B,
     U,
     angle_at,
-    chord,
     fill_geometry,
+    sine_versine_of_offset,
 )
 from hophoop.kernel.panels.slip import away_from_reference
 from hophoop.kernel.physics.contact import inertia_at_height, load_height
@@ -90,7 +90,7 @@ def roll_rates(body, panel, work, local):
 @apart
 def refine_rates(body, panel, xi, u, row):
     """What rolling has in closed form at ξ, in place of what is interpolated."""
-    sine, versine = chord(panel, xi)
+    sine, versine = sine_versine_of_offset(panel, xi)
     rates = roll_rates_at(body, panel, sine, versine, angle_at(panel, xi), u)
     slope, growth, shift, row[BY_EPS], row[BY_KAP], row[BY_GN], row[BY_GT] = rates
     if panel.kind == ARRIVE:

@@ -15,7 +15,7 @@ from hophoop.kernel.panels.panel import COSINE, SINE, U, fill_inside
 from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.writing import panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import state_on_panel
-from hophoop.kernel.rigid.panel_choice import solve_aside
+from hophoop.kernel.rigid.panel_choice import solve_noinline
 
 HALVINGS = 60
 
@@ -35,7 +35,7 @@ def needs_on_panel(body, segments, index, scratch, places, needs, slopes):
     """Fill in the friction needed at the ends and the nodes of a rolling piece, with its slopes; returns how many."""
     row = segments[index]
     panel = panel_of(row)
-    totals = solve_aside(body, panel, scratch.work)
+    totals = solve_noinline(body, panel, scratch.work)
     fill_inside(panel, scratch.work)
     begin = state_of(row)
     rho = row["way"] * body.resist
@@ -60,7 +60,7 @@ def peak_on_panel(body, segments, index, low, high, scratch):
     """(abs(F)/N, time) of the peak between two places of a rolling piece."""
     row = segments[index]
     panel = panel_of(row)
-    totals = solve_aside(body, panel, scratch.work)
+    totals = solve_noinline(body, panel, scratch.work)
     fill_inside(panel, scratch.work)
     begin = state_of(row)
     rho = row["way"] * body.resist

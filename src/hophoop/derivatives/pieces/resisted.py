@@ -37,8 +37,7 @@ from hophoop.kernel.panels.panel import (
     fill_geometry,
 )
 from hophoop.kernel.panels.slip import from_reference
-from hophoop.kernel.physics.contact import inertia_at_height, load_height
-from hophoop.kernel.physics.resistance import resisted_inertia
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, resisted_inertia
 
 
 def resists(body, changes):

@@ -8,7 +8,17 @@ import numpy as np
 
 from hophoop.kernel.compliant.events import FRICTION_CHANGE, GUARDS, NONE, first_exit, guard, remaining, sign_change
 from hophoop.kernel.compliant.motion import rates
-from hophoop.kernel.compliant.phase import FLIGHT, Phase, begun, ended, keep, mode_of, note, tried, within_turn
+from hophoop.kernel.compliant.phase import (
+    FLIGHT,
+    Phase,
+    append_segment,
+    begin_phase,
+    end_motion,
+    mode_of,
+    with_step,
+    within_turn,
+    write_plain_event,
+)
 from hophoop.kernel.compliant.records import DYNAMIC, HOLD, OM, SIZE, STEP, TH, VN, VT, Y, Z
 from hophoop.kernel.compliant.step import FAILED, attempt, make_poly, poly_value, predict
 from hophoop.kernel.compliant.tableau import STAGES
@@ -72,7 +82,7 @@ def at_rest(body, comp, regime, u, work):
     return stable or speed < 1e-15, stable
 
 
-def arm(comp, regime, armed, work):
+def arm_guards(comp, regime, armed, work):
     """Which guards can fall from here."""
     u = work.state
     for which in range(GUARDS):
@@ -82,11 +92,11 @@ def arm(comp, regime, armed, work):
 
 def come_to_rest(phase, t_end, stable, log, rows, work):
     """(the end at rest, segments)."""
-    note(log, REST, phase.mode, phase.mode, phase.t, phase.turns, work.state)
+    write_plain_event(log, REST, phase.mode, phase.mode, phase.t, phase.turns, work.state)
     if has_room(log):
         log.events[log.counts[EVENTS] - 1]["stable"] = 1 if stable else 0
-    rows = keep(log, rows, phase, t_end, HOLD, 0.0, work)
-    return ended(phase, t_end, AT_REST), rows
+    rows = append_segment(log, rows, phase, t_end, HOLD, 0.0, work)
+    return end_motion(phase, t_end, AT_REST), rows
 
 
 def shorten(body, comp, regime, which, s, length, rtol, work):
@@ -107,7 +117,7 @@ def accept(phase, after, behind, length, log, rows, work):
     """(the phase after a step, segments), with the turning point on the way."""
     u = work.state
     way = phase.way
-    rows = keep(log, rows, phase, after, STEP, length, work)
+    rows = append_segment(log, rows, phase, after, STEP, length, work)
     spin = poly_value(work.poly, OM, 1.0)
     if way * spin < 0.0:
         s = sign_change(work.poly, OM) if work.poly[OM, 0] * spin < 0.0 else 0.0
@@ -115,7 +125,7 @@ def accept(phase, after, behind, length, log, rows, work):
             work.start[m] = poly_value(work.poly, m, s)
         work.start[OM] = 0.0
         when = min(phase.t + s * length, after)  # which may be rounded the other way
-        note(log, TURN, phase.mode, phase.mode, when, phase.turns, work.start)
+        write_plain_event(log, TURN, phase.mode, phase.mode, when, phase.turns, work.start)
     if spin != 0.0:
         way = 1.0 if spin > 0.0 else -1.0
     for m in range(SIZE):
@@ -147,10 +157,10 @@ def change(comp, phase, which, armed, log, work):
     """The phase after a guard has fallen: another regime of the friction, or flight."""
     u = work.state
     if which != FRICTION_CHANGE:
-        note(log, TAKEOFF, phase.mode, FLIGHT, phase.t, phase.turns, u)
+        write_plain_event(log, TAKEOFF, phase.mode, FLIGHT, phase.t, phase.turns, u)
         if comp.k * abs(u[Y]) < 1e-8:
             u[Y] = 0.0
-        return begun(phase, phase.t, FLIGHT, phase.regime)
+        return begin_phase(phase, phase.t, FLIGHT, phase.regime)
     if phase.regime != 0:
         regime = np.int64(0)
         meet_threshold(comp, phase.regime, work)
@@ -159,10 +169,10 @@ def change(comp, phase, which, armed, log, work):
     else:
         regime = AHEAD if u[VT] > 0.0 else -AHEAD
     mode = mode_of(regime)
-    note(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, phase.turns, u)
+    write_plain_event(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, phase.turns, u)
     if comp.friction != TANH:
-        return begun(phase, phase.t, mode, regime)
-    arm(comp, regime, armed, work)  # smooth across its threshold
+        return begin_phase(phase, phase.t, mode, regime)
+    arm_guards(comp, regime, armed, work)  # smooth across its threshold
     return Phase(phase.t, phase.turns, phase.behind, mode, regime, False, phase.h, phase.before, phase.way, phase.status)
 
 
@@ -171,14 +181,14 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     u = work.state
     regime = phase.regime
     if phase.begins:
-        arm(comp, regime, armed, work)
-        phase = tried(phase, first_step(body, comp, regime, u, rtol), 0.0)
+        arm_guards(comp, regime, armed, work)
+        phase = with_step(phase, first_step(body, comp, regime, u, rtol), 0.0)
         rests, stable = at_rest(body, comp, regime, u, work)
         if rests:
             return come_to_rest(phase, t_end, stable, log, rows, work)
     h = phase.h
     if h < SHORTEST:
-        return ended(phase, phase.t, UNDETERMINED), rows
+        return end_motion(phase, phase.t, UNDETERMINED), rows
     left = t_end - phase.t
     last = h >= 0.999 * left
     length = left if last else h
@@ -186,11 +196,11 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     error = attempt(body, comp, regime, work, u, length, rtol)
     if error >= FAILED:
         # Newton's iteration may have been sent astray by its first guess
-        return tried(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0), rows
+        return with_step(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0), rows
     factor = SAFETY * power(max(error, 1e-10), -1.0 / ORDER_OF_ERROR)
     if error > 1.0:
-        return tried(phase, max(factor, SLOWER) * length, phase.before), rows
-    phase = tried(phase, min(factor, FASTER) * length, phase.before)
+        return with_step(phase, max(factor, SLOWER) * length, phase.before), rows
+    phase = with_step(phase, min(factor, FASTER) * length, phase.before)
     make_poly(work, u)
     which, s = first_exit(comp, regime, work.poly, armed)
     if which != NONE and s * length < SHORTEST:
@@ -198,7 +208,7 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     if which != NONE:
         length, done = shorten(body, comp, regime, which, s, length, rtol, work)
         if not done:
-            return tried(phase, length, 0.0), rows
+            return with_step(phase, length, 0.0), rows
         last = False
     after = t_end if last else phase.t + (length + phase.behind)
     behind = phase.behind if length == 0.0 else (length + phase.behind) - (after - phase.t)

@@ -4,14 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop.kernel.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note, turned, within_turn
+from hophoop.kernel.compliant.phase import (
+    FLIGHT,
+    IMPACT,
+    add_turns,
+    append_segment,
+    begin_phase,
+    end_motion,
+    mode_of,
+    within_turn,
+    write_plain_event,
+)
 from hophoop.kernel.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.double_double import turns_and_rest
 from hophoop.kernel.numerics.exponentials import exponential
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force
@@ -76,12 +86,12 @@ def fly_below(body, comp, begin, opening, limit, work):
         what = LASTS
         best = NOT_FOUND
         coefficients(work.values[0], work.series)
-        xi = first_fall(work.series, 0.0, work.stack)
+        xi = first_downcrossing(work.series, 0.0, work.stack)
         if xi != NOT_FOUND:
             best = xi
             what = CLEAR
         coefficients(work.values[1], work.series)
-        xi = first_fall(work.series, 0.0, work.stack)
+        xi = first_downcrossing(work.series, 0.0, work.stack)
         if xi != NOT_FOUND and (best == NOT_FOUND or xi < best):
             best = xi
             what = LANDED
@@ -117,19 +127,19 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
     if 0.0 < apex < tau:
         more = fly_state(body, comp, u, opening, apex, work.start)
         work.start[VN] = 0.0
-        note(log, APEX, FLIGHT, FLIGHT, t + apex, phase.turns + more, work.start)
+        write_plain_event(log, APEX, FLIGHT, FLIGHT, t + apex, phase.turns + more, work.start)
     after = t_end if what == LASTS else t + tau
-    rows = keep(log, rows, phase, after, FLY, opening, work)
-    phase = turned(phase, fly_state(body, comp, u, opening, tau, work.start))
+    rows = append_segment(log, rows, phase, after, FLY, opening, work)
+    phase = add_turns(phase, fly_state(body, comp, u, opening, tau, work.start))
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
     for m in range(SIZE):
         u[m] = work.start[m]
     if what == GIVEN_UP:
-        return ended(phase, after, EVENT_LIMIT), rows
+        return end_motion(phase, after, EVENT_LIMIT), rows
     if what != LANDED:
-        return begun(phase, after, FLIGHT, phase.regime), rows
+        return begin_phase(phase, after, FLIGHT, phase.regime), rows
     regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
     mode = mode_of(regime)
-    note(log, IMPACT, FLIGHT, mode, after, phase.turns, u)
-    return begun(phase, after, mode, regime), rows
+    write_plain_event(log, IMPACT, FLIGHT, mode, after, phase.turns, u)
+    return begin_phase(phase, after, mode, regime), rows

@@ -43,7 +43,7 @@ def rates(body, comp, regime, u, out):
         out[Z] = bristle_rate(comp, regime, normal, u[Z], u[VT])
 
 
-def powers(body, comp, regime, u, out, begin):
+def dissipation(body, comp, regime, u, out, begin):
     """ẋ and the power lost in friction, in the normal damper and to rolling resistance, from out[begin] on."""
     friction, normal = contact_force(comp, regime, u)
     out[begin + X - DYNAMIC] = u[VT] + u[OM]
@@ -57,7 +57,7 @@ def powers(body, comp, regime, u, out, begin):
         out[begin + RESISTED - DYNAMIC] = -resisting_couple(comp, body.resist, normal, u[OM])[0] * u[OM]
 
 
-def stored(body, comp, u):
+def energies(body, comp, u):
     """(energy of motion and in the springs, potential energy as at x = 0)."""
     moving = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
     return moving + spring_energy(comp, u[Y], u[Z]), potential_energy(body, 0.0, u[Y], u[TH])

@@ -17,8 +17,8 @@ from hophoop.kernel.physics.compliant import (
     hunt_crossley_number,
     static_excess,
 )
-from hophoop.kernel.physics.contact import free_acceleration
-from hophoop.kernel.physics.resistance import forces_rolling, motion_slipping, stiffness_slipping
+from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
+from hophoop.kernel.physics.resistance import resistance_arm
 
 SLIP_SPEED, LEAST_SLIP_SPEED = 1e-3, 1e-9  # √(g R)
 RTOL = 1e-9
@@ -96,18 +96,19 @@ def rigid_force(body, start):
     u = start[OM] * start[OM]
     sigma = direction(start[VT])
     if sigma == 0:
-        friction, normal = forces_rolling(body, s, c, start[OM])
+        friction, normal = rolling_forces(body, s, c, u, resistance_arm(body, s, c, start[OM], 0))
         if normal > 0.0 and abs(friction) <= body.mu_s * normal:
             return friction, normal
         sigma = -direction(friction)
     opening = free_acceleration(body, s, c, u)[1]
-    stiffness = stiffness_slipping(body, s, c, start[OM], sigma)
+    rho = resistance_arm(body, s, c, start[OM], sigma)
+    stiffness = slip_stiffness(body, s, c, sigma, rho)
     if opening < 0.0 < stiffness:
-        normal = motion_slipping(body, s, c, start[OM], sigma)[1]
+        normal = slip_motion(body, s, c, u, sigma, rho)[1]
         return -sigma * body.mu_k * normal, normal
     if opening > 0.0 > stiffness and body.strike:
         # Painlevé's indeterminate contact: beyond twice the unstable equilibrium the spring strikes
-        return 0.0, 2.0 * motion_slipping(body, s, c, start[OM], sigma)[1]
+        return 0.0, 2.0 * slip_motion(body, s, c, u, sigma, rho)[1]
     return 0.0, 0.0
 
 

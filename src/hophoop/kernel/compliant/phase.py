@@ -25,14 +25,14 @@ from hophoop.kernel.compliant.records import (
     T,
     X,
     Y,
-    grown,
+    grow_rows,
 )
 from hophoop.kernel.compliant.tableau import STAGES
 from hophoop.kernel.numerics.double_double import turns_and_rest
 from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.records.layout import EVENTS, SEGMENTS
 from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_resisted
-from hophoop.kernel.records.writing import has_room, quiet, write_event
+from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
 
 # As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
 ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
@@ -55,17 +55,17 @@ class Phase(NamedTuple):
     status: int  # GOING, or how the motion ended
 
 
-def begun(phase, t, mode, regime):
+def begin_phase(phase, t, mode, regime):
     """The phase that begins at a time."""
     return Phase(t, phase.turns, phase.behind, mode, regime, True, phase.h, phase.before, phase.way, GOING)
 
 
-def tried(phase, h, before):
+def with_step(phase, h, before):
     """The same phase, to be tried again with another step."""
     return Phase(phase.t, phase.turns, phase.behind, phase.mode, phase.regime, False, h, before, phase.way, GOING)
 
 
-def ended(phase, t, status):
+def end_motion(phase, t, status):
     """The motion ends in this phase."""
     return Phase(t, phase.turns, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.way, status)
 
@@ -78,7 +78,7 @@ def within_turn(turns, th):
     return turns + more, rest + low
 
 
-def turned(phase, turns):
+def add_turns(phase, turns):
     """The same phase, so many turns further."""
     return Phase(
         phase.t, phase.turns + turns, phase.behind, phase.mode, phase.regime, phase.begins,
@@ -100,19 +100,19 @@ def as_state(t, turns, u):
     return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
 
 
-def note(log, kind, before, after, t, turns, u):
+def write_plain_event(log, kind, before, after, t, turns, u):
     """Append an event that changes no velocity."""
     state = as_state(t, turns, u)
-    write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
+    write_event(log, event_without_jump(kind, before, state), after, state, 0.0, -1)
     if kind == IMPACT and has_room(log):
         log.events[log.counts[EVENTS] - 1]["collision"] = 1
 
 
-def keep(log, rows, phase, t_end, kind, length, work):
+def append_segment(log, rows, phase, t_end, kind, length, work):
     """Append a segment; returns the array, which may be a longer copy."""
     pieces = log.counts[SEGMENTS]
     log.counts[SEGMENTS] = pieces + 1
-    rows = grown(rows, pieces)
+    rows = grow_rows(rows, pieces)
     row = rows[pieces]
     row[T] = phase.t
     row[T_END] = t_end

@@ -88,7 +88,7 @@ def new_work():
     )
 
 
-def grown(rows, count):
+def grow_rows(rows, count):
     """`rows`, or a copy twice as long where `count` rows fill it."""
     if count < rows.shape[0]:
         return rows

@@ -9,7 +9,7 @@ import numpy as np
 from hophoop.kernel.compliant.contact_step import contact_step
 from hophoop.kernel.compliant.events import GUARDS
 from hophoop.kernel.compliant.flight import flight_step
-from hophoop.kernel.compliant.phase import FLIGHT, GOING, Phase, ended, mode_of, note, within_turn
+from hophoop.kernel.compliant.phase import FLIGHT, GOING, Phase, end_motion, mode_of, within_turn, write_plain_event
 from hophoop.kernel.compliant.records import (
     DYNAMIC,
     OM,
@@ -56,7 +56,7 @@ def begin(comp, touching, log, work):
         regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
         mode = mode_of(regime)
     turns, u[TH] = within_turn(0.0, u[TH])
-    note(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, turns, u)
+    write_plain_event(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, turns, u)
     return Phase(0.0, turns, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
 
 
@@ -96,13 +96,13 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     while phase.status == GOING and phase.t < t_end and has_room(log):
         count_panel(log)  # also of a step that failed
         if log.counts[PANELS] >= max_steps:
-            phase = ended(phase, phase.t, EVENT_LIMIT)
+            phase = end_motion(phase, phase.t, EVENT_LIMIT)
         elif phase.mode == FLIGHT:
             phase, rows = flight_step(body, comp, phase, t_end, log, rows, work)
         else:
             phase, rows = contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work)
         reached[0] = phase.t / t_end
-    note(log, END, phase.mode, phase.mode, phase.t, phase.turns, work.state)
+    write_plain_event(log, END, phase.mode, phase.mode, phase.t, phase.turns, work.state)
     if log.counts[EVENTS] < 0:
         return EVENT_LIMIT, events.shape[0], rows, log.counts[SEGMENTS]
     return COMPLETED if phase.status == GOING else phase.status, log.counts[EVENTS], rows, log.counts[SEGMENTS]

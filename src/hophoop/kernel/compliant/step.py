@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.compliant.elimination import divided, factor, factor_complex, product, scaled, solve, solve_complex
-from hophoop.kernel.compliant.motion import jacobian, powers, rates, stored
+from hophoop.kernel.compliant.motion import dissipation, energies, jacobian, rates
 from hophoop.kernel.compliant.records import DYNAMIC, MEASURED, OM, SIZE, VN, VT, X
 from hophoop.kernel.compliant.tableau import (
     DEFECT,
@@ -47,7 +47,7 @@ def poly_value(poly, m, s):
     return result
 
 
-def form_of(work):
+def to_eigenbasis(work):
     """The stages in the eigenvectors of A⁻¹."""
     for m in range(DYNAMIC):
         total = 0.0
@@ -63,7 +63,7 @@ def form_of(work):
 
 def newton(body, comp, regime, work, start, h):
     """Solve for the stages; True if the iteration converged."""
-    form_of(work)
+    to_eigenbasis(work)
     before = 0.0
     rate = 0.9
     for iteration in range(ITERATIONS):
@@ -154,9 +154,9 @@ def attempt(body, comp, regime, work, start, h, rtol):
     for i in range(STAGES):
         for m in range(DYNAMIC):
             work.trial[m] = start[m] + work.stages[i, m]
-        powers(body, comp, regime, work.trial, work.powers[i], 0)
+        dissipation(body, comp, regime, work.trial, work.powers[i], 0)
     rates(body, comp, regime, start, work.start_rate)
-    powers(body, comp, regime, start, work.start_rate, DYNAMIC)
+    dissipation(body, comp, regime, start, work.start_rate, DYNAMIC)
     total = 0.0
     for m in range(SIZE - DYNAMIC):
         error = work.start_rate[DYNAMIC + m] / GAMMA
@@ -202,8 +202,8 @@ def ledger_error(body, comp, work, start, rtol):
     for m in range(SIZE - DYNAMIC):
         if m != X - DYNAMIC:
             lost += work.integrals[STAGES - 1, m]
-    before, height = stored(body, comp, start)
-    after, higher = stored(body, comp, end)
+    before, height = energies(body, comp, start)
+    after, higher = energies(body, comp, end)
     gain = (after - before) + (higher - height) + lost - body.gt * work.integrals[STAGES - 1, X - DYNAMIC]
     rounding = (abs(end[VT]) + abs(end[VN]) + abs(end[OM])) * math.sqrt(after)
     return abs(gain) / (LEDGER * rtol * (1.0 + before + after) + ROUNDING * rounding)

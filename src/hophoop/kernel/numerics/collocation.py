@@ -225,7 +225,7 @@ def _tail_by_arrays(values, scale):
 
 @interpreted_as(_tail_by_arrays)
 @inline
-def tail(values, scale):
+def truncation_error(values, scale):
     """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
     a = 0.0
     b = 0.0

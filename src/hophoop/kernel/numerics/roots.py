@@ -74,17 +74,17 @@ def _bracketed(series, f_low, f_middle, f_high):
 
 
 @apart
-def first_fall(series, floor, stack):
+def first_downcrossing(series, floor, stack):
     """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
 
     Roots where it rises, and falls after which it rises again before it comes to −`floor`, are passed over. `stack` is
     scratch of shape (DEPTH + 3, ORDER + 2).
     """
-    return first_fall_after(series, -2.0, floor, stack)
+    return first_downcrossing_after(series, -2.0, floor, stack)
 
 
 @apart
-def first_fall_after(series, begin, floor, stack):
+def first_downcrossing_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`.
 
     Intervals are looked at from left to right. A root at the end that two of them share may be in neither: rounding may

@@ -65,7 +65,7 @@ def offset_from(th, low, base, base_low):
 
 
 @inline
-def fallen(body, bend, psi):
+def potential_drop(body, bend, psi):
     """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
     if body.gt == 0.0:
         return bend * versine_of(psi)
@@ -86,7 +86,7 @@ def rolling_anchor(body, th, low, s, c, u):
     bend = -rest_curvature(body, top, side)
     psi = offset_from(th, low, base, base_low)
     energy = inertia_at_height(body, load_height(s, c)) * u
-    excess = energy - 2.0 * fallen(body, bend, psi)
+    excess = energy - 2.0 * potential_drop(body, bend, psi)
     if excess < -2.0 * bend:
         # nearer to the valley, which lies a turn less two arcs from the hilltop: θ_valley = π − 2β − θ_hilltop
         way = 1.0 if psi > 0.0 else -1.0
@@ -94,7 +94,7 @@ def rolling_anchor(body, th, low, s, c, u):
         valley = add(valley, (-base, -base_low))
         base, base_low = valley
         bend = -bend
-        excess = energy - 2.0 * fallen(body, bend, offset_from(th, low, base, base_low))
+        excess = energy - 2.0 * potential_drop(body, bend, offset_from(th, low, base, base_low))
     return Anchor(ROLLING, excess, base, base_low, bend)
 
 
@@ -115,7 +115,7 @@ def rolling_begin(body, anchor, th, low, s, c, u):
         versine = s * s / (1.0 + height) if height > 0.0 else 1.0 - height
         lower = 2.0 * anchor.bend * versine
     else:
-        lower = 2.0 * fallen(body, anchor.bend, psi)
+        lower = 2.0 * potential_drop(body, anchor.bend, psi)
     energy = anchor.excess + lower
     if energy > CANCELS * (abs(anchor.excess) + abs(lower)):
         u = energy / inertia_at_height(body, load_height(s, c))

@@ -64,7 +64,7 @@ def parabola_fall(value, rate, bend):
 
 
 @inline
-def stepped(value, slope, bend):
+def halley_step(value, slope, bend):
     """How far back a step of third order goes towards the zero of a function."""
     if slope == 0.0:
         return math.inf
@@ -86,7 +86,7 @@ def is_found(moved, before, tau):
 
 
 @inline
-def falling(moment, level, way):
+def target_function(moment, level, way):
     """What is to fall through zero, and its first two derivatives: the gap, or its rate times `way` where `level` is asked."""
     if level:
         return way * moment.rate, way * moment.bend, way * moment.jerk
@@ -102,20 +102,20 @@ def fall_between(body, flight, first, last, level):
     way = -1.0 if level and not first.rate > 0.0 else 1.0
     low = first.tau
     high = last.tau
-    value, slope, bend = falling(first, level, way)
+    value, slope, bend = target_function(first, level, way)
     tau = low + parabola_fall(value, slope, bend)
     if not low < tau < high:
-        drop = value - falling(last, level, way)[0]
+        drop = value - target_function(last, level, way)[0]
         # the times of a flight of 10¹⁶ rad may be the same at both ends
         tau = low + (high - low) * (value / drop) if drop > 0.0 else low
     before = 0.0
     for _ in range(MOST_STEPS):
-        value, slope, bend = falling(moment_of(body, flight, tau), level, way)
+        value, slope, bend = target_function(moment_of(body, flight, tau), level, way)
         if value > 0.0:
             low = tau
         else:
             high = tau
-        better = tau - stepped(value, slope, bend)
+        better = tau - halley_step(value, slope, bend)
         halved = not (low <= better <= high and slope < 0.0)
         if halved:
             better = 0.5 * (low + high)
@@ -138,7 +138,7 @@ def touches(body, flight, lowest):
 
 
 @apart
-def dip(body, flight, first, last):
+def landing_in_convex_arc(body, flight, first, last):
     """When the rim lands in a stretch that bends up, or −1: only where its lowest place is below the plane."""
     if first.rate >= 0.0:
         return -1.0
@@ -155,7 +155,7 @@ def dip(body, flight, first, last):
 
 
 @inline
-def latest(body, flight, rise):
+def landing_time_bound(body, flight, rise):
     """When the parabola of the centre of gravity, which rises at first by `rise`, has left the reach of the cosine for good."""
     reach = 2.0 * body.eps + flight.y
     if body.gn > 0.0:
@@ -222,7 +222,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
     flight = Flight(s, c, om, y, vn, fn)
     rise = vn - body.eps * flight.s * om
     # Stretches depend on this and not on the limit of time, so that a motion has the same bits however long it is followed.
-    never = latest(body, flight, rise)
+    never = landing_time_bound(body, flight, rise)
     turned = abs(om)
     high = body.eps * om * om
     # within this angle of the top the gap bends up
@@ -257,7 +257,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
         end = moment_of(body, flight, min(passed / turned, never) if half > 0.0 else never)
         landing = -1.0
         if bends_up:
-            landing = dip(body, flight, begin, end)
+            landing = landing_in_convex_arc(body, flight, begin, end)
         else:
             top = begin
             if begin.rate > 0.0 and end.rate < 0.0:

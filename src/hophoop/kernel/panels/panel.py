@@ -151,7 +151,7 @@ def place_of(panel, offset):
     return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
 
 
-class Begin(NamedTuple):
+class PanelStart(NamedTuple):
     """Where a panel begins: what its functions are changes from."""
 
     th: float
@@ -208,7 +208,7 @@ def arriving_panel(body, before, ahead):
 
 
 @inline
-def chord(panel, xi):
+def sine_versine_of_offset(panel, xi):
     """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]

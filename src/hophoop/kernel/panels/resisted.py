@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.collocation import ORDER, exponentials, tail, total
+from hophoop.kernel.numerics.collocation import ORDER, exponentials, total, truncation_error
 from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.trigonometry import rotated
 from hophoop.kernel.panels.panel import (
@@ -23,12 +23,11 @@ from hophoop.kernel.panels.panel import (
     B,
     Totals,
     U,
-    chord,
     fill_geometry,
+    sine_versine_of_offset,
 )
 from hophoop.kernel.panels.slip import from_reference
-from hophoop.kernel.physics.contact import cone_weights
-from hophoop.kernel.physics.resistance import resisted_forces, resisted_inertia
+from hophoop.kernel.physics.contact import resisted_inertia, rolling_forces
 
 
 @apart
@@ -63,7 +62,7 @@ def solve_resisted(body, panel, work):
         drive[i] = 2.0 * (panel.arm + eps * (body.gn * ds + body.gt * dc)) * stretch
     if not lowest > 0.0:
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
-    size = tail(factor, 0.5)
+    size = truncation_error(factor, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     grown = exponential(from_reference(panel, factor, integral))
@@ -80,27 +79,15 @@ def solve_resisted(body, panel, work):
         us[i] = energy / firms[i]
         lowest = min(lowest, energy)
     far = -1.0 if panel.kind == ARRIVE else 1.0
-    ds, dc = rotated(s0, c0, *chord(panel, far))
+    ds, dc = rotated(s0, c0, *sine_versine_of_offset(panel, far))
     u_far = grown * (start + driven) / (firm0 + eps * (2.0 * dc - rho * ds))
     if not (lowest > 0.0 and u_far > 0.0):
         return Totals(math.inf, 0.0, u_far, 0.0, 0.0, math.nan, 0.0)
     for i in range(ORDER):
         work[RATE, i] = work[STRETCH, i] / math.sqrt(us[i])
-        normal = resisted_forces(body, work[SINE, i], work[COSINE, i], us[i], rho)[1]
+        normal = rolling_forces(body, work[SINE, i], work[COSINE, i], us[i], rho)[1]
         work[RESIST, i] = body.resist * normal * work[STRETCH, i]
-    size = max(size, tail(work[RATE], 0.0), tail(us, 0.0))
+    size = max(size, truncation_error(work[RATE], 0.0), truncation_error(us, 0.0))
     if not size <= RESOLVED:
         return Totals(size, 0.0, u_far, 0.0, 0.0, math.nan, 0.0)
     return Totals(size, total(work[RATE]), u_far, 0.0, 0.0, math.nan, total(work[RESIST]))
-
-
-@apart
-def resisted_margins(body, panel, work):
-    """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
-    a, b = cone_weights(body.mu_s)
-    rho = panel.way * body.resist
-    for i in range(ORDER):
-        friction, normal = resisted_forces(body, work[SINE, i], work[COSINE, i], work[U, i], rho)
-        work[NORMAL, i] = normal
-        work[A, i] = a * normal - b * friction
-        work[B, i] = a * normal + b * friction

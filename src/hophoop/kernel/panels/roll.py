@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import inline
-from hophoop.kernel.numerics.collocation import ORDER, tail, total
+from hophoop.kernel.numerics.collocation import ORDER, total, truncation_error
 from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.trigonometry import rotated, turn_deficits
 from hophoop.kernel.panels.panel import (
@@ -21,9 +21,9 @@ from hophoop.kernel.panels.panel import (
     Totals,
     U,
     angle_at,
-    chord,
     fill_geometry,
     rows_are_known,
+    sine_versine_of_offset,
 )
 from hophoop.kernel.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 
@@ -82,18 +82,18 @@ def solve_roll(body, panel, work):
         energies[i] = energy
         us[i] = u
         rates[i] = stretch[i] / math.sqrt(u if u > 0.0 else 0.0)  # infinite beyond a turning point
-    size = tail(rates, 0.0)
+    size = truncation_error(rates, 0.0)
     if not size <= RESOLVED:
         return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)
     first = energies[0] * us[ORDER - 1]
     last = energies[ORDER - 1] * us[0]
     if not STEEP * max(first, last) < min(first, last):
-        size = tail(us, 0.0)
+        size = truncation_error(us, 0.0)
         if not size <= RESOLVED:
             return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)
     time = total(rates)
     far = -1.0 if panel.kind == ARRIVE else 1.0
-    sine, versine = chord(panel, far)
+    sine, versine = sine_versine_of_offset(panel, far)
     u = u_on_panel(body, panel, sine, versine, far * panel.way * panel.extent)
     if not u > 0.0:
         size = math.inf
@@ -101,11 +101,12 @@ def solve_roll(body, panel, work):
 
 
 @inline
-def roll_margins(body, work):
+def roll_margins(body, panel, work):
     """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
     a, b = cone_weights(body.mu_s)
+    rho = panel.way * body.resist
     for i in range(ORDER):
-        friction, normal = rolling_forces(body, work[SINE, i], work[COSINE, i], work[U, i])
+        friction, normal = rolling_forces(body, work[SINE, i], work[COSINE, i], work[U, i], rho)
         work[NORMAL, i] = normal
         work[A, i] = a * normal - b * friction
         work[B, i] = a * normal + b * friction

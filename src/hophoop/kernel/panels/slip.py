@@ -12,8 +12,8 @@ from hophoop.kernel.numerics.collocation import (
     integrals,
     remainders,
     smallest,
-    tail,
     total,
+    truncation_error,
 )
 from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.trigonometry import rotated
@@ -123,7 +123,7 @@ def solve_slip(body, panel, work):
     least = smallest(stiffnesses)
     if not least > 0.0:
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
-    size = tail(damping, 0.5)
+    size = truncation_error(damping, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     exponent = away_from_reference(panel, damping, integral)
@@ -149,7 +149,7 @@ def solve_slip(body, panel, work):
         slip_rates[i] = (body.gt + eps * sines[i] * u - load * friction_part) * rate
     # near p_σ = 0 the rounding of f_n is all that the force shows; it is not asked to be smoother than that
     weight = body.gn + panel.u
-    size = max(size, tail(rates, 0.0), tail(normals, max(weight, 2e-3 * body.kap * weight / least)))
+    size = max(size, truncation_error(rates, 0.0), truncation_error(normals, max(weight, 2e-3 * body.kap * weight / least)))
     if not size <= RESOLVED:
         return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
     time = total(rates)

@@ -1,4 +1,7 @@
-"""Contact-space quantities: W, f, p_σ, and the forces in roll and slip (docs/model.md#contact-space)."""
+"""Contact-space quantities: W, f, p_σ, and the forces in roll and slip (docs/model.md#contact-space).
+
+ρ is the couple of the rolling resistance over R N, from `resistance.resistance_arm`; 0.0 without resistance.
+"""
 
 from __future__ import annotations
 
@@ -34,9 +37,9 @@ def slip_torque_arm(body, s, c, sigma):
 
 
 @inline
-def slip_stiffness(body, s, c, sigma):
-    """κ p_σ = κ + ε sin θ · q; Painlevé's paradox where it is not positive."""
-    return body.kap + body.eps * s * slip_torque_arm(body, s, c, sigma)
+def slip_stiffness(body, s, c, sigma, rho):
+    """κ p_σ = κ + ε sin θ (q − ρ); Painlevé's paradox where it is not positive."""
+    return body.kap + body.eps * s * slip_torque_arm(body, s, c, sigma) - body.eps * s * rho
 
 
 @inline
@@ -59,21 +62,25 @@ def rolling_inertia(body, c):
 
 
 @inline
-def rolling_acceleration(body, s, c, u):
-    """θ̈ in rolling."""
-    arm, lever = contact_arms(body, s, c)
-    torque = lever * (u + body.gn) + body.gt * arm
-    return torque / inertia_at_height(body, load_height(s, c))
+def resisted_inertia(body, s, c, rho):
+    """D − ρ ε sin θ, the moment over the angular acceleration in rolling."""
+    return inertia_at_height(body, load_height(s, c)) - rho * body.eps * s
 
 
 @inline
-def rolling_forces(body, s, c, u):
+def rolling_acceleration(body, s, c, u, rho):
+    """θ̈ in rolling."""
+    arm, lever = contact_arms(body, s, c)
+    torque = lever * (u + body.gn) + body.gt * arm - rho * (body.gn - body.eps * c * u)
+    return torque / resisted_inertia(body, s, c, rho)
+
+
+@inline
+def rolling_forces(body, s, c, u, rho):
     """(F, N) in rolling, without division by κ."""
-    alpha = rolling_acceleration(body, s, c, u)
-    arm, _ = contact_arms(body, s, c)
-    friction = alpha * arm - body.eps * s * u - body.gt
-    normal = body.gn - body.eps * s * alpha - body.eps * c * u
-    return friction, normal
+    alpha = rolling_acceleration(body, s, c, u, rho)
+    arm, lever = contact_arms(body, s, c)
+    return alpha * arm - lever * u - body.gt, body.gn - lever * alpha - body.eps * c * u
 
 
 @inline
@@ -92,10 +99,10 @@ def slip_load(body, c, u, stiffness):
 
 
 @inline
-def slip_motion(body, s, c, u, sigma):
+def slip_motion(body, s, c, u, sigma, rho):
     """(θ̈, N, v̇_t) in slip of direction σ."""
     arm, lever = contact_arms(body, s, c)
-    q = lever + sigma * body.mu_k * arm
+    q = lever + sigma * body.mu_k * arm - rho
     load = slip_load(body, c, u, body.kap + lever * q)
     friction_part = sigma * body.mu_k * body.kap + arm * q
-    return q * load, body.kap * load, body.gt + body.eps * s * u - load * friction_part
+    return q * load, body.kap * load, body.gt + lever * u - load * friction_part

@@ -8,10 +8,10 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.contact import cone_weights, free_acceleration
+from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces, slip_motion, slip_stiffness
 from hophoop.kernel.physics.jets import candidate_series, leading_sign
 from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.physics.resistance import forces_rolling, motion_slipping, resistance_arm, stiffness_slipping
+from hophoop.kernel.physics.resistance import resistance_arm
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 # Answers beyond the modes: what rule 4 records before the motion goes on.
@@ -59,7 +59,7 @@ def can_roll(body, th, om):
     """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     s, c = sine_and_cosine(th)
     u = om * om
-    friction, normal = forces_rolling(body, s, c, om)
+    friction, normal = rolling_forces(body, s, c, om * om, resistance_arm(body, s, c, om, 0))
     a, b = cone_weights(body.mu_s)
     tie = TIE * (body.gn + abs(body.gt) + u)
     margin = a * normal - b * abs(friction)
@@ -81,12 +81,12 @@ def can_start_slip(body, th, om, sigma):
     u = om * om
     scale = body.gn + abs(body.gt) + u
     tie = TIE * scale
-    stiffness = stiffness_slipping(body, s, c, om, sigma)
+    stiffness = slip_stiffness(body, s, c, sigma, resistance_arm(body, s, c, om, sigma))
     if stiffness <= 0.0:
         return False
     # N = κ load / stiffness; as κ → 0 it is the load that has to be told from rounding
     load = body.gn - body.eps * c * u
-    slip = motion_slipping(body, s, c, om, sigma)[2]
+    slip = slip_motion(body, s, c, om * om, sigma, resistance_arm(body, s, c, om, sigma))[2]
     if load < -tie or sigma * slip < -tie:
         return False
     if load > tie and sigma * slip > tie:
@@ -107,7 +107,7 @@ def frictionless_mode(body, th, th_low, om):
         bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + body.eps * s * body.eps * s))
         drive = s * bend if s != 0.0 else om * c * bend
     else:
-        drive = motion_slipping(body, s, c, om, 0)[2]
+        drive = slip_motion(body, s, c, om * om, 0, resistance_arm(body, s, c, om, 0))[2]
     if drive == 0.0:
         return ROLL
     return slip_mode(1 if drive > 0.0 else -1)
@@ -134,7 +134,7 @@ def next_mode(body, th, th_low, om, vt):
             return UNDECIDED  # rolling would need to pull and free motion would enter the plane
         # for f_n < 0 just one of roll and slip exists: rounding hides which
         s, c = sine_and_cosine(th)
-        friction, normal = forces_rolling(body, s, c, om)
+        friction, normal = rolling_forces(body, s, c, om * om, resistance_arm(body, s, c, om, 0))
         a, b = cone_weights(body.mu_s)
         if a * normal >= b * abs(friction):
             return ROLL

@@ -41,7 +41,7 @@ def count_panel(log):
     log.counts[PANELS] += 1
 
 
-class Cause(NamedTuple):
+class PendingEvent(NamedTuple):
     """An event to be written once the mode after it is known: the mode and velocities before it, its impulse."""
 
     kind: int
@@ -55,9 +55,9 @@ class Cause(NamedTuple):
     collision: int
 
 
-def quiet(kind, mode, state):
+def event_without_jump(kind, mode, state):
     """A cause without a jump."""
-    return Cause(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
+    return PendingEvent(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
 
 
 @inline
@@ -115,9 +115,9 @@ def write_event(log, cause, mode, state, gain, stable):
     row["stable"] = stable
 
 
-def note(log, kind, before, after, state):
+def write_plain_event(log, kind, before, after, state):
     """Append an event without a jump."""
-    write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
+    write_event(log, event_without_jump(kind, before, state), after, state, 0.0, -1)
 
 
 @apart

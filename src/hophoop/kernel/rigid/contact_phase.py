@@ -29,9 +29,9 @@ from hophoop.kernel.panels.panel import (
     TIME,
     U,
     angle_at,
-    chord,
     fill_inside,
     no_panel,
+    sine_versine_of_offset,
 )
 from hophoop.kernel.panels.roll import u_on_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
@@ -51,15 +51,22 @@ from hophoop.kernel.records.state import (
     with_losses,
     with_velocities,
 )
-from hophoop.kernel.records.writing import count_panel, has_room, note, quiet, write_event, write_segment
+from hophoop.kernel.records.writing import (
+    count_panel,
+    event_without_jump,
+    has_room,
+    write_event,
+    write_plain_event,
+    write_segment,
+)
 from hophoop.kernel.rigid.doubts import note_doubt
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import STOP_AT_TURN, at_span
-from hophoop.kernel.rigid.massless_phase import let_go
-from hophoop.kernel.rigid.panel_choice import anchored, choose_panel, outlasts, shortened
+from hophoop.kernel.rigid.massless_phase import begin_skim
+from hophoop.kernel.rigid.panel_choice import choose_panel, exceeds_time_left, narrow_to_time, set_anchor
 from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
-from hophoop.kernel.rigid.phase import ended, entered, gone_on, lifted, slipping
-from hophoop.kernel.rigid.transitions import leave_cone, pass_singular, settle
+from hophoop.kernel.rigid.phase import begin_flight_after_slip, begin_phase, begin_slip_after_roll, continue_phase, end_motion
+from hophoop.kernel.rigid.transitions import leave_cone, resolve_mode, resolve_painleve_singularity
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, TAKEOFF, TURN, REST = int(Event.STICK), int(Event.TAKEOFF), int(Event.TURN), int(Event.REST)
@@ -68,13 +75,13 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
 )
 STILL_ACCELERATION = 1e-15
-LOST = 1e-9  # of θ̇² beside a hilltop: where it was further off than this, v_t was as well
-FORESEEN = 24  # the finest level of panels for which the next one is foreseen: beside p_σ = 0 their tails are rounding
+LOST = 1e-9  # relative error of θ̇² near the unstable equilibrium above which v_t has lost digits too
+FORESEEN = 24  # finest level for which the next one is predicted: near p_σ = 0 truncation errors are rounding
 
 
 @apart
-def counted(body, state):
-    """The state with θ counted in the next turn, for one that is too far from the present one."""
+def normalize_turns(body, state):
+    """Move one revolution from θ into `turns`."""
     way = 1.0 if state.th > 0.0 else -1.0
     th, low = add((state.th, state.th_low), (-way * TWO_PI, -way * TWO_PI_LOW))
     after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
@@ -89,8 +96,8 @@ def counted(body, state):
 
 
 @apart
-def is_still(body, sigma, state):
-    """Whether a hoop that does not turn stays: on a hilltop exactly, in a valley within the rounding of θ."""
+def is_equilibrium(body, sigma, state):
+    """Return True if θ is an equilibrium: exactly at an unstable one, within the rounding of θ at a stable one."""
     anchor = state.anchor
     if anchor.kind != 0 and anchor.bend > 0.0:
         psi = offset_from(state.th, state.th_low, anchor.base, anchor.base_low)
@@ -98,7 +105,7 @@ def is_still(body, sigma, state):
         return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
     th = state.th
     s, c = sine_and_cosine(th)
-    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
+    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma, 0.0)
     rounding = STILL_ACCELERATION * (1.0 + abs(th))
     if firm > 0.0:
         rounding *= 1.0 + body.eps * (body.gn + abs(body.gt)) / firm
@@ -106,16 +113,16 @@ def is_still(body, sigma, state):
 
 
 @inline
-def stays(body, sigma, state):
-    """Whether a hoop that does not turn goes on so."""
+def remains_at_rest(body, sigma, state):
+    """Return True if a hoop with θ̇ = 0 stays at rest."""
     if body.kap == 0.0 and (sigma != 0 or cosine(state.th) <= -1.0):
         return True  # the massless hoop with its load on the plane
-    return is_still(body, sigma, state)
+    return is_equilibrium(body, sigma, state)
 
 
 @inline
-def u_between(panel, xi, weights, values):
-    """θ̇² at ξ of a panel that has it at its nodes; beside a turning point by θ̇²/s², so that also a small θ̇ has its digits."""
+def square_rate_inside(panel, xi, weights, values):
+    """Interpolate θ̇² at ξ; near a turning point θ̇²/s² is interpolated, so that a small θ̇ keeps its digits."""
     if panel.kind == LINEAR:
         return dot(weights, values)
     end = 1.0 if panel.kind == ARRIVE else -1.0
@@ -126,21 +133,21 @@ def u_between(panel, xi, weights, values):
 
 
 @apart
-def resisted_inside(work, weights):
-    """Energy lost to rolling resistance up to a place inside a solved panel, given by its weights."""
+def resistance_loss_inside(work, weights):
+    """Return the energy lost to rolling resistance up to a position inside a solved panel, given by its weights."""
     antiderivative(work[RESIST], work[RESISTED])
     return dot(weights, work[RESISTED])
 
 
 @inline
 def state_on_panel(body, panel, totals, state, xi, scratch):
-    """The state at ξ of a solved panel that began in `state`; inside the panel, its rows must be there (`fill_inside`)."""
+    """Return the state at ξ of a solved panel that starts in `state`; inside the panel, after `fill_inside`."""
     work = scratch.work
     if xi <= -1.0:
         return state
     offset = angle_at(panel, xi)
     inside = xi < 1.0
-    sine, versine = chord(panel, xi)
+    sine, versine = sine_versine_of_offset(panel, xi)
     if inside:
         lagrange(xi, scratch.weights)
         tau = dot(scratch.weights, work[TIME])
@@ -148,14 +155,14 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
             vt = 0.0
             loss = 0.0
             if body.resist > 0.0:
-                u = u_between(panel, xi, scratch.weights, work[U])
+                u = square_rate_inside(panel, xi, scratch.weights, work[U])
             else:
                 u = u_on_panel(body, panel, sine, versine, offset)
         else:
-            u = u_between(panel, xi, scratch.weights, work[U])
+            u = square_rate_inside(panel, xi, scratch.weights, work[U])
             vt = dot(scratch.weights, work[SLIP])
             loss = dot(scratch.weights, work[LOSS])
-        resisted = resisted_inside(work, scratch.weights) if body.resist > 0.0 else 0.0
+        resisted = resistance_loss_inside(work, scratch.weights) if body.resist > 0.0 else 0.0
     else:
         tau = totals.time
         u = 0.0 if panel.kind == ARRIVE else totals.u
@@ -187,8 +194,8 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
 
 
 @inline
-def carried(body, panel, totals, xi, after):
-    """The state after a slip panel, with what its anchor has become."""
+def propagate_anchor(body, panel, totals, xi, after):
+    """Return the state after a slip panel with its anchor propagated over the panel."""
     anchor = after.anchor
     if body.mu_k == 0.0:  # θ̇² − θ̇² of another motion goes as 1/(κ p)
         s, _ = sine_cosine(after.th, after.th_low)
@@ -206,10 +213,10 @@ def carried(body, panel, totals, xi, after):
 
 
 @apart
-def regained(body, state, u):
-    """The state of slip with θ̇² = u, of which rounding had lost digits on the way to the hilltop.
+def recover_slip_velocity(body, state, u):
+    """Return the state of slip with θ̇² = u, where rounding has lost digits of θ̇ near the unstable equilibrium.
 
-    The velocity of the centre of gravity along the plane, which only friction changes, lost none: v_t is what goes with θ̇.
+    The velocity of the centre of gravity along the plane has lost none, since only friction changes it: v_t follows from it.
     """
     s, c = sine_cosine(state.th, state.th_low)
     om = math.copysign(math.sqrt(u), state.om)
@@ -218,67 +225,91 @@ def regained(body, state, u):
 
 
 @inline
+def at_panel_start(body, sigma, state, begins, scratch):
+    """Return the state at the start of the next panel, without a θ̇ that would underflow and with an anchor; sin θ; cos θ."""
+    if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
+        state = with_velocities(state, state.vt, state.vn, 0.0)
+    s, c = sine_cosine(state.th, state.th_low)
+    if begins:
+        state = set_anchor(body, sigma, state, s, c, scratch)
+    return state, s, c
+
+
+@inline
+def has_lost_digits(sigma, panel, state):
+    """Return True if θ̇² of slip from the anchor differs from that of the state, whose digits rounding has taken."""
+    return sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u
+
+
+@inline
+def foreseen_level(level, error, before):
+    """Return the level of the next panel: one finer if the truncation error grows so fast that it would not be resolved."""
+    return level + 1 if level < FORESEEN and error > before and error * (error / before) > RESOLVED else level
+
+
+@inline
+def fit_to_time(body, panel, totals, state, limits, scratch):
+    """Return (panel, totals), of a narrower panel if this one would last much longer than the motion."""
+    left = time_left(state, limits.t_end)
+    if totals.tail <= RESOLVED and exceeds_time_left(totals, left):
+        return narrow_to_time(body, panel, totals, state, left, scratch)
+    return panel, totals
+
+
+@inline
+def pinned(what, state, limits, way):
+    """Return the state with the defining number of its event exact: v_t = 0, the final time or the final angle."""
+    if what == Ending.SLIP_END:
+        return with_velocities(state, 0.0, state.vn, state.om)
+    if what == Ending.TIME_LIMIT:
+        return at_time(state, limits.t_end)
+    if what == Ending.ANGLE_LIMIT:
+        return at_span(limits, state, way)
+    return state
+
+
+@inline
 def advance_contact(body, phase, blind, limits, log, scratch):
-    """Roll or slip, panel by panel, until something ends the phase or turns it round.
+    """Roll or slip, panel by panel, up to an event or a turning point.
 
-    A `blind` phase is known to last until the end of time, and no event is looked for.
+    A `blind` phase is known to last until the final time: events are not searched.
 
-    Returns (what, state, level of the next panel); `what` is CONTINUES where the log is full.
+    Returns (ending, state, level of the next panel); the ending is CONTINUES if the log is full.
     """
-    mode = phase.mode
-    sigma = slip_direction(mode)
-    state = phase.state
-    level = phase.level
-    begins = phase.begins
+    sigma = slip_direction(phase.mode)
+    state, level, begins = phase.state, phase.level, phase.begins
     what = Ending.CONTINUES
     unresolved = Ending.SINGULAR if sigma != 0 else Ending.SEARCH_LIMIT
-    before = math.inf  # tail of the last panel
+    before = math.inf  # truncation error of the last panel
     while what == Ending.CONTINUES and has_room(log):
         count_panel(log)
-        if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
-            state = with_velocities(state, state.vt, state.vn, 0.0)
-        s, c = sine_cosine(state.th, state.th_low)
-        if begins:
-            state = anchored(body, sigma, state, s, c, scratch)
-        if state.om == 0.0 and stays(body, sigma, state):
+        state, s, c = at_panel_start(body, sigma, state, begins, scratch)
+        if state.om == 0.0 and remains_at_rest(body, sigma, state):
             return Ending.REST, state, level
         panel, totals, level = choose_panel(body, sigma, state, s, c, level, scratch)
-        if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:
-            state = regained(body, state, panel.u)
+        if has_lost_digits(sigma, panel, state):
+            state = recover_slip_velocity(body, state, panel.u)
             continue
-        if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:
-            level += 1  # the next one would not be resolved, if it goes on like this
+        level = foreseen_level(level, totals.tail, before)
         before = totals.tail
+        panel, totals = fit_to_time(body, panel, totals, state, limits, scratch)
         if not totals.tail <= RESOLVED:
             return unresolved, state, level
-        left = time_left(state, limits.t_end)
-        if outlasts(totals, left):
-            panel, totals = shortened(body, panel, totals, state, left, scratch)
-            if not totals.tail <= RESOLVED:
-                return unresolved, state, level
         xi, what = earliest_event(body, panel, totals, state, begins, blind, phase.zeros, limits, scratch)
         if -1.0 < xi < 1.0:
             fill_inside(panel, scratch.work)
-        after = state_on_panel(body, panel, totals, state, xi, scratch)
-        if what == Ending.SLIP_END:
-            after = with_velocities(after, 0.0, after.vn, after.om)
-        elif what == Ending.TIME_LIMIT:
-            after = at_time(after, limits.t_end)
-        elif what == Ending.ANGLE_LIMIT:
-            after = at_span(limits, after, panel.way)
+        after = pinned(what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
         if xi > -1.0:
-            write_segment(log, mode, panel, xi, 0.0, state, after.t)
+            write_segment(log, phase.mode, panel, xi, 0.0, state, after.t)
             if after.anchor.kind == SLIPPING:
-                after = carried(body, panel, totals, xi, after)
-        if abs(after.th) > FARTHEST:
-            after = counted(body, after)
-        state = after
+                after = propagate_anchor(body, panel, totals, xi, after)
+        state = normalize_turns(body, after) if abs(after.th) > FARTHEST else after
         begins = False
     return what, state, level
 
 
 def equilibrium_is_stable(body, th):
-    """Whether rest at the angle th is a minimum of the potential energy, or held by less than all the rolling resistance."""
+    """Return True if rest at th is a minimum of the potential energy, or needs less than the full rolling resistance."""
     s, c = sine_and_cosine(th)
     if body.resist > 0.0 and abs(torque_at_rest(body, s, c)) < body.resist * body.gn:
         return True
@@ -286,15 +317,15 @@ def equilibrium_is_stable(body, th):
 
 
 def frozen_end(body, sigma, vt):
-    """(v̇_t, time until v_t = 0) of slip without rotation; the time is infinite where it never stops."""
+    """Return v̇_t and the time until v_t = 0 in slip without rotation; the time is infinite if slip never stops."""
     rate = body.gt - sigma * body.mu_k * body.gn
     if vt * rate < 0.0:
         return rate, -vt / rate
     return rate, math.inf
 
 
-def hold(body, mode, state, t_end, log):
-    """Slip without rotation: until v_t = 0 or the end of time; (what, state)."""
+def slide_without_rotation(body, mode, state, t_end, log):
+    """Slip without rotation until v_t = 0 or the final time; return (ending, state)."""
     sigma = slip_direction(mode)
     rate, until = frozen_end(body, sigma, state.vt)
     what = Ending.SLIP_END
@@ -318,87 +349,87 @@ def hold(body, mode, state, t_end, log):
 
 @apart
 def still_step(body, phase, state, limits, log, scratch):
-    """Rest, or slip that does not turn until it ends."""
+    """Rest, or slip without rotation up to its end."""
     mode = phase.mode
     if mode == ROLL:
         stable = 1 if equilibrium_is_stable(body, state.th) else 0
-        write_event(log, quiet(REST, ROLL, state), ROLL, state, 0.0, stable)
+        write_event(log, event_without_jump(REST, ROLL, state), ROLL, state, 0.0, stable)
         write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, limits.t_end)
-        return ended(phase, ROLL, at_time(with_velocities(state, 0.0, 0.0, 0.0), limits.t_end), Ending.REST, AT_REST)
-    what, state = hold(body, mode, state, limits.t_end, log)
+        return end_motion(phase, ROLL, at_time(with_velocities(state, 0.0, 0.0, 0.0), limits.t_end), Ending.REST, AT_REST)
+    what, state = slide_without_rotation(body, mode, state, limits.t_end, log)
     if what == Ending.TIME_LIMIT:
-        return ended(phase, mode, state, Ending.TIME_LIMIT, COMPLETED)
+        return end_motion(phase, mode, state, Ending.TIME_LIMIT, COMPLETED)
     if body.kap == 0.0:
         mode = ROLL
-        note(log, STICK, phase.mode, ROLL, state)
+        write_plain_event(log, STICK, phase.mode, ROLL, state)
     else:
-        mode, state = settle(body, state, quiet(STICK, phase.mode, state), log, scratch)
-    return entered(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
+        mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log, scratch)
+    return begin_phase(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
 
 
 @inline
 def after_rolling(body, phase, what, state, log, scratch):
-    """The phase after rolling that has used up its friction, or that cannot be followed any more."""
+    """Return the phase after rolling that has reached the friction cone, or that cannot be followed further."""
     if what == Ending.SEARCH_LIMIT:
         note_doubt(scratch, state.t, state.t)
-        return ended(phase, ROLL, state, what, UNDETERMINED)
+        return end_motion(phase, ROLL, state, what, UNDETERMINED)
     if body.kap == 0.0:
-        mode, state = let_go(body, state, log)
+        mode, state = begin_skim(body, state, log)
     else:
         mode = leave_cone(body, state, what == Ending.CONE_FORWARD, log, scratch)
         if mode in (SPIN, SKID):
-            return slipping(body, phase, mode, state, what)
-    return entered(body, mode, state, phase.bounce, what, scratch)
+            return begin_slip_after_roll(body, phase, mode, state, what)
+    return begin_phase(body, mode, state, phase.bounce, what, scratch)
 
 
 @inline
 def after_slip(body, phase, what, state, log, scratch):
-    """The phase after slip that has lifted off, ended, or come to p_σ = 0."""
+    """Return the phase after slip that has lifted off, ended, or reached p_σ = 0."""
     if what == Ending.LIFT_OFF:
-        note(log, TAKEOFF, phase.mode, FLIGHT, state)
-        return lifted(phase, state, Ending.LIFT_OFF)
+        write_plain_event(log, TAKEOFF, phase.mode, FLIGHT, state)
+        return begin_flight_after_slip(phase, state, Ending.LIFT_OFF)
     if what == Ending.SLIP_END:
-        mode, state = settle(body, state, quiet(STICK, phase.mode, state), log, scratch)
-        return entered(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
-    jams, mode, state = pass_singular(body, phase.mode, state, log, scratch)
+        mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log, scratch)
+        return begin_phase(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
+    jams, mode, state = resolve_painleve_singularity(body, phase.mode, state, log, scratch)
     if jams:
-        return ended(phase, mode, state, Ending.SINGULAR, JAMMED)
-    return entered(body, mode, state, phase.bounce, Ending.SINGULAR, scratch)
+        return end_motion(phase, mode, state, Ending.SINGULAR, JAMMED)
+    return begin_phase(body, mode, state, phase.bounce, Ending.SINGULAR, scratch)
 
 
 @apart
-def turned_step(body, phase, state, level, limits, log, scratch):
-    """What follows where θ̇ comes to zero with rolling resistance: the couple, and with it the contact force, jumps there."""
+def turning_point_step(body, phase, state, level, limits, log, scratch):
+    """Return the phase after a turning point with rolling resistance, where the couple and the contact force jump."""
     mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
-    if phase.mode == ROLL and mode == ROLL and is_still(body, 0, state):
+    if phase.mode == ROLL and mode == ROLL and is_equilibrium(body, 0, state):
         return still_step(body, phase, state, limits, log, scratch)
     kind = STICK if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
     if phase.mode != ROLL and mode > SKIM and not limits.stop & STOP_AT_TURN:
         kind = TURN  # slip goes on up to the paradox, which comes at once
     else:
-        note(log, TURN, phase.mode, phase.mode, state)
+        write_plain_event(log, TURN, phase.mode, phase.mode, state)
     if limits.stop & STOP_AT_TURN:
-        return ended(phase, phase.mode, state, Ending.TURNING_POINT, COMPLETED)
+        return end_motion(phase, phase.mode, state, Ending.TURNING_POINT, COMPLETED)
     if mode == phase.mode:
-        return gone_on(phase, state, level, Ending.TURNING_POINT)
+        return continue_phase(phase, state, level, Ending.TURNING_POINT)
     if kind == STICK and mode != FLIGHT:
         state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ come to zero together
-    mode, state = settle(body, state, quiet(kind, phase.mode, state), log, scratch)
-    return entered(body, mode, state, phase.bounce, Ending.TURNING_POINT, scratch)
+    mode, state = resolve_mode(body, state, event_without_jump(kind, phase.mode, state), log, scratch)
+    return begin_phase(body, mode, state, phase.bounce, Ending.TURNING_POINT, scratch)
 
 
 @inline
 def contact_step(body, phase, limits, log, scratch):
-    """Rolling or slip up to its end, or to a turning point, and what follows."""
+    """Roll or slip up to an event or a turning point, and return the next phase."""
     what, state, level = advance_contact(body, phase, False, limits, log, scratch)
     if what == Ending.TURNING_POINT and body.resist > 0.0:
-        return turned_step(body, phase, state, level, limits, log, scratch)
+        return turning_point_step(body, phase, state, level, limits, log, scratch)
     if what == Ending.TURNING_POINT:
-        note(log, TURN, phase.mode, phase.mode, state)
+        write_plain_event(log, TURN, phase.mode, phase.mode, state)
     if what in (Ending.TIME_LIMIT, Ending.ANGLE_LIMIT) or (what == Ending.TURNING_POINT and limits.stop & STOP_AT_TURN):
-        return ended(phase, phase.mode, state, what, COMPLETED)
+        return end_motion(phase, phase.mode, state, what, COMPLETED)
     if what in (Ending.CONTINUES, Ending.TURNING_POINT):
-        return gone_on(phase, state, level, what)
+        return continue_phase(phase, state, level, what)
     if what == Ending.REST:
         return still_step(body, phase, state, limits, log, scratch)
     if phase.mode == ROLL:

@@ -10,11 +10,11 @@ import math
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, coefficients, series_value
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall_after
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing_after
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import A, B
-from hophoop.kernel.physics.contact import cone_weights, free_acceleration
-from hophoop.kernel.physics.resistance import forces_rolling
+from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces
+from hophoop.kernel.physics.resistance import resistance_arm
 
 CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
 NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel
@@ -42,7 +42,7 @@ def mode_is_in_doubt(body, state):
     if state.vt != 0.0:
         # p_σ = 0 is left to the doubles: beside it the force has no bound, and the longer computation no end
         return opening <= CLOSE * (body.gn + body.eps * u)
-    friction, normal = forces_rolling(body, s, c, state.om)
+    friction, normal = rolling_forces(body, s, c, state.om * state.om, resistance_arm(body, s, c, state.om, 0))
     a, b = cone_weights(body.mu_s)
     margin = a * normal - b * abs(friction)
     if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:
@@ -68,7 +68,7 @@ def grazes_zero(row, scale, scratch):
     rate[ORDER - 1] = 0.0
     begin = -2.0
     for _ in range(4):
-        xi = first_fall_after(rate, begin, 0.0, scratch.stack)
+        xi = first_downcrossing_after(rate, begin, 0.0, scratch.stack)
         if xi == NOT_FOUND:
             return False
         if abs(series_value(series, xi)) <= CLOSE * scale:

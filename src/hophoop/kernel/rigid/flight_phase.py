@@ -14,11 +14,11 @@ from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 from hophoop.kernel.records.state import at_time, flown, moved, time_left, with_velocities
-from hophoop.kernel.records.writing import note, write_segment
+from hophoop.kernel.records.writing import write_plain_event, write_segment
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
-from hophoop.kernel.rigid.phase import ended, entered
-from hophoop.kernel.rigid.transitions import close_bounces, collide, settle
+from hophoop.kernel.rigid.phase import begin_phase, end_motion
+from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
 
 FLIGHT, IMPACT, APEX = int(Mode.FLIGHT), int(Event.IMPACT), int(Event.APEX)
 COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
@@ -31,7 +31,7 @@ BLURRED = 1e9
 
 
 @apart
-def highest(body, state, opening, apex):
+def apex_state(body, state, opening, apex):
     """The state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
     y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
@@ -42,7 +42,7 @@ def highest(body, state, opening, apex):
 
 
 @apart
-def approaching(body, state):
+def mirror_to_approach(body, state):
     """The state before a landing, at the angle of the same gap at which the rim approaches: θ becomes −θ.
 
     For flights of so many turns that rounding decides at which angle the rim lands. The centre of gravity stays where it
@@ -81,7 +81,7 @@ def fly(body, state, opening, zeros, limits, log):
         tau = landing
         what = Ending.LANDING
     if 0.0 < apex < tau:
-        note(log, APEX, FLIGHT, FLIGHT, highest(body, state, opening, apex))
+        write_plain_event(log, APEX, FLIGHT, FLIGHT, apex_state(body, state, opening, apex))
     s, c = sine_cosine(state.th, state.th_low)
     y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, tau)
     along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
@@ -89,7 +89,7 @@ def fly(body, state, opening, zeros, limits, log):
         y = 0.0
     after = flown(state, along, y, tau, vt, vn)
     if what == Ending.LANDING and vn > 0.0:
-        after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else approaching(body, after)
+        after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else mirror_to_approach(body, after)
     if what == Ending.TIME_LIMIT:
         after = at_time(after, limits.t_end)
     elif what == Ending.ANGLE_LIMIT:
@@ -118,17 +118,17 @@ def land(body, state, last, log, scratch):
     """The phase after an impact on landing; `last` is v_n after the bounce before."""
     after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
     if is_last_bounce(body, state, after, last):
-        after, cause = close_bounces(body, state)
-    mode, settled = settle(body, after, cause, log, scratch)
-    return entered(body, mode, settled, after.vn, Ending.LANDING, scratch)
+        after, cause = end_bounces(body, state)
+    mode, settled = resolve_mode(body, after, cause, log, scratch)
+    return begin_phase(body, mode, settled, after.vn, Ending.LANDING, scratch)
 
 
 @inline
 def flight_step(body, phase, limits, log, scratch):
     """The whole flight, and its landing."""
     if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:
-        return ended(phase, FLIGHT, phase.state, Ending.TIME_LIMIT, COMPLETED)
+        return end_motion(phase, FLIGHT, phase.state, Ending.TIME_LIMIT, COMPLETED)
     what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log)
     if what != Ending.LANDING:
-        return ended(phase, FLIGHT, state, what, EVENT_LIMIT if what == Ending.SEARCH_LIMIT else COMPLETED)
+        return end_motion(phase, FLIGHT, state, what, EVENT_LIMIT if what == Ending.SEARCH_LIMIT else COMPLETED)
     return land(body, state, phase.bounce, log, scratch)

@@ -6,9 +6,9 @@ import math
 
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.physics.resistance import forces_rolling, motion_slipping, stiffness_slipping
+from hophoop.kernel.physics.resistance import resistance_arm
 
 # In the kernel's units; `hophoop.simulation.phases.Margins` says what they are.
 MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
@@ -17,17 +17,19 @@ MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleratio
 def margins_of(body, mode, theta, theta_low, omega, slip, height):
     """Numbers in the order of `MARGINS`; nan where the mode has none."""
     s, c = sine_cosine(theta, theta_low)
+    u = omega * omega
     normal = math.nan
     friction = math.nan
     p_sigma = math.nan
     mu = body.mu_s
     sigma = slip_direction(mode)
     if mode == Mode.ROLL:
-        friction, normal = forces_rolling(body, s, c, omega)
+        friction, normal = rolling_forces(body, s, c, u, resistance_arm(body, s, c, omega, 0))
     elif sigma != 0 and body.kap > 0.0 and math.isfinite(body.mu_k):
-        normal = motion_slipping(body, s, c, omega, sigma)[1]
+        rho = resistance_arm(body, s, c, omega, sigma)
+        normal = slip_motion(body, s, c, u, sigma, rho)[1]
         friction = -sigma * body.mu_k * normal
-        p_sigma = stiffness_slipping(body, s, c, omega, sigma) / body.kap
+        p_sigma = slip_stiffness(body, s, c, sigma, rho) / body.kap
         mu = body.mu_k
     elif mode in (Mode.FLIGHT, Mode.SKIM):
         friction = 0.0
@@ -35,4 +37,4 @@ def margins_of(body, mode, theta, theta_low, omega, slip, height):
     limit = 0.0
     if normal != 0.0:
         limit = math.inf if math.isinf(mu) and normal > 0.0 else mu * normal
-    return normal, friction, limit, free_acceleration(body, s, c, omega * omega)[1], slip, height, p_sigma
+    return normal, friction, limit, free_acceleration(body, s, c, u)[1], slip, height, p_sigma

@@ -11,16 +11,16 @@ from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.massless import skim_duration, skim_state, strike, strike_place
 from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
 from hophoop.kernel.records.state import later, moved, time_left, with_losses, with_velocities
-from hophoop.kernel.records.writing import Cause, note, write_event, write_segment
+from hophoop.kernel.records.writing import PendingEvent, write_event, write_plain_event, write_segment
 from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.phase import ended, entered
+from hophoop.kernel.rigid.phase import begin_phase, end_motion
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 SKIM_START, IMPACT = int(Event.SKIM), int(Event.IMPACT)
 COMPLETED, UNDETERMINED = int(Status.COMPLETED), int(Status.UNDETERMINED)
 
 
-def let_go(body, state, log):
+def begin_skim(body, state, log):
     """The massless hoop has lost its contact force: the load falls freely and the rim skims.
 
     Returns (mode, state); the mode is UNDECIDED where the load rises, which leaves the rim's rotation open.
@@ -31,7 +31,7 @@ def let_go(body, state, log):
     if s == 0.0:
         jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
         state = with_velocities(state, state.vt - 2.0 * jump, state.vn, state.om + jump)
-    note(log, SKIM_START, ROLL, SKIM, state)
+    write_plain_event(log, SKIM_START, ROLL, SKIM, state)
     return SKIM, state
 
 
@@ -65,12 +65,12 @@ def skim_step(body, phase, limits, log, scratch):
     """The fall of the load, and its blow on the plane."""
     strikes, after, vn = skim(body, phase.state, limits.t_end, log)
     if not strikes:
-        return ended(phase, SKIM, after, Ending.TIME_LIMIT, COMPLETED)
+        return end_motion(phase, SKIM, after, Ending.TIME_LIMIT, COMPLETED)
     along, p_n, p_t = strike(body, after.vt, vn)
     lost_n = after.impact_n + 0.5 * vn * vn
     lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
     landed = with_losses(with_velocities(after, along, 0.0, 0.0), after.friction, lost_n, lost_t)
-    cause = Cause(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)
+    cause = PendingEvent(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)
     mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)
     if body.rest > 0.0:
         mode = FLIGHT
@@ -78,5 +78,5 @@ def skim_step(body, phase, limits, log, scratch):
     if body.rest > 0.0:
         # a piece of no length, so that the end has the state after the strike: before it θ̇ has no bound
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)
-        return ended(phase, mode, landed, Ending.LOAD_STRIKE, UNDETERMINED)
-    return entered(body, mode, landed, phase.bounce, Ending.LOAD_STRIKE, scratch)
+        return end_motion(phase, mode, landed, Ending.LOAD_STRIKE, UNDETERMINED)
+    return begin_phase(body, mode, landed, phase.bounce, Ending.LOAD_STRIKE, scratch)

@@ -8,7 +8,7 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import sine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.exponentials import binary_logarithm, logarithm, power
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.anchor import (
     NONE,
@@ -23,7 +23,7 @@ from hophoop.kernel.panels.panel import (
     LEVELS,
     RESOLVED,
     A,
-    Begin,
+    PanelStart,
     U,
     arriving_panel,
     leaving_panel,
@@ -33,9 +33,9 @@ from hophoop.kernel.panels.panel import (
 from hophoop.kernel.panels.resisted import solve_resisted
 from hophoop.kernel.panels.roll import solve_roll, u_on_panel
 from hophoop.kernel.panels.slip import solve_slip
-from hophoop.kernel.physics.contact import inertia_at_height, load_height
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_motion
 from hophoop.kernel.physics.painleve import slip_coefficients, stiffness_slope
-from hophoop.kernel.physics.resistance import held, motion_slipping, resistance_arm
+from hophoop.kernel.physics.resistance import clamp, resistance_arm
 from hophoop.kernel.records.layout import PANELS
 from hophoop.kernel.records.state import with_anchor
 
@@ -61,7 +61,7 @@ NARROWEST = 2000
 
 
 @apart
-def anchored(body, sigma, state, s, c, scratch):
+def set_anchor(body, sigma, state, s, c, scratch):
     """The state at the begin of a phase, with the anchor of the phase; s and c are sin θ and cos θ there."""
     if body.resist > 0.0:
         return with_anchor(state, NONE)  # nothing is conserved
@@ -74,21 +74,21 @@ def anchored(body, sigma, state, s, c, scratch):
 
 
 @inline
-def begin_of(body, sigma, state, s, c, scratch):
+def panel_start(body, sigma, state, s, c, scratch):
     """Where the next panel begins, with sin θ and cos θ there."""
     u = state.om * state.om
     if sigma == 0:
         arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
         if body.resist > 0.0:
             reach = body.resist * body.gn
-            arm -= math.copysign(reach, state.om) if state.om != 0.0 else held(arm, reach)
+            arm -= math.copysign(reach, state.om) if state.om != 0.0 else clamp(arm, reach)
     else:
         rho = resistance_arm(body, s, c, state.om, sigma)
         arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
         if state.anchor.kind == SLIPPING:
             arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
             stiffness = body.kap + body.eps * s * arm
-    return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
+    return PanelStart(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
 
 
 @inline
@@ -102,13 +102,13 @@ def solve(body, panel, work):
 
 
 @apart
-def solve_aside(body, panel, work):
+def solve_noinline(body, panel, work):
     """`solve` where it is rarely needed: as a part of each such place it would be most of the compiler's work."""
     return solve(body, panel, work)
 
 
 @inline
-def narrower(level, size):
+def narrower_level(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
         return level + 3
@@ -172,14 +172,14 @@ def turning_point_ahead(body, panel, totals, scratch):
         if math.isnan(totals.u):
             return 0.0
         coefficients(scratch.work[A if panel.sigma == 0 else U], scratch.series)
-        xi = first_fall(scratch.series, 0.0, scratch.stack)
+        xi = first_downcrossing(scratch.series, 0.0, scratch.stack)
         if xi != NOT_FOUND:
             return panel.extent * 0.5 * (1.0 + xi)
         if panel.level == 0:
             return 0.0
-        begin = Begin(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
+        begin = PanelStart(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
         panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
-        totals = solve_aside(body, panel, scratch.work)
+        totals = solve_noinline(body, panel, scratch.work)
     return 0.0
 
 
@@ -192,14 +192,14 @@ def solve_arrival(body, before, ahead, work):
     """
     exponent = 1.0  # of `ahead` in θ̇² at the start
     panel = arriving_panel(body, before, ahead)
-    totals = solve_aside(body, panel, work)
+    totals = solve_noinline(body, panel, work)
     for _ in range(MOST_MOVES):
         if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
             break
         moved = ahead * power(before.u / totals.u, 1.0 / exponent)
         panel = arriving_panel(body, before, moved)
         u = totals.u
-        totals = solve_aside(body, panel, work)
+        totals = solve_noinline(body, panel, work)
         if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
             exponent = min(max(logarithm(totals.u / u) / logarithm(moved / ahead), 0.25), 4.0)
         ahead = moved
@@ -211,7 +211,8 @@ def first_extent(body, sigma, vt, begin):
     """Width of the first panel from rest to try."""
     if sigma == 0 or vt == 0.0:
         return FIRST_EXTENT
-    alpha, _, rate = motion_slipping(body, begin.sine, begin.cosine, 0.0, sigma)
+    rho = resistance_arm(body, begin.sine, begin.cosine, 0.0, sigma)
+    alpha, _, rate = slip_motion(body, begin.sine, begin.cosine, 0.0, sigma, rho)
     if not rate * sigma < 0.0 or abs(alpha) <= NO_TURNING * abs(rate):
         return FIRST_EXTENT
     until = vt / rate
@@ -227,14 +228,14 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
     Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
     """
     work = scratch.work
-    begin = begin_of(body, sigma, state, s, c, scratch)
+    begin = panel_start(body, sigma, state, s, c, scratch)
     if state.om == 0.0:
         way = 1.0 if begin.arm > 0.0 else -1.0
         extent = first_extent(body, sigma, state.vt, begin)
         while True:  # at most a thousand times: the extent is halved from below 1 rad
             scratch.counts[PANELS] += 1
             panel = leaving_panel(sigma, way, extent, begin)
-            totals = solve_aside(body, panel, work)
+            totals = solve_noinline(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
             extent *= 0.5
@@ -263,22 +264,22 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
                 arrival, totals = solve_arrival(body, panel, ahead, work)
                 if totals.tail <= RESOLVED:
                     return arrival, totals, START_LEVEL
-        level = narrower(level, size)
+        level = narrower_level(level, size)
         if level >= finest:
             return panel, totals, level
 
 
 @inline
-def outlasts(totals, left):
+def exceeds_time_left(totals, left):
     """Whether a panel would last so long beside the time left that its end would be lost in it."""
     return totals.time > LONG * max(left, 1.0) and left > 0.0
 
 
 @apart
-def shortened(body, panel, totals, state, left, scratch):
+def narrow_to_time(body, panel, totals, state, left, scratch):
     """A narrower panel, for one that `outlasts` the time left."""
     s, c = sine_cosine(state.th, state.th_low)
-    begin = begin_of(body, panel.sigma, state, s, c, scratch)
+    begin = panel_start(body, panel.sigma, state, s, c, scratch)
     if panel.kind == LEAVE:
         part = 4.0 * left / totals.time
         extent = panel.extent * part * part
@@ -287,4 +288,4 @@ def shortened(body, panel, totals, state, left, scratch):
         wide = width_of(0) / (4.0 * left * abs(state.om))
         level = min(max(int(math.floor(2.0 * binary_logarithm(wide))), 0), NARROWEST)
         short = linear_panel(panel.sigma, level, panel.way, begin)
-    return short, solve_aside(body, short, scratch.work)
+    return short, solve_noinline(body, short, scratch.work)

@@ -7,7 +7,7 @@ import math
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, PARTS, antiderivative, coefficients, extremes, left_value
 from hophoop.kernel.numerics.constants import NODES
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
 from hophoop.kernel.numerics.trigonometry import rotated
 from hophoop.kernel.panels.panel import (
     ARRIVE,
@@ -19,10 +19,9 @@ from hophoop.kernel.panels.panel import (
     B,
     U,
     angle_at,
-    chord,
     place_of,
+    sine_versine_of_offset,
 )
-from hophoop.kernel.panels.resisted import resisted_margins
 from hophoop.kernel.panels.roll import roll_margins, u_on_panel
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces
 from hophoop.kernel.records.state import time_left
@@ -42,7 +41,7 @@ GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
 
 
 @inline
-def fall_of(row, state_is_fresh, floor, scratch):
+def margin_downcrossing(row, state_is_fresh, floor, scratch):
     """Where in the panel a margin falls through zero; at its very start if it has fallen there already.
 
     Between −`floor` and `floor` a margin counts as the zero that it would be without rounding. One that starts there has fallen
@@ -69,17 +68,17 @@ def fall_of(row, state_is_fresh, floor, scratch):
                     return -1.0, near
                 if row[i] > floor:
                     break
-    return first_fall(scratch.series, floor, scratch.stack), near
+    return first_downcrossing(scratch.series, floor, scratch.stack), near
 
 
 @apart
 def cone_margin(body, panel, side, xi):
     """(margin to a side of the friction cone, forces that it is a difference of) at ξ of rolling without rolling resistance."""
     offset = angle_at(panel, xi)
-    sine, versine = chord(panel, xi)
+    sine, versine = sine_versine_of_offset(panel, xi)
     u = u_on_panel(body, panel, sine, versine, offset)
     ds, dc = rotated(panel.sine, panel.cosine, sine, versine)
-    friction, normal = rolling_forces(body, panel.sine + ds, panel.cosine + dc, u)
+    friction, normal = rolling_forces(body, panel.sine + ds, panel.cosine + dc, u, 0.0)
     a, b = cone_weights(body.mu_s)
     return a * normal - side * b * friction, body.gn + abs(body.gt) + u
 
@@ -105,13 +104,10 @@ def on_cone(body, panel, side, xi):
 def end_of_rolling(body, panel, fresh, scratch):
     """(ξ, what, whether it may depend on rounding) where rolling needs all friction; NOT_FOUND where it does not."""
     work = scratch.work
-    if body.resist > 0.0:
-        resisted_margins(body, panel, work)
-    else:
-        roll_margins(body, work)
+    roll_margins(body, panel, work)
     rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-    ahead, near_ahead = fall_of(work[A], fresh, rounding, scratch)
-    back, near_back = fall_of(work[B], fresh, rounding, scratch)
+    ahead, near_ahead = margin_downcrossing(work[A], fresh, rounding, scratch)
+    back, near_back = margin_downcrossing(work[B], fresh, rounding, scratch)
     doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
     # both at once where N comes to zero without F: the mirrored motion must then come to the mirrored edge
     side = 1.0  # of F
@@ -145,10 +141,10 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
         for _ in range(zeros):
             for i in range(ORDER):
                 work[B, i] /= PARTS[i]
-    lift, near_lift = fall_of(work[A], fresh, 0.0, scratch)
+    lift, near_lift = margin_downcrossing(work[A], fresh, 0.0, scratch)
     # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
     rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0
-    stop, near_stop = fall_of(work[B], fresh, rounding, scratch)
+    stop, near_stop = margin_downcrossing(work[B], fresh, rounding, scratch)
     doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
     if fresh and zeros == 0 and work[B, 0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
         stop = -1.0  # slip that ends before it can be told from none on the panel
@@ -182,7 +178,7 @@ def end_of_time(left, scratch):
     for i in range(ORDER):
         work[A, i] = left - work[TIME, i]
     coefficients(work[A], scratch.series)
-    found = first_fall(scratch.series, 0.0, scratch.stack)
+    found = first_downcrossing(scratch.series, 0.0, scratch.stack)
     return 1.0 if found == NOT_FOUND else found
 
 

@@ -25,7 +25,7 @@ class Phase(NamedTuple):
     mode: int
     state: State
     begins: bool  # nothing of it is computed yet: margins that are zero here are no events
-    zeros: int  # slip that begins: how often v_t is zero; flight: how many derivatives of the gap vanish at its begin
+    zeros: int  # order of the zero at the start of the function whose fall ends the phase: v_t of slip, the gap of a flight
     opening: float  # flight: f_n at its begin, exactly 0 after a lift-off from slip
     level: int  # of the next panel's width
     bounce: float  # v_n after the last impact
@@ -48,7 +48,7 @@ def opening_of(body, state):
 
 
 @inline
-def entered(body, mode, state, bounce, what, scratch):
+def begin_phase(body, mode, state, bounce, what, scratch):
     """The phase that begins in a state; an UNDECIDED mode ends the motion."""
     opening = 0.0
     zeros = 1 if state.vt == 0.0 else 0
@@ -63,24 +63,24 @@ def entered(body, mode, state, bounce, what, scratch):
 
 
 @inline
-def lifted(phase, state, what):
+def begin_flight_after_slip(phase, state, what):
     """The flight after a lift-off from slip, where N, and with it f_n, has come to zero."""
     return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)
 
 
 @inline
-def slipping(body, phase, mode, state, what):
+def begin_slip_after_roll(body, phase, mode, state, what):
     """The slip that begins where rolling reaches the friction cone: v̇_t is zero there too if μs = μk."""
     return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, phase.bounce, what, GOING)
 
 
 @inline
-def gone_on(phase, state, level, what):
+def continue_phase(phase, state, level, what):
     """The same phase, from where it has come to."""
     return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, phase.bounce, what, GOING)
 
 
 @inline
-def ended(phase, mode, state, what, status):
+def end_motion(phase, mode, state, what, status):
     """The motion ends in a mode and state."""
     return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)

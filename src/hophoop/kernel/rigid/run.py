@@ -12,15 +12,15 @@ from hophoop.kernel.records.cells import body_of, second_of, start_of
 from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, PANEL_LIMIT, PANELS, SEGMENTS, Outcome
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import moved
-from hophoop.kernel.records.writing import count_panel, has_room, new_log, note, quiet
+from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event
 from hophoop.kernel.rigid.contact_phase import contact_step
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.flight_phase import flight_step, land
 from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.massless_phase import let_go, skim_step
-from hophoop.kernel.rigid.phase import GOING, ended, entered
+from hophoop.kernel.rigid.massless_phase import begin_skim, skim_step
+from hophoop.kernel.rigid.phase import GOING, begin_phase, end_motion
 from hophoop.kernel.rigid.script import repeat
-from hophoop.kernel.rigid.transitions import settle
+from hophoop.kernel.rigid.transitions import resolve_mode
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 START, END = int(Event.START), int(Event.END)
@@ -37,16 +37,20 @@ def begin_massless(body, state, log, scratch):
         mode = FLIGHT
         if state.y == 0.0 and state.vn == 0.0:
             mode = slip_mode(1 if state.vt > 0.0 else -1)
-        note(log, START, FLIGHT if mode == FLIGHT else -1, mode, state)
-        return ended(entered(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED)
+        write_plain_event(log, START, FLIGHT if mode == FLIGHT else -1, mode, state)
+        return end_motion(
+            begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
+        )
     mode = ROLL
-    note(log, START, -1, ROLL, state)
+    write_plain_event(log, START, -1, ROLL, state)
     down = cosine(state.th) <= -1.0
     if down and state.om != 0.0:  # the load on the plane: no energy in the rotation, which nothing determines
-        return ended(entered(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED)
+        return end_motion(
+            begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
+        )
     if not down and not can_roll(body, state.th, state.om):
-        mode, state = let_go(body, state, log)
-    return entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+        mode, state = begin_skim(body, state, log)
+    return begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
 
 
 @apart
@@ -58,12 +62,12 @@ def begin(body, start, log, scratch):
     if body.kap == 0.0:
         return begin_massless(body, state, log, scratch)
     if state.y > 0.0 or state.vn != 0.0:
-        note(log, START, FLIGHT, FLIGHT, state)
+        write_plain_event(log, START, FLIGHT, FLIGHT, state)
         if state.y == 0.0 and state.vn < 0.0:
             return land(body, state, 0.0, log, scratch)
-        return entered(body, FLIGHT, state, 0.0, Ending.CONTINUES, scratch)
-    mode, state = settle(body, state, quiet(START, -1, state), log, scratch)
-    return entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+        return begin_phase(body, FLIGHT, state, 0.0, Ending.CONTINUES, scratch)
+    mode, state = resolve_mode(body, state, event_without_jump(START, -1, state), log, scratch)
+    return begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
 
 
 @inline
@@ -130,7 +134,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         phase = after
     if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come
         last = events[log.counts[EVENTS] - 1]["after_mode"]
-        note(log, END, last, last, phase.state)
+        write_plain_event(log, END, last, last, phase.state)
     count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]
     if log.counts[SEGMENTS] < 0:
         return BUFFER, count, segments.shape[0]

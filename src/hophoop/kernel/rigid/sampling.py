@@ -6,7 +6,7 @@ import math
 
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.double_double import plus
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, STRUCK, TIME, Totals, fill_inside, no_panel
 from hophoop.kernel.physics.body import Mode
@@ -15,7 +15,6 @@ from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 from hophoop.kernel.physics.massless import skim_state, strike_place
 from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.physics.resistance import resisted_forces
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.kernel.records.writing import panel_of, state_of
@@ -46,7 +45,7 @@ def place_on_panel(panel_time, segment, tau, scratch):
     for i in range(ORDER):
         scratch.values[0, i] = tau - panel_time[i]
     coefficients(scratch.values[0], scratch.series)
-    xi = first_fall(scratch.series, 0.0, scratch.stack)
+    xi = first_downcrossing(scratch.series, 0.0, scratch.stack)
     if xi == NOT_FOUND:  # beside one of the ends, by less than the rounding of the series
         xi = segment["xi"] if tau > panel_time[0] else -1.0
     return min(xi, segment["xi"])
@@ -56,9 +55,7 @@ def contact_force(body, sigma, th, th_low, om, rho):
     """(F, N) in rolling (sigma = 0) or slip, with the rolling resistance ρ."""
     s, c = sine_cosine(th, th_low)
     if sigma == 0:
-        if rho != 0.0:
-            return resisted_forces(body, s, c, om * om, rho)
-        return rolling_forces(body, s, c, om * om)
+        return rolling_forces(body, s, c, om * om, rho)
     _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma, rho)
     normal = body.kap * slip_load(body, c, om * om, stiffness)
     return -sigma * body.mu_k * normal, normal

@@ -15,8 +15,8 @@ from hophoop.kernel.records.writing import copy_event, has_room, new_log, state_
 from hophoop.kernel.rigid.contact_phase import advance_contact, frozen_end
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.panel_choice import anchored
-from hophoop.kernel.rigid.phase import Phase, entered, gone_on, opening_of, slipping
+from hophoop.kernel.rigid.panel_choice import set_anchor
+from hophoop.kernel.rigid.phase import Phase, begin_phase, begin_slip_after_roll, continue_phase, opening_of
 
 FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
 
@@ -42,7 +42,7 @@ def fill_phase(body, mode, state, until, until_low, log, scratch):
 def fill_contact(body, mode, state, until, log, scratch):
     """Write the segments of rolling or slip that is known to last until a time of one double."""
     limits = limits_of(state, until, math.nan, 0)
-    phase = entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+    phase = begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
     while phase.state.t < until and has_room(log):
         written = log.counts[SEGMENTS]
         what, state, level = advance_contact(body, phase, True, limits, log, scratch)
@@ -54,7 +54,7 @@ def fill_contact(body, mode, state, until, log, scratch):
             rate = frozen_end(body, sigma, state.vt)[0] if sigma != 0 else 0.0
             write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, until)
             return
-        phase = gone_on(phase, state, level, what)
+        phase = continue_phase(phase, state, level, what)
 
 
 def fill_script(body, script, segments, scratch):
@@ -79,12 +79,12 @@ def repeat(body, script, log, scratch):
         copy_event(log, script[row])
     mode = script[last]["after_mode"]
     state = state_of(script[last])
-    phase = entered(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+    phase = begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
     if script[last]["t"] > script[last - 1]["t"]:  # inside a phase
         if mode != FLIGHT:
             s, c = sine_cosine(state.th, state.th_low)
-            state = anchored(body, slip_direction(mode), state, s, c, scratch)
+            state = set_anchor(body, slip_direction(mode), state, s, c, scratch)
         return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, 0.0, Ending.CONTINUES, phase.status)
     if script[last - 1]["kind"] == SLIP_START:
-        return slipping(body, phase, mode, state, Ending.CONTINUES)
+        return begin_slip_after_roll(body, phase, mode, state, Ending.CONTINUES)
     return phase

@@ -21,7 +21,7 @@ from hophoop.kernel.physics.modes import (
 from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.state import with_anchor, with_losses, with_resisted, with_velocities
-from hophoop.kernel.records.writing import Cause, note, quiet, write_event
+from hophoop.kernel.records.writing import PendingEvent, event_without_jump, write_event, write_plain_event
 from hophoop.kernel.rigid.doubts import CLOSE, mode_is_in_doubt, note_doubt
 from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE
 
@@ -49,7 +49,7 @@ def collide(body, rest, state, kind, mode, collision):
     gain = -(loss_n + loss_t)
     if gain <= GAIN_FLOOR * (abs(loss_n) + abs(loss_t) + state.vn * state.vn):
         gain = 0.0
-    cause = Cause(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
+    cause = PendingEvent(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
     losses_n = state.impact_n + loss_n
     losses_t = state.impact_t + loss_t
     after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # what was conserved is not after an impact
@@ -57,7 +57,7 @@ def collide(body, rest, state, kind, mode, collision):
 
 
 @apart
-def close_bounces(body, state):
+def end_bounces(body, state):
     """(state after, cause) of the impact that ends endless bounces: e = 0, and no jerk along the plane lifts it again."""
     after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
     if not after.vn > 0.0:
@@ -73,7 +73,7 @@ def close_bounces(body, state):
     still = with_losses(with_velocities(state, 0.0, 0.0, om), state.friction, lost, after.impact_t)
     p_n += cause.p_n
     p_t += cause.p_t
-    return still, Cause(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
+    return still, PendingEvent(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
 
 
 @apart
@@ -81,11 +81,11 @@ def write_cause(log, cause, mode, state):
     """The event, and Kane's gain after it where there is one."""
     write_event(log, cause, mode, state, 0.0, -1)
     if cause.gain > 0.0:
-        write_event(log, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
+        write_event(log, event_without_jump(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
 
 
 @inline
-def settle(body, state, cause, log, scratch):
+def resolve_mode(body, state, cause, log, scratch):
     """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
 
     Returns (mode, state); the mode is UNDECIDED where the model has no answer.
@@ -105,23 +105,23 @@ def settle(body, state, cause, log, scratch):
         if mode > SKIM:
             named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
         if cause.kind == STICK and named != ROLL:
-            cause = quiet(TAKEOFF if named == FLIGHT else SLIP_REVERSAL, cause.mode, state)
+            cause = event_without_jump(TAKEOFF if named == FLIGHT else SLIP_REVERSAL, cause.mode, state)
         write_cause(log, cause, named, state)
         if mode <= SKIM or mode == UNDECIDED:
             return mode, state
         if mode == INDETERMINATE:
             after = named if body.strike else FLIGHT
-            note(log, PAINLEVE_INDETERMINATE, named, after, state)
+            write_plain_event(log, PAINLEVE_INDETERMINATE, named, after, state)
             if not body.strike:
                 return FLIGHT, state
         else:
-            note(log, PAINLEVE_INCONSISTENT, named, named, state)
+            write_plain_event(log, PAINLEVE_INCONSISTENT, named, named, state)
         state, cause = collide(body, body.rest, state, IMPACT, named, 0)
     return UNDECIDED, state
 
 
 @apart
-def pass_singular(body, mode, state, log, scratch):
+def resolve_painleve_singularity(body, mode, state, log, scratch):
     """What follows slip whose panels have shrunk to nothing: (jams, mode, state).
 
     That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
@@ -134,7 +134,9 @@ def pass_singular(body, mode, state, log, scratch):
     if not found:
         return False, UNDECIDED, state
     if sigma * state.vt <= 0.0:  # slip that has no speed to lose is at its end: an impulse would drive it
-        mode, after = settle(body, with_velocities(state, 0.0, 0.0, state.om), quiet(STICK, mode, state), log, scratch)
+        mode, after = resolve_mode(
+            body, with_velocities(state, 0.0, 0.0, state.om), event_without_jump(STICK, mode, state), log, scratch
+        )
         return False, mode, after
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
     p_t = -sigma * body.mu_k * p_n
@@ -142,15 +144,15 @@ def pass_singular(body, mode, state, log, scratch):
     after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
     after = with_resisted(after, state.resisted + 0.5 * rho * (state.om + om) * p_n)
     if jams:
-        cause = Cause(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
+        cause = PendingEvent(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
         write_event(log, cause, mode, after, 0.0, -1)
         return True, mode, after
-    note(log, PAINLEVE_INCONSISTENT, mode, mode, state)
-    cause = Cause(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
+    write_plain_event(log, PAINLEVE_INCONSISTENT, mode, mode, state)
+    cause = PendingEvent(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
     if vt != 0.0:  # turned round, and still slipping
         write_event(log, cause, mode, after, 0.0, -1)
         return False, mode, after
-    mode, after = settle(body, after, cause, log, scratch)
+    mode, after = resolve_mode(body, after, cause, log, scratch)
     return False, mode, after
 
 
@@ -167,10 +169,10 @@ def leave_cone(body, state, ahead, log, scratch):
         note_doubt(scratch, state.t, state.t)
     if opens >= 0.0:
         mode = FLIGHT
-        note(log, TAKEOFF, ROLL, FLIGHT, state)
+        write_plain_event(log, TAKEOFF, ROLL, FLIGHT, state)
     elif math.isinf(body.mu_s):
         mode = UNDECIDED  # the quasi-jump: N = 0, but free motion would enter the plane
     else:
         mode = slip_mode(-1 if ahead else 1)
-        note(log, SLIP_START, ROLL, mode, state)
+        write_plain_event(log, SLIP_START, ROLL, mode, state)
     return mode

@@ -6,9 +6,8 @@ import math
 
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import rolling_forces
+from hophoop.kernel.physics.contact import rolling_acceleration, rolling_forces
 from hophoop.kernel.physics.friction import utilization
-from hophoop.kernel.physics.resistance import resisted_acceleration, resisted_forces
 from hophoop.kernel.physics.roll import rolling_u
 
 SAMPLES_A_RADIAN = 24
@@ -22,7 +21,7 @@ def friction_need(body, th0, u0, offset):
     """abs(F)/N at an angle that rolling reaches."""
     u = max(rolling_u(body, th0, u0, offset), 0.0)
     s, c = sine_and_cosine(th0 + offset)
-    friction, normal = rolling_forces(body, s, c, u)
+    friction, normal = rolling_forces(body, s, c, u, 0.0)
     if friction == 0.0:
         return 0.0
     return abs(friction) / normal if normal > 0.0 else math.inf
@@ -31,7 +30,7 @@ def friction_need(body, th0, u0, offset):
 def resisted_slope(body, th, u, rho):
     """dθ̇²/dθ of rolling with rolling resistance."""
     s, c = sine_and_cosine(th)
-    return 2.0 * resisted_acceleration(body, s, c, u, rho)
+    return 2.0 * rolling_acceleration(body, s, c, u, rho)
 
 
 def resisted_u(body, th, u, rho, step):
@@ -47,7 +46,7 @@ def resisted_use(body, th, u, rho, step):
     """abs(F)/N a short way on from a state of rolling with rolling resistance."""
     u = max(resisted_u(body, th, u, rho, step), 0.0)
     s, c = sine_and_cosine(th + step)
-    friction, normal = resisted_forces(body, s, c, u, rho)
+    friction, normal = rolling_forces(body, s, c, u, rho)
     return abs(friction) / normal if normal > 0.0 else math.inf
 
 

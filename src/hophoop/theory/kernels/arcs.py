@@ -168,7 +168,7 @@ def time_from_top(body, w, angle):
     """Time from θ = 0, passed with θ̇² = w, to an angle; a past angle has a negative one if w > 0."""
     way = 1.0 if angle > 0.0 else -1.0
     if w == 0.0:
-        start = rolling_acceleration(body, 0.0, 1.0, 0.0)
+        start = rolling_acceleration(body, 0.0, 1.0, 0.0, 0.0)
         if start == 0.0:
             return math.inf
         if start * angle < 0.0:
@@ -197,7 +197,7 @@ def time_from_top(body, w, angle):
 def rocking_time(body, angle):
     """Period of rocking from rest at an angle; inf in an equilibrium, nan where the hoop rolls away."""
     s, c = sine_and_cosine(angle)
-    start = rolling_acceleration(body, s, c, 0.0)
+    start = rolling_acceleration(body, s, c, 0.0, 0.0)
     if start == 0.0:
         return math.inf
     valley = first_valley(body)

@@ -11,7 +11,7 @@ from hophoop.kernel.numerics.arcs import arctangent2
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.constants import NODES
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_fall_after
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing_after
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.kernel.physics.roll import rolling_u
 from hophoop.theory.kernels.arcs import relative_tail
@@ -30,7 +30,7 @@ def force_angle(body, w, th, side):
     """Angle between the contact force of rolling and the normal, F > 0 counted positive for side = 1."""
     u = rolling_u(body, 0.0, w, th)
     s, c = sine_and_cosine(th)
-    friction, normal = rolling_forces(body, s, c, u)
+    friction, normal = rolling_forces(body, s, c, u, 0.0)
     return arctangent2(side * friction, normal)
 
 
@@ -40,8 +40,8 @@ def cone_margin_line(body, th, side):
     a, b = cone_weights(body.mu_s)
     from_rest = rolling_u(body, 0.0, 0.0, th)
     growth = rolling_inertia(body, 1.0) / rolling_inertia(body, c)
-    friction0, normal0 = rolling_forces(body, s, c, 0.0)
-    friction1, normal1 = rolling_forces(body, s, c, 1.0)
+    friction0, normal0 = rolling_forces(body, s, c, 0.0, 0.0)
+    friction1, normal1 = rolling_forces(body, s, c, 1.0, 0.0)
     steady = a * normal0 - b * side * friction0
     rate = a * (normal1 - normal0) - b * side * (friction1 - friction0)
     return steady + rate * from_rest, rate * growth
@@ -93,7 +93,7 @@ def highest(what, body, w, begin, end, side, scratch):
             change += abs(slope[k])
         xi = -2.0
         while change > FLAT:  # what is constant has no root to be found
-            xi = first_fall_after(slope, xi, 0.0, scratch.stack)
+            xi = first_downcrossing_after(slope, xi, 0.0, scratch.stack)
             if xi == NOT_FOUND:
                 break
             th = low + 0.5 * width * (1.0 + xi)

@@ -14,8 +14,8 @@ from hophoop.theory.kernels.rows import body_of
 def threshold(body, th, sigma):
     """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
     s, c = sine_and_cosine(th)
-    smooth = slip_stiffness(with_friction(body, 0.0), s, c, sigma)
-    rough = slip_stiffness(with_friction(body, 1.0), s, c, sigma)
+    smooth = slip_stiffness(with_friction(body, 0.0), s, c, sigma, 0.0)
+    rough = slip_stiffness(with_friction(body, 1.0), s, c, sigma, 0.0)
     return smooth / (smooth - rough) if rough < smooth else math.inf
 
 
@@ -36,7 +36,7 @@ def regions(bodies, angles, frictions, out):
         s, c = sine_and_cosine(angles[k])
         out[k] = 0
         for sigma in (-1, 1):
-            if slip_stiffness(body, s, c, sigma) <= 0.0:
+            if slip_stiffness(body, s, c, sigma, 0.0) <= 0.0:
                 out[k] = sigma
 
 

@@ -43,8 +43,8 @@ def rolling_ranges(bodies, angles, out):
         body = body_of(bodies[k])
         s, c = sine_and_cosine(angles[k])
         a, b = cone_weights(body.mu_s)
-        friction0, normal0 = rolling_forces(body, s, c, 0.0)
-        friction1, normal1 = rolling_forces(body, s, c, 1.0)
+        friction0, normal0 = rolling_forces(body, s, c, 0.0, 0.0)
+        friction1, normal1 = rolling_forces(body, s, c, 1.0, 0.0)
         low, high = narrowed(0.0, math.inf, normal0, normal1)
         for side in (1.0, -1.0):
             low, high = narrowed(low, high, a * normal0 - b * side * friction0, a * normal1 - b * side * friction1)

@@ -28,7 +28,7 @@ def forces(bodies, angles, rates, out):
         body = body_of(bodies[k])
         rate = rates[k]
         s, c = sine_and_cosine(angles[k])
-        out[k, 0], out[k, 1] = rolling_forces(body, s, c, rate * rate)
+        out[k, 0], out[k, 1] = rolling_forces(body, s, c, rate * rate, 0.0)
 
 
 def kinetic(bodies, angles, rates, out):
