@@ -1,1 +1,1 @@
-"""The compiled kernels: which there are, their library, and its build."""
+"""The compiled kernels, their library, and its build."""

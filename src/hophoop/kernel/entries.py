@@ -1,7 +1,7 @@
-"""The kernels that Python calls in compiled form, and what each takes.
+"""Entries: the kernels that Python calls in compiled form, and the types of their arguments.
 
-The build makes a function of each in the library of this machine's kind; `calls` calls it. All else that Python calls is quick
-interpreted. A kind is `float`, `int`, `bool`, a named tuple of such, or an `Array`.
+The build compiles one function per entry into the library, and `calls` calls it. All other kernels that Python calls are fast
+enough interpreted. A type is `float`, `int`, `bool`, a named tuple of these, or an `Array`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from hophoop.kernel.records.state import State
 
 
 class Array(NamedTuple):
-    """An array whose items lie one after the other, rows first.
+    """A contiguous array in C order.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ REAL, WHOLE = np.dtype(np.float64), np.dtype(np.int64)
 EVENTS, SEGMENTS = Array(EVENT), Array(SEGMENT)
 ROW, TABLE, CUBE, COUNTS = Array(REAL), Array(REAL, 2), Array(REAL, 3), Array(WHOLE)
 
-# Arrays in named tuples, whose annotations do not tell their kind.
+# Arrays in named tuples, whose annotations do not state dtype and dimensions.
 FIELDS: dict[type, tuple[Array, ...]] = {
     Scratch: (TABLE, TABLE, ROW, ROW, TABLE, ROW, COUNTS),
     Tables: (TABLE, EVENTS, SEGMENTS),
@@ -43,7 +43,7 @@ FIELDS: dict[type, tuple[Array, ...]] = {
 
 _THEORY = "hophoop.theory.kernels."
 
-# Each group is compiled by a process of its own, and again only where a source that it is made of has changed.
+# Each group is compiled by its own process, and only if one of its sources has changed.
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "motions": {
         "hophoop.kernel.rigid.run.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
@@ -96,13 +96,13 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
 
 
 def kernel_named(name: str) -> Any:
-    """The kernel of an entry."""
+    """Return the kernel of an entry."""
     module, _, function = name.rpartition(".")
     return getattr(import_module(module), function)
 
 
 def fields_of(kind: Any) -> tuple[tuple[str, Any], ...]:
-    """Names and kinds of a named tuple's fields."""
+    """Return names and types of a named tuple's fields."""
     if kind in FIELDS:
         return tuple(zip(kind._fields, FIELDS[kind], strict=True))
     import typing
@@ -112,5 +112,5 @@ def fields_of(kind: Any) -> tuple[tuple[str, Any], ...]:
 
 
 def is_tuple(kind: Any) -> bool:
-    """Whether a kind is that of a named tuple."""
+    """Return True if a type is a named tuple."""
     return isinstance(kind, type) and issubclass(kind, tuple)

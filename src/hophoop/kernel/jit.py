@@ -1,4 +1,4 @@
-"""Kernels for loops of one's own: Numba's dispatchers of them. This needs Numba, the extra `jit`."""
+"""Numba dispatchers of the kernels, for users' own compiled loops. Requires Numba (extra `jit`)."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ _dispatchers = Namespaces(_made)
 
 
 def jitted(kernel: Callable[..., Any]) -> Any:
-    """A kernel that a function with `numba.njit` can call.
+    """Return a dispatcher of a kernel that a function with `numba.njit` can call.
 
     Parameters
     ----------
     kernel : function
-        Such as `hophoop.kernel.rigid.run.run`.
+        For example `hophoop.kernel.rigid.run.run`.
 
     Returns
     -------
     dispatcher : numba dispatcher
-        Compiled where it is first called, which takes from some seconds to minutes.
+        Compiled at its first call, which takes from seconds to minutes.
 
     Examples
     --------

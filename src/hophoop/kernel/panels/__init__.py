@@ -1,1 +1,1 @@
-"""Pieces of rolling, slip and flight over which a motion is a series: solved, and searched for events."""
+"""Pieces of rolling, slip and flight on which a motion is a series: their solution and the search for events."""

@@ -1,14 +1,13 @@
-"""What a phase conserves, measured from the equilibrium that it passes (docs/model.md#beside-an-equilibrium).
+"""Conserved quantity of a phase, relative to the nearest equilibrium (docs/model.md#beside-an-equilibrium).
 
-In rolling D θ̇² + 2 V(θ) is conserved, in slip of one direction the difference of θ̇² from the motion that comes to rest
-at the equilibrium grows by a factor that is known. A hoop that passes the top at 1e-8 m/s has θ̇² = 1e-16 there, which
-is lost in the rounding of the θ̇² = 10 it comes with. So the small number is carried along, and θ̇² is found from it anew
-at each panel:
+Rolling conserves D θ̇² + 2 V(θ). In slip the difference of θ̇² from the separatrix, the motion that comes to rest at the
+equilibrium, grows by a known factor. A hoop that passes the top at 1e-8 m/s has θ̇² = 1e-16 there, which rounding of the
+earlier θ̇² = 10 would hide. So the small number is kept in the state, and each panel computes θ̇² from it:
 
     roll  D θ̇² = excess + 2 [B (1 − cos ψ) + g_t (ψ − sin ψ)],  ψ = θ − θ_base,  B = ε (g_n cos θ_base − g_t sin θ_base)
     slip  θ̇²   = excess + Σ a_k ψ^k, with the series of the motion that comes to rest at θ_base
 
-The hilltop serves as the base where the hoop comes near it, the valley for oscillations beside the valley.
+The base is the unstable equilibrium if the hoop comes near it, else the stable one.
 """
 
 from __future__ import annotations
@@ -34,39 +33,39 @@ from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_
 from hophoop.kernel.physics.roll import rest_curvature
 
 TERMS = 16
-LARGEST_PSI = 0.1  # rad from a hilltop within which the series of slip is used
-CANCELS = 1e-2  # of its terms: where θ̇² is less, as beside a turning point, the one that is carried has more digits
+LARGEST_PSI = 0.1  # rad from the unstable equilibrium within which the series of slip is used
+CANCELS = 1e-2  # relative to its terms: if the sum is less, as near a turning point, θ̇² of the state has more digits
 FREE, ROLLING, SLIPPING = 0, 1, 2
 
 
 class Anchor(NamedTuple):
-    """The conserved quantity of a phase and what it is measured from."""
+    """Conserved quantity of a phase and the equilibrium to which it is relative."""
 
     kind: int  # FREE: none
     excess: float
-    base: float  # θ of the equilibrium, within the turn
+    base: float  # θ of the equilibrium, within one revolution
     base_low: float
-    bend: float  # B; positive on a hilltop
+    bend: float  # B; positive at an unstable equilibrium
 
 
 NONE = Anchor(FREE, 0.0, 0.0, 0.0, 0.0)
 
 
 def rolling_hilltop(body):
-    """θ, in two doubles, of the unstable equilibrium on a slope; needs abs(sin β) < ε."""
+    """Return θ of the unstable equilibrium on a slope as a double-double; requires abs(sin β) < ε."""
     sine = divide(sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
     return add(negative(arc_sine(sine)), (-body.slope, 0.0))
 
 
 @inline
 def offset_from(th, low, base, base_low):
-    """ψ = θ − θ_base of two angles of two doubles, with all its digits."""
+    """Return ψ = θ − θ_base of two double-double angles, accurate to all digits."""
     return (th - base) + (low - base_low)
 
 
 @inline
 def potential_drop(body, bend, psi):
-    """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
+    """Return B (1 − cos ψ) + g_t (ψ − sin ψ), the drop of V from the equilibrium to ψ."""
     if body.gt == 0.0:
         return bend * versine_of(psi)
     bent, _, versine = turn_deficits(psi)
@@ -75,7 +74,7 @@ def potential_drop(body, bend, psi):
 
 @apart
 def rolling_anchor(body, th, low, s, c, u):
-    """The anchor of a rolling phase that begins at θ with θ̇² = u."""
+    """Return the anchor of a rolling phase that starts at θ with θ̇² = u."""
     if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
         return NONE
     base = 0.0
@@ -88,7 +87,7 @@ def rolling_anchor(body, th, low, s, c, u):
     energy = inertia_at_height(body, load_height(s, c)) * u
     excess = energy - 2.0 * potential_drop(body, bend, psi)
     if excess < -2.0 * bend:
-        # nearer to the valley, which lies a turn less two arcs from the hilltop: θ_valley = π − 2β − θ_hilltop
+        # closer to the stable equilibrium: θ_stable = π − 2β − θ_unstable
         way = 1.0 if psi > 0.0 else -1.0
         valley = add((way * PI, way * PI_LOW), (-2.0 * body.slope, 0.0))
         valley = add(valley, (-base, -base_low))
@@ -100,7 +99,7 @@ def rolling_anchor(body, th, low, s, c, u):
 
 @inline
 def rolling_begin(body, anchor, th, low, s, c, u):
-    """(−dV/dθ, d²V/dθ², θ̇²) where a rolling panel begins; the last is as it was without an anchor."""
+    """Return (−dV/dθ, d²V/dθ², θ̇²) at the start of a rolling panel; without an anchor θ̇² is unchanged."""
     torque = body.eps * (body.gn * s + body.gt * c) + body.gt
     bend = -rest_curvature(body, s, c)
     if anchor.kind != ROLLING:
@@ -123,7 +122,7 @@ def rolling_begin(body, anchor, th, low, s, c, u):
 
 
 def slip_hilltop(body, sigma):
-    """θ, in two doubles, where slip has no torque and θ̇ = 0 is unstable; needs σ μ/√(1 + μ²) < ε."""
+    """Return θ of the unstable equilibrium of slip as a double-double; requires σ μ/√(1 + μ²) < ε."""
     signed_mu = sigma * body.mu_k
     if signed_mu == 0.0:
         return 0.0, 0.0
@@ -134,7 +133,7 @@ def slip_hilltop(body, sigma):
 
 @apart
 def separatrix(body, sigma, base, out):
-    """Series in ψ of θ̇² of the slip that comes to rest at its hilltop; returns up to which ψ it is good to rounding."""
+    """Fill `out` with the series in ψ of θ̇² on the separatrix of slip; return the maximum ψ for full accuracy."""
     eps = body.eps
     signed_mu = sigma * body.mu_k
     s, c = sine_and_cosine(base)
@@ -165,7 +164,7 @@ def separatrix(body, sigma, base, out):
 
 
 def separatrix_value(series, psi):
-    """θ̇² of the slip that comes to rest at the hilltop, at ψ from there."""
+    """Return θ̇² at ψ on the separatrix of slip."""
     result = 0.0
     for k in range(TERMS - 1, 1, -1):
         result = result * psi + series[k]
@@ -173,7 +172,7 @@ def separatrix_value(series, psi):
 
 
 def frictionless_value(body, th, low):
-    """θ̇² of the slip without friction that comes to rest on the hilltop: its energy is conserved."""
+    """Return θ̇² of the slip without friction that comes to rest at the unstable equilibrium, by conservation of energy."""
     s = sine_cosine(th, low)[0]
     half = sine(0.5 * (th + low))
     return 4.0 * body.eps * body.gn * half * half / (body.kap + body.eps * s * body.eps * s)
@@ -181,7 +180,7 @@ def frictionless_value(body, th, low):
 
 @apart
 def slip_anchor(body, sigma, th, low, s, c, u, series):
-    """The anchor of slip that begins, with θ̇² = u, beside its hilltop; `series` is scratch."""
+    """Return the anchor of slip that starts near its unstable equilibrium with θ̇² = u; `series` is scratch."""
     if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
         return NONE
     signed_mu = sigma * body.mu_k
@@ -200,7 +199,7 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
 
 @apart
 def slip_begin(body, anchor, sigma, th, low, arm, u, series):
-    """(q, θ̇²) where a slip panel begins, from what they are but for rounding: with all digits also beside the hilltop."""
+    """Return (q, θ̇²) at the start of a slip panel with all digits, also near the unstable equilibrium."""
     if body.mu_k == 0.0:
         high = frictionless_value(body, th, low)
         found = anchor.excess + high

@@ -1,8 +1,8 @@
-"""The end of a flight: the first place where the gap closes, from one inflection of the gap to the next.
+"""End of a flight: the first zero of the gap, searched from one inflection of the gap to the next.
 
-The second derivative of the gap is −g_n + ε θ̇² cos θ, so that it is known where the gap bends up and where down: up while the
-load is within arccos(g_n/(ε θ̇²)) of the top. Between two such places a fall through zero, or a top, is the only one of its
-kind, and the values at both ends tell whether it is there.
+The second derivative of the gap is −g_n + ε θ̇² cos θ. So the gap is convex while the load is within arccos(g_n/(ε θ̇²)) of the
+top, and concave elsewhere. Between two inflections there is at most one downcrossing and at most one maximum, and the values at
+both inflections show whether it exists.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.double_double import turns_and_rest
 from hophoop.kernel.physics.flight import MANY_TURNS, flight_rates
 
-MOST_BENDS = 20_000  # looked at in one flight: some 10,000 turns close to the plane
-MANY = 3_000.0  # rad: a longer flight is not looked at where the rim is too high to land whatever its angle
-MOST_STEPS = 200  # towards a root: halvings of a bracket, where the steps leave it
-MANY_RADIANS = 1e15  # an angle so large has too few digits for the whole turns to be taken off in doubles
-NEAR = 9.0  # rad before the top of a flight and before the plane, from where on it is looked at: more than a turn
-RESOLVED_TIME = 2e-16  # of a time, to which a root is found
+MOST_BENDS = 20_000  # maximum of arcs between inflections per flight: about 10,000 revolutions close to the plane
+MANY = 3_000.0  # rad: in a longer flight, times are skipped at which the rim is too high to land at any angle
+MOST_STEPS = 200  # towards a root; a step that leaves the bracket is replaced by a halving
+MANY_RADIANS = 1e15  # a larger angle has too few digits to subtract the revolutions in double precision
+NEAR = 9.0  # rad before the apex and before the plane at which the search starts: more than one revolution
+RESOLVED_TIME = 2e-16  # relative accuracy of a root
 
 
 class Flight(NamedTuple):
-    """The begin of a flight."""
+    """Start of a flight."""
 
     s: float
     c: float
@@ -36,7 +36,7 @@ class Flight(NamedTuple):
 
 
 class Moment(NamedTuple):
-    """The gap and its derivatives at a time of a flight."""
+    """The gap and its derivatives at one time of a flight."""
 
     tau: float
     gap: float
@@ -47,14 +47,14 @@ class Moment(NamedTuple):
 
 @inline
 def moment_of(body, flight, tau):
-    """The flight at the time tau."""
+    """Return the gap and its derivatives at the time tau."""
     gap, rate, bend, jerk = flight_rates(body, flight.s, flight.c, flight.om, flight.y, flight.vn, flight.fn, tau)
     return Moment(tau, gap, rate, bend, jerk)
 
 
 @inline
 def parabola_fall(value, rate, bend):
-    """Where value + rate t + bend t²/2 falls through zero at t > 0; nan where it does not."""
+    """Return the time t > 0 at which value + rate t + bend t²/2 falls through zero; nan if there is none."""
     square = rate * rate - 2.0 * bend * value
     if square < 0.0:
         return math.nan
@@ -65,7 +65,7 @@ def parabola_fall(value, rate, bend):
 
 @inline
 def halley_step(value, slope, bend):
-    """How far back a step of third order goes towards the zero of a function."""
+    """Return Halley's correction (third order) for a zero of a function, to be subtracted."""
     if slope == 0.0:
         return math.inf
     step = value / slope
@@ -74,7 +74,7 @@ def halley_step(value, slope, bend):
 
 @inline
 def is_found(moved, before, tau):
-    """Whether steps of third order have come to a root: the next one, smaller by moved³/before³, would be rounding."""
+    """Return True if Halley's steps have converged: the next step, about moved³/before³ times this one, would be rounding."""
     if moved <= RESOLVED_TIME * tau:
         return True
     if before == 0.0:
@@ -82,12 +82,12 @@ def is_found(moved, before, tau):
     part = moved / before
     if moved <= 1e-4 * tau and moved * (part * part * part) <= 0.05 * RESOLVED_TIME * tau:
         return True
-    return moved < 1e-13 * tau and part >= 0.5  # as near as the rounding of the gap lets the steps come
+    return moved < 1e-13 * tau and part >= 0.5  # limit set by the rounding of the gap
 
 
 @inline
 def target_function(moment, level, way):
-    """What is to fall through zero, and its first two derivatives: the gap, or its rate times `way` where `level` is asked."""
+    """Return the function whose downcrossing is searched and two derivatives: the gap, or `way` times its rate if `level`."""
     if level:
         return way * moment.rate, way * moment.bend, way * moment.jerk
     return moment.gap, moment.rate, moment.bend
@@ -95,9 +95,9 @@ def target_function(moment, level, way):
 
 @apart
 def fall_between(body, flight, first, last, level):
-    """When the gap, or its rate where `level` is asked, is zero, once, between two moments.
+    """Return the time of the only zero of the gap, or of its rate if `level`, between two moments.
 
-    The gap falls; the rate falls to a top, and rises to the lowest place of a stretch that bends up.
+    The gap falls. Its rate falls through zero at a maximum of the gap and rises through zero at a minimum.
     """
     way = -1.0 if level and not first.rate > 0.0 else 1.0
     low = first.tau
@@ -106,7 +106,7 @@ def fall_between(body, flight, first, last, level):
     tau = low + parabola_fall(value, slope, bend)
     if not low < tau < high:
         drop = value - target_function(last, level, way)[0]
-        # the times of a flight of 10¹⁶ rad may be the same at both ends
+        # in a flight of 10¹⁶ rad both ends may have the same time
         tau = low + (high - low) * (value / drop) if drop > 0.0 else low
     before = 0.0
     for _ in range(MOST_STEPS):
@@ -129,22 +129,22 @@ def fall_between(body, flight, first, last, level):
 
 @apart
 def touches(body, flight, lowest):
-    """Whether the gap at its lowest is zero but for rounding: a touch without approach."""
+    """Return True if a minimum of the gap is zero within rounding: a contact without approach."""
     tau = lowest.tau
     size = flight.y + body.eps + abs(flight.vn * tau) + abs(flight.fn) * tau * tau
-    if abs(flight.om * tau) > MANY_TURNS:  # as `flight_rates` adds it up
+    if abs(flight.om * tau) > MANY_TURNS:  # the sum as in `flight_rates`
         size = flight.y + body.eps + abs(flight.vn - body.eps * flight.om * flight.s) * tau + body.gn * tau * tau
     return lowest.gap > -4e-16 * size
 
 
 @apart
 def landing_in_convex_arc(body, flight, first, last):
-    """When the rim lands in a stretch that bends up, or −1: only where its lowest place is below the plane."""
+    """Return the time of landing in a convex arc of the gap; −1 if its minimum is not below the plane."""
     if first.rate >= 0.0:
         return -1.0
     if last.rate <= 0.0:
         return -1.0 if last.gap > 0.0 else fall_between(body, flight, first, last, False)
-    # the tangents at both ends are below the gap: where they meet above the plane, so is the gap
+    # the gap is above its tangents at both ends, and so above the plane if they meet above it
     meet = first.gap + first.rate * ((last.gap - first.gap - last.rate * (last.tau - first.tau)) / (first.rate - last.rate))
     if meet > 0.0:
         return -1.0
@@ -156,7 +156,7 @@ def landing_in_convex_arc(body, flight, first, last):
 
 @inline
 def landing_time_bound(body, flight, rise):
-    """When the parabola of the centre of gravity, which rises at first by `rise`, has left the reach of the cosine for good."""
+    """Return an upper bound of the landing time: from then on G's parabola stays below −2ε; `rise` is its initial velocity."""
     reach = 2.0 * body.eps + flight.y
     if body.gn > 0.0:
         root = math.sqrt(rise * rise + 2.0 * body.gn * reach)
@@ -171,9 +171,9 @@ def landing_time_bound(body, flight, rise):
 
 @apart
 def worth_looking(body, flight, rise, start, never):
-    """From where on a flight of many turns is to be looked at: beside its top, and where the rim can reach the plane.
+    """Return the time at which the search in a flight of many revolutions starts: near the apex, or when the rim can land.
 
-    `rise` is the speed of the centre of gravity away from the plane, whose parabola less ε is below the gap.
+    `rise` is the velocity of the centre of gravity away from the plane; its parabola minus ε is a lower bound of the gap.
     """
     clear = flight.y + body.eps * (flight.c - 1.0)
     if not clear + start * (rise - 0.5 * body.gn * start) > 0.0:
@@ -192,7 +192,7 @@ def worth_looking(body, flight, rise, start, never):
 
 @inline
 def from_top(angle):
-    """The angle less the whole turns that bring it nearest to the top."""
+    """Return the angle reduced to within half a revolution of the top."""
     if abs(angle) < MANY_RADIANS:
         return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
     return turns_and_rest(angle)[1]
@@ -200,36 +200,36 @@ def from_top(angle):
 
 @apart
 def first_landing(body, th, om, y, vn, fn, order, limit):
-    """First contact of a flight and its highest centre.
+    """Find the first contact of a flight and the maximum height of the centre.
 
     Parameters
     ----------
     order : int
-        How many leading derivatives of the gap vanish at the start (0 for a start above the plane).
+        Number of leading derivatives of the gap that vanish at the start (0 for a start above the plane).
     limit : float
-        Longest time to look at.
+        Maximum time to search.
 
     Returns
     -------
     landing : float
         Time of the first contact with approach, or -1.
     apex : float
-        Time at which the centre is highest, or -1 if it is so at an end of the flight.
+        Time at which the centre is highest, or -1 if that is at an end of the flight.
     seen : float
-        Time up to which the flight was looked at: `limit`, or less where that would take more than `MOST_BENDS`.
+        Time up to which the flight was searched: `limit`, or less if that takes more than `MOST_BENDS` arcs.
     """
     s, c = sine_and_cosine(th)
     flight = Flight(s, c, om, y, vn, fn)
     rise = vn - body.eps * flight.s * om
-    # Stretches depend on this and not on the limit of time, so that a motion has the same bits however long it is followed.
+    # the arcs depend on this bound and not on the time limit, so that a motion has the same bits for any duration
     never = landing_time_bound(body, flight, rise)
     turned = abs(om)
     high = body.eps * om * om
-    # within this angle of the top the gap bends up
+    # within this angle of the top the gap is convex
     half = arccosine(body.gn / high) if high > body.gn else 0.0
     angle = from_top(th if om > 0.0 else -th)
     if order >= 2:
-        # the rim leaves the plane because the gap begins to bend up, of which rounding may leave nothing
+        # the rim leaves the plane because the gap becomes convex; rounding may hide this
         if half == 0.0:
             return (-1.0 if body.gn == 0.0 else 0.0), -1.0, limit
         if abs(angle) >= half:

@@ -1,7 +1,7 @@
-"""A piece of rolling or slipping: θ at the nodes of a panel, and what both modes share.
+"""A panel, a piece of rolling or slip: θ at its nodes, and the computations that both modes share.
 
-Time follows from θ by quadrature, dt = dθ/θ̇. Where θ̇ → 0 that is singular, so a panel that ends (`ARRIVE`)
-or begins (`LEAVE`) at a turning point θ_m uses s with θ = θ_m ∓ s² and has dt/ds = 2/√(θ̇²/s²), which is smooth.
+Time follows from θ by quadrature, dt = dθ/θ̇, which is singular where θ̇ → 0. So a panel that ends (`ARRIVE`) or starts
+(`LEAVE`) at a turning point θ_m uses s with θ = θ_m ∓ s², where dt/ds = 2/√(θ̇²/s²) is smooth.
 """
 
 from __future__ import annotations
@@ -21,40 +21,40 @@ from hophoop.kernel.numerics.trigonometry import SMALL, sine_and_versine, small_
 from hophoop.kernel.physics.roll import rest_curvature
 
 LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
-SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backwards and forwards
+SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backward and forward
 HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
 
 
 @inline
 def width_of(level):
-    """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
+    """Return the width of a panel; levels narrower than the tables have sin φ = φ to rounding."""
     if level < LEVELS:
         return WIDTHS[level]
     return WIDTHS[LEVELS - 1] * power(0.5, 0.5 * (level - (LEVELS - 1)))
 
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
-STRUCK = 1.0  # stands for ξ where skimming ends with the strike of the load
+STRUCK = 1.0  # value of ξ in a segment that ends with the strike of the load
 # Rows of the scratch array of a panel: values at the nodes.
 SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
 RESIST, RESISTED = 15, 16  # power and work of the rolling resistance
 ROWS = 17
-RESOLVED = 2e-13  # size of the last three Chebyshev coefficients at which a panel is accepted; the next one is about 1e-15
+RESOLVED = 2e-13  # maximum size of the last 3 Chebyshev coefficients of an accepted panel; the next one is about 1e-15
 
 
 class Panel(NamedTuple):
-    """What is needed to compute everything on a panel again, to the last bit."""
+    """All numbers needed to compute a panel again, to the last bit."""
 
     sigma: int  # 0 roll, ±1 slip
     kind: int  # LINEAR, ARRIVE or LEAVE
     level: int  # of a LINEAR panel's width
     way: float  # ±1, the sign of θ̇
-    ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point to come (ARRIVE), within the turn
-    ref_low: float  # what rounding keeps from it
-    sine: float  # sin θ and cos θ there
+    ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point ahead (ARRIVE), within one revolution
+    ref_low: float  # low-order half of `ref`
+    sine: float  # sin θ and cos θ at `ref`
     cosine: float
     extent: float  # abs(Δθ) over the panel
-    arm: float  # slip: q and κ p_σ there; roll: −dV/dθ, less ρ g_n, and d²V/dθ² of the potential V
+    arm: float  # slip: q and κ p_σ at `ref`; roll: −dV/dθ, less ρ g_n, and d²V/dθ² of the potential V
     stiffness: float
     u: float  # θ̇² at `ref`
     vt: float  # slip velocity at the start
@@ -65,22 +65,22 @@ class Totals(NamedTuple):
 
     tail: float  # size of the last Chebyshev coefficients, the panel's error measure
     time: float
-    u: float  # θ̇² at the end; of an ARRIVE panel, which ends at rest, at the start
+    u: float  # θ̇² at the end; for an ARRIVE panel, which ends at rest, at the start
     vt: float
     loss: float
-    growth: float  # slip: of a difference of θ̇² between two motions, from `ref` to the far end
+    growth: float  # slip: growth of a difference of θ̇² between two motions, from `ref` to the far end
     resisted: float  # energy lost to rolling resistance
 
 
 @inline
 def rows_are_known(work):
-    """Always true; a compiler that has seen it knows how far the rows are apart, and takes several nodes at a time."""
+    """Return True always; the compiler then knows the stride of the rows and vectorizes over the nodes."""
     return work.shape[1] == ORDER
 
 
 @apart
 def fill_narrow(way, half, sines, versines, stretch):
-    """`fill_geometry` of panels narrower than the tables go."""
+    """Fill the geometry of a panel narrower than the tables, as `fill_geometry` does."""
     for i in range(ORDER):
         offset = half * (1.0 + NODES[i])
         sines[i] = way * offset
@@ -90,7 +90,7 @@ def fill_narrow(way, half, sines, versines, stretch):
 
 @inline
 def fill_geometry(panel, work):
-    """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
+    """Fill rows A and B with sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes, and STRETCH with abs(dθ/dξ)."""
     sines = work[A]
     versines = work[B]
     stretch = work[STRETCH]
@@ -99,7 +99,7 @@ def fill_geometry(panel, work):
         if panel.level >= LEVELS:
             fill_narrow(way, 0.5 * panel.extent, sines, versines, stretch)
             return
-        # one loop a row: each becomes a single move of memory, and what reads the row next need not wait for its parts
+        # one loop per row: each compiles to one block copy, which the next reader of the row need not wait for
         table = SINES[1 if way > 0.0 else 0, panel.level]
         other = VERSINES[panel.level]
         halves = HALVES[panel.level]
@@ -132,7 +132,7 @@ def fill_geometry(panel, work):
 
 @inline
 def angle_at(panel, xi):
-    """θ − ref at ξ."""
+    """Return θ − ref at ξ."""
     if panel.kind == LINEAR:
         return panel.way * panel.extent * 0.5 * (1.0 + xi)
     if panel.kind == ARRIVE:
@@ -144,7 +144,7 @@ def angle_at(panel, xi):
 
 @inline
 def place_of(panel, offset):
-    """ξ where abs(θ − ref) = offset."""
+    """Return ξ where abs(θ − ref) = offset."""
     if panel.kind == LINEAR:
         return 2.0 * offset / panel.extent - 1.0
     part = math.sqrt(offset / panel.extent)
@@ -152,7 +152,7 @@ def place_of(panel, offset):
 
 
 class PanelStart(NamedTuple):
-    """Where a panel begins: what its functions are changes from."""
+    """Start of a panel, to which the functions on the panel are relative."""
 
     th: float
     th_low: float
@@ -166,7 +166,7 @@ class PanelStart(NamedTuple):
 
 @inline
 def linear_panel(sigma, level, way, begin):
-    """A panel of standard width."""
+    """Return a panel of standard width."""
     return Panel(
         sigma, LINEAR, level, way, begin.th, begin.th_low, begin.sine, begin.cosine, width_of(level),
         begin.arm, begin.stiffness, begin.u, begin.vt,
@@ -175,13 +175,13 @@ def linear_panel(sigma, level, way, begin):
 
 @inline
 def no_panel(kind, sigma, way):
-    """What stands for the panel in a piece that needs none: FLY, HOLD or SKIMMING."""
+    """Return a placeholder panel for a segment without one: FLY, HOLD or SKIMMING."""
     return Panel(sigma, kind, 0, way, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @inline
 def leaving_panel(sigma, way, extent, begin):
-    """A panel that begins at rest."""
+    """Return a panel that starts at rest."""
     return Panel(
         sigma, LEAVE, 0, way, begin.th, begin.th_low, begin.sine, begin.cosine, extent,
         begin.arm, begin.stiffness, 0.0, begin.vt,
@@ -189,10 +189,10 @@ def leaving_panel(sigma, way, extent, begin):
 
 
 def arriving_panel(body, before, ahead):
-    """A panel from the start of a linear one to a turning point at the angle `ahead` from there.
+    """Return a panel from the start of the linear panel `before` to a turning point at the angle `ahead`.
 
-    Its quantities at the turning point are changes from the start: evaluated afresh they would be off by
-    their rounding, which near p_σ = 0 is more than the panel is wide.
+    The quantities at the turning point are computed as changes from the start. Evaluated directly they would have a rounding
+    error that near p_σ = 0 exceeds the panel's width.
     """
     ds, dc = turn(before.sine, before.cosine, before.way * ahead)
     s = before.sine + ds
@@ -209,7 +209,7 @@ def arriving_panel(body, before, ahead):
 
 @inline
 def sine_versine_of_offset(panel, xi):
-    """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
+    """Return (sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; a whole LINEAR panel takes them from the table."""
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
     angle = angle_at(panel, xi)
@@ -218,7 +218,7 @@ def sine_versine_of_offset(panel, xi):
 
 @inline
 def fill_inside(panel, work):
-    """The rows TIME and LOSS of a solved panel, which only a place inside it needs."""
+    """Fill the rows TIME and LOSS of a solved panel, which are only needed for positions inside it."""
     antiderivative(work[RATE], work[TIME])
     if panel.sigma != 0:
         antiderivative(work[POWER], work[LOSS])

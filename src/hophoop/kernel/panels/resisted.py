@@ -34,8 +34,8 @@ from hophoop.kernel.physics.contact import resisted_inertia, rolling_forces
 def solve_resisted(body, panel, work):
     """Fill `work` for a rolling panel with rolling resistance.
 
-    With D′ = D − ρ ε sin θ the quantity E = D′ θ̇² obeys dE/dθ = (ρ ε cos θ/D′) E + 2 (torque − ρ g_n): its factor is of
-    the size of ρ. The row A holds E, which is smooth also where it turns negative beyond a turning point.
+    With D′ = D − ρ ε sin θ, the quantity E = D′ θ̇² obeys dE/dθ = (ρ ε cos θ/D′) E + 2 (torque − ρ g_n), whose factor is of
+    order ρ. Row A holds E, which stays smooth where it is negative, beyond a turning point.
     """
     fill_geometry(panel, work)
     s0 = panel.sine

@@ -27,14 +27,14 @@ from hophoop.kernel.panels.panel import (
 )
 from hophoop.kernel.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 
-# Where D falls on a panel to less than this part of itself, θ̇², and with it the force, has a shape that the time does
-# not show: the nearly massless hoop, beside the angle where the load meets the plane.
+# If D falls on a panel to less than this fraction of itself, θ̇² and the force vary in a way that the time does not show: a
+# nearly massless hoop near the angle where the load meets the plane.
 STEEP = 0.25
 
 
 @inline
 def energy_gained(body, panel, sine, versine, offset):
-    """Change of D θ̇² on a rolling panel over φ = offset from its reference, with sin φ and 1 − cos φ."""
+    """Return the change of D θ̇² on a rolling panel over φ = offset from its reference, given sin φ and 1 − cos φ."""
     gained = sine * panel.arm + versine * panel.stiffness
     if body.gt != 0.0:
         gained += body.gt * turn_deficits(offset)[0]
@@ -43,7 +43,7 @@ def energy_gained(body, panel, sine, versine, offset):
 
 @inline
 def u_on_panel(body, panel, sine, versine, offset):
-    """θ̇² on a rolling panel at φ = offset from its reference, with sin φ and 1 − cos φ."""
+    """Return θ̇² on a rolling panel at φ = offset from its reference, given sin φ and 1 − cos φ."""
     inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
     energy = inertia * panel.u + energy_gained(body, panel, sine, versine, offset)
     return energy / (inertia + 2.0 * body.eps * rotated(panel.sine, panel.cosine, sine, versine)[1])
@@ -53,14 +53,14 @@ def u_on_panel(body, panel, sine, versine, offset):
 def solve_roll(body, panel, work):
     """Fill `work` for a rolling panel.
 
-    The row A holds D θ̇², which is smooth also where it turns negative beyond a turning point.
+    Row A holds D θ̇², which stays smooth where it is negative, beyond a turning point.
     """
     if not rows_are_known(work):
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     fill_geometry(panel, work)
     s0 = panel.sine
     c0 = panel.cosine
-    # as a change from `ref`: near θ = π and γ = 1 rounding would else be all that the panel shows
+    # as a change from `ref`: near θ = π with γ = 1 direct evaluation would give only rounding
     inertia = inertia_at_height(body, load_height(s0, c0))
     start = inertia * panel.u
     sines = work[SINE]
@@ -102,7 +102,7 @@ def solve_roll(body, panel, work):
 
 @inline
 def roll_margins(body, panel, work):
-    """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
+    """Fill rows A and B with the margins to both sides of the friction cone, positive inside, and NORMAL with N."""
     a, b = cone_weights(body.mu_s)
     rho = panel.way * body.resist
     for i in range(ORDER):

@@ -44,13 +44,13 @@ from hophoop.kernel.physics.contact import contact_arms
 
 @inline
 def way_from_reference(panel):
-    """±1, the sign of the way of θ from `ref` to the far end of a panel."""
+    """Return ±1, the direction of θ from `ref` to the far end of a panel."""
     return -panel.way if panel.kind == ARRIVE else panel.way
 
 
 @inline
 def away_from_reference(panel, values, out):
-    """∫ values abs(dξ) from `ref` to each node; returns the integral from `ref` to the far end."""
+    """Integrate values abs(dξ) from `ref` to each node; return the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
         remainders(values, out)
     else:
@@ -60,7 +60,7 @@ def away_from_reference(panel, values, out):
 
 @inline
 def from_reference(panel, values, out):
-    """`away_from_reference`, signed along θ."""
+    """Integrate as `away_from_reference`, with the sign of dθ."""
     whole = away_from_reference(panel, values, out)
     way = way_from_reference(panel)
     for i in range(ORDER):
@@ -70,7 +70,7 @@ def from_reference(panel, values, out):
 
 @apart
 def slip_resisted(body, work):
-    """Energy lost to rolling resistance on a solved slip panel; fills its power."""
+    """Return the energy lost to rolling resistance on a solved slip panel, and fill its power."""
     for i in range(ORDER):
         work[RESIST, i] = body.resist * work[NORMAL, i] * work[STRETCH, i]
     return total(work[RESIST])
@@ -80,7 +80,7 @@ def slip_resisted(body, work):
 def solve_slip(body, panel, work):
     """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
 
-    Where the panel reaches beyond a turning point only the row U is meaningful, and the tail is infinite.
+    If the panel extends beyond a turning point only row U is meaningful, and the tail is infinite.
     """
     if not rows_are_known(work):
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
@@ -97,7 +97,7 @@ def solve_slip(body, panel, work):
     growth = work[NORMAL]
     integral = work[TIME]
     arms = work[ARM]
-    heights = work[POWER]  # until the power is known: of G above the plane
+    heights = work[POWER]  # height of G above the plane, until the power is known
     stiffnesses = work[STIFFNESS]
     signed_mu = sigma * body.mu_k
     height0 = contact_arms(body, s0, c0)[0]
@@ -105,7 +105,7 @@ def solve_slip(body, panel, work):
     stiffness0 = panel.stiffness
     way = way_from_reference(panel)
     for i in range(ORDER):
-        # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
+        # as changes from `ref`: near p_σ = 0 direct evaluation would give only rounding
         ds, dc = rotated(s0, c0, damping[i], drive[i])
         s = s0 + ds
         c = c0 + dc
@@ -147,7 +147,7 @@ def solve_slip(body, panel, work):
         rates[i] = rate
         normals[i] = body.kap * load
         slip_rates[i] = (body.gt + eps * sines[i] * u - load * friction_part) * rate
-    # near p_σ = 0 the rounding of f_n is all that the force shows; it is not asked to be smoother than that
+    # near p_σ = 0 the force is dominated by the rounding of f_n, so a lower smoothness is accepted there
     weight = body.gn + panel.u
     size = max(size, truncation_error(rates, 0.0), truncation_error(normals, max(weight, 2e-3 * body.kap * weight / least)))
     if not size <= RESOLVED:
@@ -158,7 +158,7 @@ def solve_slip(body, panel, work):
     power = work[POWER]
     for i in range(ORDER):
         slips[i] += panel.vt
-        # no abs(), so that it stays smooth beyond the end of the slip
+        # without abs(), so that it stays smooth beyond the end of slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
     resisted = slip_resisted(body, work) if body.resist > 0.0 else 0.0
     return Totals(size, time, u_far, vt, total(power), growth_far, resisted)

@@ -1,1 +1,1 @@
-"""What passes through the kernels and out of them: state, events, segments, scratch arrays."""
+"""Inputs and results of the kernels: cells, state, events, segments, scratch arrays."""

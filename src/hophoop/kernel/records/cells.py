@@ -1,4 +1,4 @@
-"""What the kernels make of a cell: units, body and start."""
+"""Units, body and start of a cell."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ from hophoop.kernel.records.units import scales_from
 
 
 def scales_of(cells, k):
-    """Units of a cell."""
+    """Return the units of a cell."""
     return scales_from(cells[RADIUS, k], second_of(cells, k), cells[MASS, k])
 
 
 def body_of(cells, k):
-    """Hoop and plane of a cell, as `scenario.to_body` makes them."""
+    """Return hoop and plane of a cell, as `scenario.to_body` does."""
     weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
     s, c = sine_and_cosine(cells[SLOPE, k])
     return Body(
@@ -57,13 +57,13 @@ def body_of(cells, k):
 
 
 def second_of(cells, k):
-    """Unit of time of a cell, as `scenario.time_unit` gives it."""
+    """Return the unit of time of a cell, as `scenario.time_unit` does."""
     gravity = cells[GRAVITY, k]
     return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
 
 
 def start_of(cells, k, second):
-    """Start of a cell in kernel units."""
+    """Return the start of a cell in kernel units."""
     radius = cells[RADIUS, k]
     speed = radius / second
     return start_state(

@@ -1,4 +1,4 @@
-"""What the kernels are given, a column of numbers a motion, and what they write: one record an event, one a segment."""
+"""Layout of the kernels' input, one column of numbers per motion, and of their records, one per event and per segment."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-# Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
+# Rows of the array of cells, in SI units; `allowed` is 0 if the values contradict each other.
 CELL = (
     "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
     "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
@@ -19,7 +19,7 @@ CELL = (
 ) = range(len(CELL))  # fmt: skip
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
-# What rounding keeps from time and place, and the angle as whole turns and θ within the turn.
+# Low-order halves of the double-double time and position, and the angle as whole revolutions and θ within one.
 _PLACE = ["t_low", "x_low", "turns", "theta", "theta_low"]
 _ENERGY = ["friction", "impact_normal", "impact_tangential"]
 # Kernel units (R, m, √(R/g)). `slip` is v_t after the event, kept because ẋ − Rθ̇ loses its digits near 0;
@@ -34,7 +34,7 @@ EVENT = np.dtype(
     + [(name, "f8") for name in _PLACE]
     + [("rolling_resistance", "f8")]
 )
-# All that is needed to compute the motion inside the segment again, bit for bit.
+# All numbers needed to compute the motion inside the segment again, bit for bit.
 SEGMENT = np.dtype(
     [("t", "f8"), ("t_end", "f8"), ("mode", "i8"), ("kind", "i8"), ("sigma", "i8"), ("level", "i8")]
     + [("way", "f8"), ("ref", "f8"), ("sine", "f8"), ("cosine", "f8"), ("extent", "f8")]
@@ -47,34 +47,34 @@ SEGMENT = np.dtype(
 )
 
 
-# Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
+# Maximum of panels solved for one motion, including rejected ones: a few seconds, and 70 MB if all are kept.
 MOST_PANELS = 500_000
 
 
-# What the counts of a motion are of; −1 stands for a table that was too short.
+# Indices into the counts of a motion; a count of −1 means that its table was too short.
 EVENTS, SEGMENTS, PANELS, PANEL_LIMIT = range(4)
 
 
 class Tables(NamedTuple):
-    """One motion: its cell, and what it is written into."""
+    """One motion: its cell, and the tables that it fills."""
 
-    cell: Any  # of shape (len(CELL), 1)
+    cell: Any  # shape (len(CELL), 1)
     events: Any
     segments: Any
 
 
 class Outcome(NamedTuple):
-    """What a motion told beside its tables."""
+    """Result of a motion, apart from its tables."""
 
     status: int
-    events: int  # that were written, and so on
+    events: int  # number of events written; `segments` likewise
     segments: int
-    doubt: float  # the first time at which doubles did not suffice, nan where they did
+    doubt: float  # first time at which double precision did not suffice, nan if it always did
     doubt_until: float
     events_full: bool
-    panels_used: bool  # as many as a motion may have
+    panels_used: bool  # True if the limit of panels was reached
 
 
 def first_rows(table: np.ndarray, count: int) -> np.ndarray:
-    """A copy of the first rows of a table, as bytes: NumPy copies records number by number, which takes three times as long."""
+    """Return a copy of the first rows of a table, made as bytes: NumPy copies records field by field, 3 times slower."""
     return np.ndarray(count, table.dtype, bytearray(table[:count].tobytes()))

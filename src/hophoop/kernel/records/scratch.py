@@ -1,4 +1,4 @@
-"""The arrays that a kernel works in."""
+"""Scratch arrays of the kernels."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from hophoop.kernel.numerics.roots import DEPTH
 from hophoop.kernel.panels.panel import ROWS
 from hophoop.kernel.records.layout import MOST_PANELS
 
-STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # what `first_fall` needs
+STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # size of the stack of `first_downcrossing`
 
 
 class Scratch(NamedTuple):
-    """Arrays that the kernel works in; one set a thread."""
+    """Scratch arrays of a kernel; one set per thread."""
 
     work: np.ndarray
     values: np.ndarray
     series: np.ndarray
     weights: np.ndarray
     stack: np.ndarray
-    doubt: np.ndarray  # begin and end of the first doubt of a motion, nan while there is none
-    counts: np.ndarray  # events, segments and panels of the motion, and how many panels it may have; see records.layout
+    doubt: np.ndarray  # start and end of the first doubt of a motion, nan if there is none
+    counts: np.ndarray  # numbers of events, segments and panels, and the limit of panels; see records.layout
 
 
 def new_scratch():
-    """A fresh set of scratch arrays."""
+    """Return a new set of scratch arrays."""
     return Scratch(
         np.zeros((ROWS, ORDER)),
         np.zeros((2, ORDER)),
@@ -44,7 +44,7 @@ _own = threading.local()
 
 
 def thread_scratch() -> Scratch:
-    """The scratch arrays of this thread: making them takes a tenth of a short motion."""
+    """Return the scratch arrays of this thread; allocating them takes 10 % of a short motion."""
     if not hasattr(_own, "scratch"):
         _own.scratch = new_scratch()
     scratch: Scratch = _own.scratch

@@ -1,4 +1,4 @@
-"""The state that passes through the event loop, and how events and segments are written."""
+"""The state that passes through the event loop, and changes of it."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.double_double import PI, TWO_PI, TWO_PI_LOW, add, plus, turns_and_rest
 from hophoop.kernel.panels.anchor import NONE, Anchor
 
-# θ stays within this of the turn it is counted in, so that it has all its digits beside the hilltops of both sides.
+# Maximum of abs(θ) in a revolution, so that θ keeps all its digits near the unstable equilibria on both sides.
 FARTHEST = TWO_PI - 0.5
 
 
 class State(NamedTuple):
-    """Position, velocities (v_t in place of ẋ, so that small slip keeps its digits) and energy lost so far.
+    """Position, velocities (v_t instead of ẋ, so that small slip keeps its digits) and energy dissipated so far.
 
-    Times and angles add up over thousands of turns, so they have a second double for what rounding keeps from the
-    first. The angle is a whole number of turns and θ within the turn, which stays between −2π and 2π.
+    Times and angles accumulate over thousands of revolutions, so they are double-doubles: each has a low-order half. The angle
+    is split into whole revolutions (`turns`) and θ within one, which stays between −2π and 2π.
     """
 
     t: float
@@ -39,20 +39,20 @@ class State(NamedTuple):
 
 @apart
 def start_state(x, y, angle, vt, vn, om):
-    """A state at t = 0, from the whole angle."""
+    """Return a state at t = 0; `angle` includes all revolutions."""
     turns, th, th_low = turns_and_rest(angle)
     return State(0.0, 0.0, x, 0.0, y, turns, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
 
 
 @inline
 def whole_angle(state):
-    """θ with its turns."""
+    """Return θ including all revolutions."""
     return state.turns * TWO_PI + (state.th + (state.th_low + state.turns * TWO_PI_LOW))
 
 
 @inline
 def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
-    """The state elsewhere, with its velocities and losses."""
+    """Return the state at another time and position, with its velocities and losses."""
     return State(
         t, t_low, x, x_low, y, turns, th, th_low, state.vt, state.vn, state.om,
         state.friction, state.impact_n, state.impact_t, state.resisted, state.anchor,
@@ -61,7 +61,7 @@ def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
 
 @inline
 def with_velocities(state, vt, vn, om):
-    """The state with other velocities."""
+    """Return the state with other velocities."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low, vt, vn, om,
         state.friction, state.impact_n, state.impact_t, state.resisted, state.anchor,
@@ -70,7 +70,7 @@ def with_velocities(state, vt, vn, om):
 
 @inline
 def with_losses(state, friction, impact_n, impact_t):
-    """The state with other losses."""
+    """Return the state with other losses."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
         state.vt, state.vn, state.om, friction, impact_n, impact_t, state.resisted, state.anchor,
@@ -79,7 +79,7 @@ def with_losses(state, friction, impact_n, impact_t):
 
 @inline
 def with_resisted(state, resisted):
-    """The state with another loss to rolling resistance."""
+    """Return the state with another loss to rolling resistance."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
         state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, resisted, state.anchor,
@@ -88,7 +88,7 @@ def with_resisted(state, resisted):
 
 @inline
 def with_anchor(state, anchor):
-    """The state with another anchor."""
+    """Return the state with another anchor."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
         state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, state.resisted, anchor,
@@ -97,25 +97,25 @@ def with_anchor(state, anchor):
 
 @inline
 def at_time(state, t):
-    """The state at exactly the time t."""
+    """Return the state at exactly the time t."""
     return moved(state, t, 0.0, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
 
 
 @inline
 def later(state, tau):
-    """(time, its low part) when tau has passed."""
+    """Return (time, its low-order half) after the duration tau."""
     return plus(state.t, state.t_low, tau)
 
 
 @inline
 def time_left(state, t_end):
-    """Time from the state to t_end."""
+    """Return the time from the state to t_end."""
     return (t_end - state.t) - state.t_low
 
 
 @apart
 def turned_by(state, angle):
-    """(turns, θ, its low part) after turning by an angle of any size, with θ within half a turn of 0."""
+    """Return (turns, θ, its low-order half) after a rotation by any angle, with abs(θ) ≤ π."""
     more, th, low = turns_and_rest(angle)
     th, low = add((th, low), (state.th, state.th_low))
     turns = state.turns + more
@@ -130,7 +130,7 @@ def turned_by(state, angle):
 
 @apart
 def flown(state, along, y, tau, vt, vn):
-    """The state in flight, with θ̇ unchanged, after the time tau."""
+    """Return the state after a flight of duration tau, with θ̇ unchanged."""
     t, t_low = later(state, tau)
     x, x_low = plus(state.x, state.x_low, along)
     turns, th, th_low = turned_by(state, state.om * tau)

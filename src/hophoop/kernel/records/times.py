@@ -1,4 +1,4 @@
-"""Times in seconds as the kernel's own."""
+"""Conversion of times in seconds to kernel units."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from __future__ import annotations
 def kernel_times(begins, end, times, second, out):
     """Fill `out` with times [s] in kernel units, on the same side of each event as in seconds; at most the end of the motion.
 
-    `begins` are the times at which its segments begin. The time of an event, there and back between the units, can be off
-    by its rounding: on its other side. So the time of an event in seconds is the event's own, and the last one is the end.
+    `begins` are the start times of the segments. Converted to seconds and back, the time of an event may differ by rounding and
+    move to the event's other side. So a time equal to an event's time in seconds is mapped exactly to the event, and likewise
+    for the end.
     """
     last = begins.shape[0] - 1
     for k in range(times.shape[0]):

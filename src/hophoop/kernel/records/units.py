@@ -1,4 +1,4 @@
-"""SI values of the kernel's units, in one order of operations for Python and the browser's module."""
+"""SI values of the kernel units, in one order of operations for Python and the browser's module."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Scales(NamedTuple):
-    """SI values of the kernel's units."""
+    """SI values of the kernel units."""
 
     length: float  # [m]
     time: float  # [s]
@@ -20,7 +20,7 @@ class Scales(NamedTuple):
 
 
 def scales_from(length, second, mass):
-    """All units from those of length, time and mass."""
+    """Return all units, from those of length, time and mass."""
     speed = length / second
     acceleration = speed / second
     impulse = mass * speed

@@ -1,4 +1,4 @@
-"""How events and segments are written, and read back as states."""
+"""Writing of events and segments, and their conversion back to states."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from hophoop.kernel.records.state import State, whole_angle
 
 
 class Log(NamedTuple):
-    """Where the events and segments of a motion are written."""
+    """Tables that receive the events and segments of a motion."""
 
     events: np.ndarray  # of records.EVENT
-    segments: np.ndarray  # of records.SEGMENT; of length 0 where none are wanted
-    counts: np.ndarray  # how many of each, −1 where the array was too short; and how many panels
+    segments: np.ndarray  # of records.SEGMENT; length 0 if none are wanted
+    counts: np.ndarray  # numbers of events, segments (−1: the table was too short) and panels
 
 
 def new_log(events, segments, scratch):
-    """A log in which nothing is written."""
+    """Return an empty log."""
     scratch.counts[EVENTS] = 0
     scratch.counts[SEGMENTS] = 0
     scratch.counts[PANELS] = 0
@@ -31,18 +31,18 @@ def new_log(events, segments, scratch):
 
 @inline
 def has_room(log):
-    """Whether the arrays have been long enough so far, and the panels are not used up."""
+    """Return True if the tables are not full and the panels not used up."""
     return log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0 and log.counts[PANELS] < log.counts[PANEL_LIMIT]
 
 
 @inline
 def count_panel(log):
-    """Count a step of a loop that must end; `choose_panel` counts the panels that it solves."""
+    """Count one pass of a loop that must end; `choose_panel` counts the panels that it solves."""
     log.counts[PANELS] += 1
 
 
 class PendingEvent(NamedTuple):
-    """An event to be written once the mode after it is known: the mode and velocities before it, its impulse."""
+    """An event that is written once the mode after it is known: mode and velocities before it, and its impulse."""
 
     kind: int
     mode: int
@@ -56,13 +56,13 @@ class PendingEvent(NamedTuple):
 
 
 def event_without_jump(kind, mode, state):
-    """A cause without a jump."""
+    """Return a pending event without a jump of velocity."""
     return PendingEvent(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
 
 
 @inline
 def next_row(counts, which, length):
-    """Where the next event (0) or segment (1) goes; −1 from then on where there is no room."""
+    """Return the row of the next event (0) or segment (1), and count it; −1 from the first time that the table is full."""
     count = counts[which]
     if count < 0 or count >= length:
         counts[which] = -1
@@ -73,7 +73,7 @@ def next_row(counts, which, length):
 
 @inline
 def write_state(row, state):
-    """What events and segments hold of a state."""
+    """Write a state to the row of an event or segment."""
     row["t"] = state.t
     row["t_low"] = state.t_low
     row["x"] = state.x
@@ -116,13 +116,13 @@ def write_event(log, cause, mode, state, gain, stable):
 
 
 def write_plain_event(log, kind, before, after, state):
-    """Append an event without a jump."""
+    """Append an event without a jump of velocity."""
     write_event(log, event_without_jump(kind, before, state), after, state, 0.0, -1)
 
 
 @apart
 def copy_event(log, row):
-    """Append an event that is known."""
+    """Append a copy of a known event."""
     count = next_row(log.counts, EVENTS, log.events.shape[0])
     if count >= 0:
         log.events[count] = row
@@ -130,7 +130,7 @@ def copy_event(log, row):
 
 @inline
 def write_segment(log, mode, panel, xi, opening, state, t_end):
-    """Append a segment that starts in `state`; an array of length 0 keeps none."""
+    """Append a segment that starts in `state`; a table of length 0 stays empty."""
     if log.segments.shape[0] == 0:
         return
     count = next_row(log.counts, SEGMENTS, log.segments.shape[0])
@@ -158,7 +158,7 @@ def write_segment(log, mode, panel, xi, opening, state, t_end):
 
 @apart
 def state_of(row):
-    """The state just after an event, or where a segment begins."""
+    """Return the state just after an event or at the start of a segment."""
     return State(
         row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["turns"], row["theta"], row["theta_low"],
         row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"],
@@ -168,7 +168,7 @@ def state_of(row):
 
 @apart
 def panel_of(row):
-    """The panel of a segment of rolling or slip."""
+    """Return the panel of a segment of rolling or slip."""
     return Panel(
         row["sigma"], row["kind"], row["level"], row["way"], row["ref"], row["ref_low"], row["sine"], row["cosine"],
         row["extent"], row["arm"], row["stiffness"], row["u"], row["slip"],

@@ -1,4 +1,4 @@
-"""Rolling and slipping, panel by panel, up to the first event inside a panel."""
+"""Rolling and slip, panel by panel, up to the first event inside a panel."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
 )
 STILL_ACCELERATION = 1e-15
 LOST = 1e-9  # relative error of θ̇² near the unstable equilibrium above which v_t has lost digits too
-FORESEEN = 24  # finest level for which the next one is predicted: near p_σ = 0 truncation errors are rounding
+FORESEEN = 24  # finest level for which the next one is predicted: beyond, near p_σ = 0, truncation errors are rounding
 
 
 @apart
@@ -87,8 +87,8 @@ def normalize_turns(body, state):
     after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
     anchor = state.anchor
     if anchor.kind == SLIPPING and body.mu_k == 0.0:
-        return after  # without friction the motion that comes to rest at one hilltop does so at each
-    if anchor.kind == ROLLING and anchor.bend > 0.0:  # the hilltop of the next turn, which is lower on a slope
+        return after  # without friction the anchor is the same in every revolution
+    if anchor.kind == ROLLING and anchor.bend > 0.0:  # of the next revolution, which is lower on a slope
         excess = anchor.excess + 2.0 * way * TWO_PI * body.gt
         return with_anchor(after, Anchor(ROLLING, excess, anchor.base, anchor.base_low, anchor.bend))
     base, base_low = add((anchor.base, anchor.base_low), (-way * TWO_PI, -way * TWO_PI_LOW))
@@ -101,7 +101,7 @@ def is_equilibrium(body, sigma, state):
     anchor = state.anchor
     if anchor.kind != 0 and anchor.bend > 0.0:
         psi = offset_from(state.th, state.th_low, anchor.base, anchor.base_low)
-        # beside the top of the level by less than 1e-280 rad it takes 600 √(R/g) to be seen
+        # within 1e-280 rad of the top, on the level, a motion would take 600 √(R/g) to become visible
         return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
     th = state.th
     s, c = sine_and_cosine(th)
@@ -141,7 +141,7 @@ def resistance_loss_inside(work, weights):
 
 @inline
 def state_on_panel(body, panel, totals, state, xi, scratch):
-    """Return the state at ξ of a solved panel that starts in `state`; inside the panel, after `fill_inside`."""
+    """Return the state at ξ of a solved panel that starts in `state`; ξ inside the panel requires `fill_inside` first."""
     work = scratch.work
     if xi <= -1.0:
         return state
@@ -197,7 +197,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
 def propagate_anchor(body, panel, totals, xi, after):
     """Return the state after a slip panel with its anchor propagated over the panel."""
     anchor = after.anchor
-    if body.mu_k == 0.0:  # θ̇² − θ̇² of another motion goes as 1/(κ p)
+    if body.mu_k == 0.0:  # the difference of θ̇² between two motions is proportional to 1/(κ p)
         s, _ = sine_cosine(after.th, after.th_low)
         sine = panel.sine
         if panel.kind == ARRIVE:
@@ -214,9 +214,9 @@ def propagate_anchor(body, panel, totals, xi, after):
 
 @apart
 def recover_slip_velocity(body, state, u):
-    """Return the state of slip with θ̇² = u, where rounding has lost digits of θ̇ near the unstable equilibrium.
+    """Return the state of slip with θ̇² = u, if rounding has lost digits of θ̇ near the unstable equilibrium.
 
-    The velocity of the centre of gravity along the plane has lost none, since only friction changes it: v_t follows from it.
+    v_t follows from the velocity of the centre of gravity along the plane, which has lost no digits: only friction changes it.
     """
     s, c = sine_cosine(state.th, state.th_low)
     om = math.copysign(math.sqrt(u), state.om)
@@ -226,7 +226,7 @@ def recover_slip_velocity(body, state, u):
 
 @inline
 def at_panel_start(body, sigma, state, begins, scratch):
-    """Return the state at the start of the next panel, without a θ̇ that would underflow and with an anchor; sin θ; cos θ."""
+    """Return (state at the start of the next panel, sin θ, cos θ), with θ̇ = 0 for underflow, and the anchor of a new phase."""
     if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
         state = with_velocities(state, state.vt, state.vn, 0.0)
     s, c = sine_cosine(state.th, state.th_low)
@@ -237,19 +237,19 @@ def at_panel_start(body, sigma, state, begins, scratch):
 
 @inline
 def has_lost_digits(sigma, panel, state):
-    """Return True if θ̇² of slip from the anchor differs from that of the state, whose digits rounding has taken."""
+    """Return True if θ̇² of slip from the anchor differs from the state's θ̇², which has lost digits to rounding."""
     return sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u
 
 
 @inline
 def foreseen_level(level, error, before):
-    """Return the level of the next panel: one finer if the truncation error grows so fast that it would not be resolved."""
+    """Return the level of the next panel: one finer if the truncation error grows too fast to stay resolved."""
     return level + 1 if level < FORESEEN and error > before and error * (error / before) > RESOLVED else level
 
 
 @inline
 def fit_to_time(body, panel, totals, state, limits, scratch):
-    """Return (panel, totals), of a narrower panel if this one would last much longer than the motion."""
+    """Return (panel, totals), with a narrower panel if this one would last much longer than the motion."""
     left = time_left(state, limits.t_end)
     if totals.tail <= RESOLVED and exceeds_time_left(totals, left):
         return narrow_to_time(body, panel, totals, state, left, scratch)
@@ -258,7 +258,7 @@ def fit_to_time(body, panel, totals, state, limits, scratch):
 
 @inline
 def pinned(what, state, limits, way):
-    """Return the state with the defining number of its event exact: v_t = 0, the final time or the final angle."""
+    """Return the state with the quantity that defines its event exact: v_t = 0, the final time or the final angle."""
     if what == Ending.SLIP_END:
         return with_velocities(state, 0.0, state.vn, state.om)
     if what == Ending.TIME_LIMIT:
@@ -272,7 +272,7 @@ def pinned(what, state, limits, way):
 def advance_contact(body, phase, blind, limits, log, scratch):
     """Roll or slip, panel by panel, up to an event or a turning point.
 
-    A `blind` phase is known to last until the final time: events are not searched.
+    With `blind` the phase is known to last until the final time, and no events are searched.
 
     Returns (ending, state, level of the next panel); the ending is CONTINUES if the log is full.
     """
@@ -349,7 +349,7 @@ def slide_without_rotation(body, mode, state, t_end, log):
 
 @apart
 def still_step(body, phase, state, limits, log, scratch):
-    """Rest, or slip without rotation up to its end."""
+    """Rest, or slip without rotation until it ends; return the next phase."""
     mode = phase.mode
     if mode == ROLL:
         stable = 1 if equilibrium_is_stable(body, state.th) else 0
@@ -369,7 +369,7 @@ def still_step(body, phase, state, limits, log, scratch):
 
 @inline
 def after_rolling(body, phase, what, state, log, scratch):
-    """Return the phase after rolling that has reached the friction cone, or that cannot be followed further."""
+    """Return the phase after rolling that has reached the friction cone or could not be resolved further."""
     if what == Ending.SEARCH_LIMIT:
         note_doubt(scratch, state.t, state.t)
         return end_motion(phase, ROLL, state, what, UNDETERMINED)
@@ -405,7 +405,7 @@ def turning_point_step(body, phase, state, level, limits, log, scratch):
         return still_step(body, phase, state, limits, log, scratch)
     kind = STICK if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
     if phase.mode != ROLL and mode > SKIM and not limits.stop & STOP_AT_TURN:
-        kind = TURN  # slip goes on up to the paradox, which comes at once
+        kind = TURN  # slip goes on until the paradox, which follows at once
     else:
         write_plain_event(log, TURN, phase.mode, phase.mode, state)
     if limits.stop & STOP_AT_TURN:
@@ -413,7 +413,7 @@ def turning_point_step(body, phase, state, level, limits, log, scratch):
     if mode == phase.mode:
         return continue_phase(phase, state, level, Ending.TURNING_POINT)
     if kind == STICK and mode != FLIGHT:
-        state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ come to zero together
+        state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ reach zero together
     mode, state = resolve_mode(body, state, event_without_jump(kind, phase.mode, state), log, scratch)
     return begin_phase(body, mode, state, phase.bounce, Ending.TURNING_POINT, scratch)
 

@@ -1,7 +1,7 @@
-"""Where double precision cannot tell what follows: a quantity that decides is zero but for the rounding of the motion.
+"""Detection of doubts: a deciding quantity is zero within the rounding of the motion, so that double precision cannot decide.
 
-A doubt is noted, and the motion goes on with what the doubles say. `hophoop.simulation.exact_start` takes the decision in more
-digits, where someone asks.
+The kernel records the first doubt and continues with the values in double precision. `hophoop.simulation.exact_start` decides
+in extended precision, on request.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from hophoop.kernel.panels.panel import A, B
 from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces
 from hophoop.kernel.physics.resistance import resistance_arm
 
-CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
-NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel
+CLOSE = 1e-11  # relative to the natural size of a quantity; a smaller value may have either sign
+NEARBY = 0.015  # relative to the range of a margin on a panel: (half the distance of two nodes)² / half the panel's width
 
 
 @inline
 def note_doubt(scratch, begin, end):
-    """Keep the times of the first doubt of a motion."""
+    """Record the times of the first doubt of a motion."""
     if math.isnan(scratch.doubt[0]):
         scratch.doubt[0] = begin
         scratch.doubt[1] = end
@@ -30,7 +30,7 @@ def note_doubt(scratch, begin, end):
 
 @apart
 def mode_is_in_doubt(body, state):
-    """Whether the mode that follows a state in contact depends on the rounding of the state."""
+    """Return True if rounding of a state in contact may decide the mode that follows."""
     if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
         return False
     s, c = sine_cosine(state.th, state.th_low)
@@ -40,7 +40,7 @@ def mode_is_in_doubt(body, state):
         return False
     opening = abs(free_acceleration(body, s, c, u)[1])
     if state.vt != 0.0:
-        # p_σ = 0 is left to the doubles: beside it the force has no bound, and the longer computation no end
+        # p_σ ≈ 0 is left to double precision: the force is unbounded there, and extended precision would never finish
         return opening <= CLOSE * (body.gn + body.eps * u)
     friction, normal = rolling_forces(body, s, c, state.om * state.om, resistance_arm(body, s, c, state.om, 0))
     a, b = cone_weights(body.mu_s)
@@ -52,11 +52,11 @@ def mode_is_in_doubt(body, state):
 
 @apart
 def grazes_zero(row, scale, scratch):
-    """Whether the smallest value of a margin on a panel is zero but for rounding."""
+    """Return True if a local minimum of a margin on a panel is zero within rounding."""
     series = scratch.series
     rate = scratch.values[1]
     coefficients(row, series)
-    # minus the derivative, which falls where the margin is smallest
+    # minus the derivative; it has a downcrossing at each minimum of the margin
     after = 0.0
     here = 0.0
     for k in range(ORDER - 1, 0, -1):
@@ -79,7 +79,7 @@ def grazes_zero(row, scale, scratch):
 
 @apart
 def has_graze(body, panel, state, scratch):
-    """Whether a margin of the phase has a smallest value on the panel that is zero but for rounding."""
+    """Return True if a margin of the phase has a minimum on the panel that is zero within rounding."""
     speed = abs(panel.vt) + abs(state.om)
     scale = body.gn + panel.u
     if panel.sigma == 0:

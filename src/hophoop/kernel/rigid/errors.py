@@ -1,8 +1,8 @@
-"""How sure each event of a computed motion is: rounding at every event, times what the motion makes of it.
+"""Error estimates of events: rounding at every event, amplified by the sensitivity of the motion after it.
 
-From each event the motion is computed again with a small change of θ, θ̇, v_t, v_n, the height and friction. How far
-the later events move tells their conditioning; the rounding of the event is then multiplied by it, and what all events
-contribute is added up in squares. Rounding inside a phase counts at the event that the phase begins with.
+The motion is computed again from each event with a small change of θ, θ̇, v_t, v_n, the height or friction. The shift of the
+later events gives their sensitivity, by which the rounding of the event is multiplied. The contributions of all events add up
+in squares. Rounding inside a phase is attributed to the event at its start.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import run
 
-ROUNDING = 4e-16  # of a number at an event, beside its natural size
-CHANGES = (1e-8, 1e-11)  # what is tried; the smaller one where the larger leads to other events
+ROUNDING = 4e-16  # relative rounding of a quantity at an event
+CHANGES = (1e-8, 1e-11)  # relative changes; the smaller one is tried if the larger leads to other events
 FIELDS = ("t", "x", "height", "angle", "vx", "vy", "omega", "slip")
 CHANGED = ("theta", "omega", "slip", "vy", "height", "friction")
 
 
 def _numbers(events: np.ndarray) -> np.ndarray:
-    """Table of time and state, shape (events, fields)."""
+    """Return a table of time and state, shape (events, fields)."""
     return np.stack([events[name] for name in FIELDS], axis=1)
 
 
 def _natural_sizes(row: np.void) -> dict[str, float]:
-    """Sizes beside which the numbers of an event are rounded, in units of R, m and √(R/g)."""
+    """Return the sizes to which the rounding of each quantity of an event is relative, in units of R, m and √(R/g)."""
     speed = abs(float(row["omega"])) + abs(float(row["slip"]))
     flies = row["after_mode"] == Mode.FLIGHT
     return {
@@ -43,12 +43,12 @@ def _natural_sizes(row: np.void) -> dict[str, float]:
         "slip": speed,
         "vy": speed + abs(float(row["vy"])),
         "height": 1.0 + float(row["height"]) if flies else 0.0,
-        "friction": 1.0,  # the margins to the friction cone are rounded as the coefficients would be
+        "friction": 1.0,  # rounding of the margins to the friction cone acts like rounding of the coefficients
     }
 
 
 def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | None:
-    """The events after a given one, which is the first."""
+    """Return the events of a motion computed again from the event `row`, itself the first; None if there is no room."""
     script = np.array([row, row], EVENT)
     events = np.empty(room, EVENT)
     status, count, _ = compiled(run)(
@@ -59,7 +59,7 @@ def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | No
 
 
 def _is_alike(first: np.ndarray, second: np.ndarray) -> int:
-    """How many events have the same kinds and modes."""
+    """Return the number of leading events with the same kinds and modes."""
     count = min(len(first), len(second))
     same = np.ones(count, bool)
     for name in ("kind", "before_mode", "after_mode"):
@@ -68,9 +68,9 @@ def _is_alike(first: np.ndarray, second: np.ndarray) -> int:
 
 
 def _along_impulse(body: Body, row: np.void, following: np.void) -> float:
-    """Share of an impulse at p_σ → 0 that rounding of time and angle puts before or after the event ahead of it.
+    """Return the fraction of an impulse at p_σ → 0 that rounding of time and angle moves across the event before it.
 
-    N grows without bound there, so that the speeds are those of an instant that is not exactly known.
+    N is unbounded there, so that the velocities belong to an instant that is not exactly known.
     """
     if row["kind"] != Event.PAINLEVE_INCONSISTENT or not following["impulse_normal"] > 0.0:
         return 0.0
@@ -89,22 +89,22 @@ def _along_impulse(body: Body, row: np.void, following: np.void) -> float:
 
 
 def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarray | None = None) -> np.ndarray:
-    """Estimated errors of the events of a rigid motion.
+    """Return estimated errors of the events of a rigid motion.
 
     Parameters
     ----------
     body : Body
     events : ndarray of records.EVENT, shape (n,)
-        Of the motion.
+        Events of the motion.
     t_end : float
         Its duration [√(R/g)].
     reached : ndarray, shape (1,), optional
-        Is given the share that is computed, again and again [1].
+        Progress: the computed fraction is written here repeatedly [1].
 
     Returns
     -------
     errors : ndarray, shape (n, len(FIELDS))
-        In units of R, m and √(R/g); inf where the smallest change leads to other events.
+        In units of R, m and √(R/g); inf if the smallest change leads to other events.
     """
     count = len(events)
     squares = np.zeros((count, len(FIELDS)))
@@ -116,7 +116,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
         jump = _along_impulse(body, row, events[i + 1]) * (table[i + 1] - table[i])
         squares[i] += jump * jump
         if reached is not None:
-            reached[0] = 1.0 - (1.0 - i / count) * (1.0 - i / count)  # each event asks for all that follow
+            reached[0] = 1.0 - (1.0 - i / count) * (1.0 - i / count)  # each event requires all later events
         sizes = _natural_sizes(row)
         plain = _again(body, row, t_end, 2 * count + 8)
         if plain is None:
@@ -124,7 +124,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
         reach = min(_is_alike(plain, events[i:]), len(plain))
         for name in CHANGED:
             if sizes[name] == 0.0 or (name in ("slip", "vy") and row[name] == 0.0):
-                continue  # zero by what the event is
+                continue  # zero by the definition of the event
             for change in CHANGES:
                 moved, rougher = row.copy(), body
                 if name == "friction":

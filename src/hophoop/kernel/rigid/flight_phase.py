@@ -1,4 +1,4 @@
-"""Flight up to the landing, and the impact there."""
+"""Flight up to the landing, and the impact of the landing."""
 
 from __future__ import annotations
 
@@ -23,30 +23,30 @@ from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
 FLIGHT, IMPACT, APEX = int(Mode.FLIGHT), int(Event.IMPACT), int(Event.APEX)
 COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 
-# A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
+# A sequence of bounces is closed when the bounces to come would take less than this fraction of the time so far.
 CLOSING = 1e-12
-SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
-# rad: a flight that turns by more has not the digits of time to tell its angle to 1e-7 rad, which is seen in v_n
+SLOWEST_BOUNCE = 1e-100  # the heights of slower bounces come close to underflow
+# rad: after a longer rotation time is too coarse to give the angle to 1e-7 rad, which shows in v_n
 BLURRED = 1e9
 
 
 @apart
 def apex_state(body, state, opening, apex):
-    """The state at the apex of a flight."""
+    """Return the state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
     y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
     along, vt = flight_displacement(body, state.vt, state.om, s, c, apex)
     if abs(state.om * apex) < BLURRED:
-        vn = 0.0  # else as it is at this time, so that it fits the angle
+        vn = 0.0  # else v_n stays as it is at this time, so that it is consistent with the angle
     return flown(state, along, y, apex, vt, vn)
 
 
 @apart
 def mirror_to_approach(body, state):
-    """The state before a landing, at the angle of the same gap at which the rim approaches: θ becomes −θ.
+    """Return the state before a landing with θ replaced by −θ, where the gap is the same and the rim approaches.
 
-    For flights of so many turns that rounding decides at which angle the rim lands. The centre of gravity stays where it
-    is, ε sin θ and ε cos θ from that of the rim, and keeps its velocity, which is less than v_n by ε θ̇ sin θ.
+    For flights of so many revolutions that rounding decides the angle at landing. The centre of gravity, at ε sin θ and ε cos θ
+    from the rim's centre, keeps its position and its velocity, which is v_n − ε θ̇ sin θ.
     """
     s, _ = sine_cosine(state.th, state.th_low)
     x, x_low = plus(state.x, state.x_low, 2.0 * body.eps * s)
@@ -57,12 +57,12 @@ def mirror_to_approach(body, state):
 
 @apart
 def fly(body, state, opening, zeros, limits, log):
-    """Fly until the landing, the limit of time or of angle.
+    """Fly until the landing, the time limit or the angle limit.
 
     `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
     derivatives of the gap that vanish there.
 
-    Returns (what, state just before the impact): `what` is LANDING, a limit, or SEARCH_LIMIT where no landing was found.
+    Returns (ending, state just before the impact): the ending is LANDING, a limit, or SEARCH_LIMIT if no landing was found.
     """
     limit = time_left(state, limits.t_end)
     what = Ending.TIME_LIMIT
@@ -100,7 +100,7 @@ def fly(body, state, opening, zeros, limits, log):
 
 @apart
 def is_last_bounce(body, state, after, last):
-    """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
+    """Return True if the bounces to come take less than `CLOSING` of the time so far."""
     s, c = sine_and_cosine(state.th)
     fall = -free_acceleration(body, s, c, after.om * after.om)[1]
     if not (after.vn > 0.0 and fall > 0.0):
@@ -115,7 +115,7 @@ def is_last_bounce(body, state, after, last):
 
 @inline
 def land(body, state, last, log, scratch):
-    """The phase after an impact on landing; `last` is v_n after the bounce before."""
+    """Return the phase after the impact of a landing; `last` is v_n after the previous bounce."""
     after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
     if is_last_bounce(body, state, after, last):
         after, cause = end_bounces(body, state)
@@ -125,7 +125,7 @@ def land(body, state, last, log, scratch):
 
 @inline
 def flight_step(body, phase, limits, log, scratch):
-    """The whole flight, and its landing."""
+    """Fly until the landing or a limit, and return the next phase."""
     if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:
         return end_motion(phase, FLIGHT, phase.state, Ending.TIME_LIMIT, COMPLETED)
     what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log)

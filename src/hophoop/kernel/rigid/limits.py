@@ -1,4 +1,4 @@
-"""Where a motion ends at the latest, and how far it is from there."""
+"""Limits of a motion in time and angle, and the distance to them."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
 
 
 class Limits(NamedTuple):
-    """Where a motion ends at the latest: a time, and an angle to either side of the start (nan: none)."""
+    """Latest end of a motion: a time, and an angle to either side of the start (nan: no limit)."""
 
     t_end: float
     stop: int  # sum of STOP_AT_TURN, STOP_AT_TAKEOFF
     span: float
-    span_turns: float  # the span as whole turns and the rest
+    span_turns: float  # the span as revolutions and the rest
     span_rest: float
-    turns: float  # the angle of the start
+    turns: float  # angle of the start
     th: float
     th_low: float
 
 
 def limits_of(start, t_end, span, stop):
-    """Limits of a motion; a span that is a double beside whole turns means these turns."""
+    """Return the limits of a motion; a span within rounding of whole revolutions means exactly these revolutions."""
     turns = 0.0
     rest = 0.0
     if not math.isnan(span):
@@ -39,7 +39,7 @@ def limits_of(start, t_end, span, stop):
 
 @inline
 def angle_left(limits, state, way):
-    """Angle to go in the direction `way` until the motion has turned by its span."""
+    """Return the angle to go in the direction `way` until θ has changed by the span."""
     turns = limits.span_turns - way * (state.turns - limits.turns)
     rest = limits.span_rest - way * ((state.th - limits.th) + (state.th_low - limits.th_low))
     return turns * TWO_PI + (rest + turns * TWO_PI_LOW)
@@ -47,7 +47,7 @@ def angle_left(limits, state, way):
 
 @inline
 def at_span(limits, state, way):
-    """The state at exactly the angle where the span ends."""
+    """Return the state at exactly the angle where the span ends."""
     th, low = plus(limits.th, limits.th_low, way * limits.span_rest)
     turns = limits.turns + way * limits.span_turns
     return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, turns, th, low)

@@ -1,4 +1,4 @@
-"""What decides whether a mode lasts, in a state: the forces, their limit, and what the rim would do without contact."""
+"""Margins of a mode in a state: the forces, their limit, and the acceleration of the rim without contact."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, sl
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.physics.resistance import resistance_arm
 
-# In the kernel's units; `hophoop.simulation.phases.Margins` says what they are.
+# In kernel units; documented in `hophoop.simulation.phases.Margins`.
 MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
 
 
 def margins_of(body, mode, theta, theta_low, omega, slip, height):
-    """Numbers in the order of `MARGINS`; nan where the mode has none."""
+    """Return the margins in the order of `MARGINS`; nan if the mode has none."""
     s, c = sine_cosine(theta, theta_low)
     u = omega * omega
     normal = math.nan

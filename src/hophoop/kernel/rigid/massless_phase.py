@@ -1,4 +1,4 @@
-"""The hoop without mass: its load falls freely while the rim skims, until the load strikes the plane."""
+"""The massless hoop: its load falls freely while the rim skims, until the load strikes the plane."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ COMPLETED, UNDETERMINED = int(Status.COMPLETED), int(Status.UNDETERMINED)
 
 
 def begin_skim(body, state, log):
-    """The massless hoop has lost its contact force: the load falls freely and the rim skims.
+    """Start to skim: the massless hoop has lost its contact force, and its load falls freely.
 
-    Returns (mode, state); the mode is UNDECIDED where the load rises, which leaves the rim's rotation open.
+    Returns (mode, state); the mode is UNDECIDED if the load rises, since nothing then determines the rim's rotation.
     """
     s, c = sine_and_cosine(state.th)
     if not (s * state.om > 0.0 or (state.om == 0.0 and s != 0.0) or c == 1.0):
@@ -36,9 +36,9 @@ def begin_skim(body, state, log):
 
 
 def skim(body, state, t_end, log):
-    """The massless hoop after the loss of its contact force: (whether the load strikes, state, v_n of the load).
+    """Skim until the load strikes or time is over; return (True if the load strikes, state, v_n of the load).
 
-    Where it strikes, v_t of the state is the speed of the load along the plane.
+    If the load strikes, v_t of the state is the velocity of the load along the plane.
     """
     s, c = sine_and_cosine(state.th)
     way = 1.0 if state.om > 0.0 or (state.om == 0.0 and s > 0.0) else -1.0
@@ -52,7 +52,7 @@ def skim(body, state, t_end, log):
     t, t_low = later(state, tau)
     if not strikes:
         t, t_low = t_end, 0.0
-    # a piece that ends with the strike holds that, and how long it takes
+    # a segment that ends with the strike is marked by STRUCK and holds its duration
     write_segment(log, SKIM, no_panel(SKIMMING, 0, way), STRUCK if strikes else 0.0, tau, state, t)
     if strikes:
         x, th, vt = strike_place(body, state.x, state.th, s, along, way, tau)
@@ -62,7 +62,7 @@ def skim(body, state, t_end, log):
 
 @apart
 def skim_step(body, phase, limits, log, scratch):
-    """The fall of the load, and its blow on the plane."""
+    """Fall until the load strikes the plane or time is over; return the next phase."""
     strikes, after, vn = skim(body, phase.state, limits.t_end, log)
     if not strikes:
         return end_motion(phase, SKIM, after, Ending.TIME_LIMIT, COMPLETED)
@@ -76,7 +76,7 @@ def skim_step(body, phase, limits, log, scratch):
         mode = FLIGHT
     write_event(log, cause, mode, landed, 0.0, -1)
     if body.rest > 0.0:
-        # a piece of no length, so that the end has the state after the strike: before it θ̇ has no bound
+        # a segment of zero length holds the state after the strike; before the strike θ̇ is unbounded
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)
         return end_motion(phase, mode, landed, Ending.LOAD_STRIKE, UNDETERMINED)
     return begin_phase(body, mode, landed, phase.bounce, Ending.LOAD_STRIKE, scratch)

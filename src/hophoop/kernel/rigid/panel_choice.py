@@ -1,4 +1,4 @@
-"""The next panel of rolling or slip: as wide as is resolved, up to a turning point where one is near."""
+"""Choice of the next panel of rolling or slip: the widest one that is resolved, up to a turning point if one is near."""
 
 from __future__ import annotations
 
@@ -40,42 +40,41 @@ from hophoop.kernel.records.layout import PANELS
 from hophoop.kernel.records.state import with_anchor
 
 START_LEVEL = 2
-GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller by about 2^8
+GAIN_OF_A_LEVEL = 8.0  # one level (a factor of √2 in width) makes the last coefficient smaller by about 2^8
 WIDEN = RESOLVED / 200.0
-FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
+FIRST_EXTENT = 0.4  # rad, width of the panel after a start from rest
 SMALLEST_EXTENT = 1e-300
-# Slip may end in so small a part of the first panel after rest that rounding is all that the panel shows of it: of v_t below
-# the first of these parts, of the work below the second one where v_t² at the panel's end would be FAST. Then the panel is so
-# many times as wide as the angle until the end of the slip.
+# If slip from rest ends within this fraction of FIRST_EXTENT, rounding hides its end on a panel so wide: the first panel then
+# is only WIDER times the angle at which slip ends. The fraction is SOONEST, or SOON if v_t² at the end of the wide panel would
+# exceed FAST, where the friction work loses its digits too.
 SOONEST, SOON, FAST, WIDER = 1e-14, 1e-6, 1e4, 16.0
-NO_TURNING = 1e-14  # of θ̈ beside v̇_t: rounding of slip beside its equilibrium
-MOST_MOVES = 8  # of a turning point
-START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
-# Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
-# scale of θ̇²/θ̈.
+NO_TURNING = 1e-14  # relative to v̇_t: θ̈ of slip below this is rounding next to its equilibrium
+MOST_MOVES = 8  # corrections of the position of a turning point
+START_ROUNDING = 1e-15  # relative error of θ̇² at the start of an ARRIVE panel
+# Below this speed panels may be narrower than the tables: θ̇² changes over the angle θ̇²/θ̈.
 SLOW = 1e-3
-# As narrow as κ p_σ, over which the force changes, times θ̇², which changes so fast, where slip begins with less than this.
+# If κ p_σ · min(θ̇², 1) at the start of slip is below this, panels may shrink in proportion to it.
 BESIDE_SINGULAR = 1e-12
-LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
+LONG = 64.0  # panels are cut if they last longer than this times the time left (or the unit of time)
 NARROWEST = 2000
 
 
 @apart
 def set_anchor(body, sigma, state, s, c, scratch):
-    """The state at the begin of a phase, with the anchor of the phase; s and c are sin θ and cos θ there."""
+    """Return the state at the start of a phase, with the anchor of the phase; s and c are sin θ and cos θ."""
     if body.resist > 0.0:
-        return with_anchor(state, NONE)  # nothing is conserved
+        return with_anchor(state, NONE)  # rolling resistance leaves nothing conserved
     u = state.om * state.om
     if sigma == 0:
         return with_anchor(state, rolling_anchor(body, state.th, state.th_low, s, c, u))
     if body.mu_k == 0.0 and state.anchor.kind == SLIPPING:
-        return state  # without friction the direction of slip changes nothing
+        return state  # without friction the anchor holds for both directions of slip
     return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
 
 
 @inline
 def panel_start(body, sigma, state, s, c, scratch):
-    """Where the next panel begins, with sin θ and cos θ there."""
+    """Return the start of the next panel; s and c are sin θ and cos θ."""
     u = state.om * state.om
     if sigma == 0:
         arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
@@ -93,7 +92,7 @@ def panel_start(body, sigma, state, s, c, scratch):
 
 @inline
 def solve(body, panel, work):
-    """Fill the panel in its mode."""
+    """Solve the panel by the equations of its mode; fill `work` and return the Totals."""
     if panel.sigma == 0:
         if body.resist > 0.0:
             return solve_resisted(body, panel, work)
@@ -103,13 +102,13 @@ def solve(body, panel, work):
 
 @apart
 def solve_noinline(body, panel, work):
-    """`solve` where it is rarely needed: as a part of each such place it would be most of the compiler's work."""
+    """Call `solve` without inlining it, where it is rarely needed: copies of it would dominate the compile time."""
     return solve(body, panel, work)
 
 
 @inline
 def narrower_level(level, size):
-    """Level to try after a panel whose last coefficients were `size`."""
+    """Return the level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
         return level + 3
     more = int(math.ceil(binary_logarithm(size / RESOLVED) / GAIN_OF_A_LEVEL))
@@ -118,7 +117,7 @@ def narrower_level(level, size):
 
 @apart
 def levels_away(body, sigma, way, begin):
-    """How many narrower levels slip needs that begins close to p_σ = 0, or slowly beside it, and goes away from it."""
+    """Return the extra levels allowed to slip that starts near p_σ = 0 and moves away from it."""
     slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
     if slope * way <= 0.0 or begin.stiffness <= 0.0:
         return 0
@@ -127,10 +126,10 @@ def levels_away(body, sigma, way, begin):
 
 @apart
 def slow_levels(body, sigma, begin):
-    """(widest, finest) level for a panel that begins with θ̇² below `SLOW`².
+    """Return (widest, finest) level for a panel that starts with θ̇² below `SLOW`².
 
-    θ̇² changes by its own size over the angle θ̇²/θ̈: no panel wider than this angle is resolved. On a much wider one θ̇² at the
-    start is lost in rounding, and with it the turning point.
+    θ̇² changes by its own size over the angle θ̇²/θ̈, so a wider panel is not resolved. On a much wider one θ̇² at the start,
+    and with it the turning point, is lost in rounding.
     """
     finest = LEVELS + int(math.ceil(2.0 * binary_logarithm(SLOW * SLOW / begin.u)))
     torque = abs(begin.arm)
@@ -141,14 +140,14 @@ def slow_levels(body, sigma, begin):
         torque *= body.gn
     if not 0.0 < begin.u * inertia < width_of(0) * torque:
         return 0, finest
-    # the quotient itself may overflow
+    # a sum of logarithms, since the quotient may overflow
     ratio = binary_logarithm(width_of(0) * torque) - binary_logarithm(inertia) - binary_logarithm(begin.u)
     return int(math.floor(2.0 * ratio)), finest
 
 
 @apart
 def turns_within(body, panel, reach):
-    """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
+    """Return True if rolling has θ̇² < 0 at one of a few angles up to `reach` from the panel's start."""
     end = sine(reach)
     while reach >= 0.5 * panel.extent:
         half = sine(0.5 * reach)  # gives 1 − cos as in `versine_of`, and is the sine of the next angle
@@ -161,10 +160,10 @@ def turns_within(body, panel, reach):
 
 @apart
 def turning_point_ahead(body, panel, totals, scratch):
-    """Angle from here to the first zero of θ̇², or 0 where none is near.
+    """Return the angle from the panel's start to the first zero of θ̇², or 0 if none is near.
 
-    Where a panel loses most of θ̇² but does not reach the zero, wider ones are searched: panels that
-    fit before it would shrink towards it for ever.
+    If a panel loses most of θ̇² without reaching the zero, wider panels are searched: panels that end before the turning point
+    would shrink towards it forever.
     """
     if panel.sigma == 0 and body.resist == 0.0 and not turns_within(body, panel, 8.0 * panel.extent):
         return 0.0
@@ -185,12 +184,12 @@ def turning_point_ahead(body, panel, totals, scratch):
 
 @apart
 def solve_arrival(body, before, ahead, work):
-    """A panel up to the turning point about `ahead` from the start of a linear one; returns (panel, totals).
+    """Return (panel, totals) of a panel up to the turning point, about `ahead` from the start of the linear panel `before`.
 
-    `ahead` is as good as a panel that is not resolved. The turning point is moved to where this one, which goes back
-    from there, finds θ̇² at the start as it is.
+    `ahead` is only approximate, since it was found on an unresolved panel. The position of the turning point is corrected until
+    θ̇² at the panel's start, integrated back from it, is the given one.
     """
-    exponent = 1.0  # of `ahead` in θ̇² at the start
+    exponent = 1.0  # d log θ̇² at the start / d log `ahead`
     panel = arriving_panel(body, before, ahead)
     totals = solve_noinline(body, panel, work)
     for _ in range(MOST_MOVES):
@@ -208,7 +207,7 @@ def solve_arrival(body, before, ahead, work):
 
 @apart
 def first_extent(body, sigma, vt, begin):
-    """Width of the first panel from rest to try."""
+    """Return the width of the first panel to try from rest."""
     if sigma == 0 or vt == 0.0:
         return FIRST_EXTENT
     rho = resistance_arm(body, begin.sine, begin.cosine, 0.0, sigma)
@@ -223,16 +222,16 @@ def first_extent(body, sigma, vt, begin):
 
 @inline
 def choose_panel(body, sigma, state, s, c, level, scratch):
-    """A panel from here, where sin θ and cos θ are s and c, as wide as is resolved.
+    """Return the widest resolved panel from this state; s and c are sin θ and cos θ.
 
-    Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
+    Returns (panel, totals, level for the next panel); totals.tail exceeds RESOLVED if no panel is resolved.
     """
     work = scratch.work
     begin = panel_start(body, sigma, state, s, c, scratch)
     if state.om == 0.0:
         way = 1.0 if begin.arm > 0.0 else -1.0
         extent = first_extent(body, sigma, state.vt, begin)
-        while True:  # at most a thousand times: the extent is halved from below 1 rad
+        while True:  # at most about 1000 times: the extent is halved from below 1 rad
             scratch.counts[PANELS] += 1
             panel = leaving_panel(sigma, way, extent, begin)
             totals = solve_noinline(body, panel, work)
@@ -247,7 +246,7 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
         level = max(level, min(widest, finest))
     if sigma != 0 and begin.stiffness * min(u, 1.0) < BESIDE_SINGULAR:
         finest += levels_away(body, sigma, way, begin)
-    while True:  # at most `finest` times: each time a finer level
+    while True:  # at most `finest` times: each pass takes a finer level
         scratch.counts[PANELS] += 1
         panel = linear_panel(sigma, level, way, begin)
         totals = solve(body, panel, work)
@@ -257,7 +256,7 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
         if not work[U, ORDER - 1] > 0.8 * u:
             ahead = turning_point_ahead(body, panel, totals, scratch)
             if ahead > 0.0 and ahead < panel.extent / 16.0 and level < finest:
-                # a place known to the rounding of a panel this wide is not known well enough
+                # the turning point is only known to the rounding of a panel this wide, so try a narrower one first
                 level = min(level + int(math.floor(2.0 * binary_logarithm(panel.extent / ahead))) - 3, finest)
                 continue
             if ahead > 0.0:
@@ -271,13 +270,13 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
 
 @inline
 def exceeds_time_left(totals, left):
-    """Whether a panel would last so long beside the time left that its end would be lost in it."""
+    """Return True if the panel lasts so much longer than the time left that the end of the motion is lost in it."""
     return totals.time > LONG * max(left, 1.0) and left > 0.0
 
 
 @apart
 def narrow_to_time(body, panel, totals, state, left, scratch):
-    """A narrower panel, for one that `outlasts` the time left."""
+    """Return (panel, totals) of a panel narrow enough for the time left; see `exceeds_time_left`."""
     s, c = sine_cosine(state.th, state.th_low)
     begin = panel_start(body, panel.sigma, state, s, c, scratch)
     if panel.kind == LEAVE:

@@ -1,4 +1,4 @@
-"""What ends a panel of rolling or slip: the friction cone, lift-off, the end of slip, a limit."""
+"""Events on a panel of rolling or slip: the friction cone, lift-off, the end of slip, limits."""
 
 from __future__ import annotations
 
@@ -29,29 +29,29 @@ from hophoop.kernel.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import angle_left
 
-SMALLEST_SQUARE = 1e-290  # a smaller square of a speed is on the way to underflow
-MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
-MISPLACED = 5e-13  # of the forces: a margin to the friction cone that is not zero where that of its series is
-NEXT = 1e-6  # of ξ: how far from there its slope is taken
-# A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
-# function that the panel resolves goes beyond their range by less than a tenth of it.
+SMALLEST_SQUARE = 1e-290  # the square of a speed below this is close to underflow
+MARGIN_ROUNDING = 4e-16  # rounding of the margin to the friction cone, relative to the forces
+MISPLACED = 5e-13  # relative to the forces: above this the margin at a zero of its series has to be corrected
+NEXT = 1e-6  # in ξ: step of the difference quotient
+# If the minimum at the nodes exceeds this fraction of the range, the margin has no zero on the panel: between the nodes and at
+# the ends a resolved function overshoots by less than 10 % of the range.
 FAR_FROM_ZERO = 0.25
-SAME_PLACE = 1e-13  # of ξ: events of a panel that are nearer to each other come at once, for all that doubles show
-GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
+SAME_PLACE = 1e-13  # in ξ: events of a panel that are closer than this are simultaneous in double precision
+GRAZE_ROUNDING = 1e-14  # rounding of v_t in slip without friction, relative to the speeds
 
 
 @inline
 def margin_downcrossing(row, state_is_fresh, floor, scratch):
-    """Where in the panel a margin falls through zero; at its very start if it has fallen there already.
+    """Find ξ where a margin falls through zero; ξ = −1 if it is below zero at the start.
 
-    Between −`floor` and `floor` a margin counts as the zero that it would be without rounding. One that starts there has fallen
-    if the first node outside is below; so the sign of the rounding at the start decides nothing.
+    Values within ±`floor` count as zero, as they would be without rounding. A margin that starts there counts as below zero if
+    the first node outside ±`floor` is below, so that the sign of rounding at the start decides nothing.
 
     Returns
     -------
     xi : float
     near : bool
-        Whether the margin may touch zero between the nodes: a parabola that does has a node beside it as near as that.
+        True if the margin may touch zero between the nodes: at a node next to a tangency it is below NEARBY of its range.
     """
     lowest, highest = extremes(row)
     if lowest > FAR_FROM_ZERO * (highest - lowest):
@@ -73,7 +73,7 @@ def margin_downcrossing(row, state_is_fresh, floor, scratch):
 
 @apart
 def cone_margin(body, panel, side, xi):
-    """(margin to a side of the friction cone, forces that it is a difference of) at ξ of rolling without rolling resistance."""
+    """Return (margin to one side of the friction cone, size of the forces) at ξ of rolling without rolling resistance."""
     offset = angle_at(panel, xi)
     sine, versine = sine_versine_of_offset(panel, xi)
     u = u_on_panel(body, panel, sine, versine, offset)
@@ -85,9 +85,9 @@ def cone_margin(body, panel, side, xi):
 
 @apart
 def on_cone(body, panel, side, xi):
-    """ξ where a margin is zero, from a zero of its series: of a light hoop it may be off by more than rounding.
+    """Correct a zero of a margin's series to a zero of the margin.
 
-    A panel is resolved in time, not in its forces.
+    A panel is resolved in time, not in its forces: for a light hoop both zeros may differ by more than rounding.
     """
     margin, size = cone_margin(body, panel, side, xi)
     if not abs(margin) > MISPLACED * size:
@@ -102,14 +102,14 @@ def on_cone(body, panel, side, xi):
 
 @inline
 def end_of_rolling(body, panel, fresh, scratch):
-    """(ξ, what, whether it may depend on rounding) where rolling needs all friction; NOT_FOUND where it does not."""
+    """Return (ξ, ending, True if rounding may decide) where rolling needs all available friction; NOT_FOUND if it does not."""
     work = scratch.work
     roll_margins(body, panel, work)
     rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
     ahead, near_ahead = margin_downcrossing(work[A], fresh, rounding, scratch)
     back, near_back = margin_downcrossing(work[B], fresh, rounding, scratch)
     doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
-    # both at once where N comes to zero without F: the mirrored motion must then come to the mirrored edge
+    # if N reaches zero without F, both margins do; the mirrored motion must then reach the mirrored side
     side = 1.0  # of F
     if back < ahead or (back == ahead and panel.way < 0.0):
         side = -1.0
@@ -121,9 +121,9 @@ def end_of_rolling(body, panel, fresh, scratch):
 
 @apart
 def graze_rounding(body, state):
-    """Rounding of v_t in slip without friction, from the speeds that it has been through since the last hilltop.
+    """Return the rounding of v_t in slip without friction, from the speeds since the last unstable equilibrium.
 
-    On the way down the load gains 4 ε g_n at most, all of it in the rotation at the bottom, where the arm of θ̇ is 1 − ε.
+    Descending, the load gains at most 4 ε g_n, all of it in rotation at the bottom, where the arm of θ̇ is 1 − ε.
     """
     fallen = body.eps * body.gn
     lowest = (1.0 - body.eps) * math.sqrt(4.0 * fallen / body.kap) if body.kap > 0.0 else 0.0
@@ -132,7 +132,7 @@ def graze_rounding(body, state):
 
 @inline
 def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
-    """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off where both do."""
+    """Return (ξ, ending, True if rounding may decide) where N or v_t reaches zero; lift-off if both do."""
     work = scratch.work
     for i in range(ORDER):
         work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
@@ -142,14 +142,14 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
             for i in range(ORDER):
                 work[B, i] /= PARTS[i]
     lift, near_lift = margin_downcrossing(work[A], fresh, 0.0, scratch)
-    # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
+    # without friction v_t only touches zero at each unstable equilibrium, if it was zero at one
     rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0
     stop, near_stop = margin_downcrossing(work[B], fresh, rounding, scratch)
     doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
     if fresh and zeros == 0 and work[B, 0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
-        stop = -1.0  # slip that ends before it can be told from none on the panel
+        stop = -1.0  # slip too short to be resolved on the panel
     elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:
-        stop = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins
+        stop = -1.0  # without friction rounding of θ may decide the direction of slip; here it is the other one
     if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
         note_doubt(scratch, state.t, state.t + totals.time)
     if stop < lift - SAME_PLACE:
@@ -159,18 +159,18 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
 
 @inline
 def end_of_span(panel, state, limits):
-    """ξ where the motion has turned by its span, or NOT_FOUND."""
+    """Return ξ where θ has changed by the span, or NOT_FOUND."""
     ahead = angle_left(limits, state, panel.way)
-    if not ahead <= panel.extent:  # also without a span
+    if not ahead <= panel.extent:  # also if the span is nan
         return NOT_FOUND
     if not ahead > 0.0:
-        return -1.0  # an event fell on the angle itself
+        return -1.0  # an event was exactly at this angle
     return place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
 
 
 @inline
 def end_of_time(left, scratch):
-    """ξ where the time is over on a panel that lasts that long."""
+    """Return ξ where the time is over, on a panel that lasts that long."""
     if left <= 0.0:
         return -1.0
     work = scratch.work
@@ -184,7 +184,7 @@ def end_of_time(left, scratch):
 
 @inline
 def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
-    """(ξ, what) of the first event on the panel; ξ = 1 with CONTINUES or TURNING_POINT where there is none.
+    """Return (ξ, ending) of the first event on the panel; (1, CONTINUES or TURNING_POINT) if there is none.
 
     Of simultaneous events those of the contact come before the limits of angle and time.
     """

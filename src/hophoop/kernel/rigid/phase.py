@@ -1,4 +1,4 @@
-"""What the event loop carries from one step to the next."""
+"""Phase: the state that the event loop passes from one step to the next."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from hophoop.kernel.rigid.panel_choice import START_LEVEL
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 UNDETERMINED = int(Status.UNDETERMINED)
-GOING = -1  # stands for the status of a motion that has not ended
+GOING = -1  # status of a motion that has not ended
 
 
 class Phase(NamedTuple):
-    """A phase of the motion, at the state that it has reached."""
+    """A phase of the motion, with the state that it has reached."""
 
     mode: int
     state: State
-    begins: bool  # nothing of it is computed yet: margins that are zero here are no events
-    zeros: int  # order of the zero at the start of the function whose fall ends the phase: v_t of slip, the gap of a flight
-    opening: float  # flight: f_n at its begin, exactly 0 after a lift-off from slip
-    level: int  # of the next panel's width
+    begins: bool  # True at the start of the phase: margins that are zero there are no events
+    zeros: int  # order of the zero of v_t (slip) or of the gap (flight) at the start
+    opening: float  # flight: f_n at the start, exactly 0 after a lift-off from slip
+    level: int  # level of the next panel's width
     bounce: float  # v_n after the last impact
-    what: int  # what ended the last panel
-    status: int  # GOING, or how the motion ended
+    what: int  # Ending of the last panel
+    status: int  # GOING, or the Status at the end of the motion
 
 
 @inline
 def opening_of(body, state):
-    """(f_n at the start of a flight, exactly 0 after a lift-off from slip; how many derivatives of the gap vanish)."""
+    """Return (f_n at the start of a flight, exactly 0 after lift-off from slip; number of vanishing derivatives of the gap)."""
     s, c = sine_cosine(state.th, state.th_low)
     opening = free_acceleration(body, s, c, state.om * state.om)[1]
     if state.y > 0.0:
@@ -49,7 +49,7 @@ def opening_of(body, state):
 
 @inline
 def begin_phase(body, mode, state, bounce, what, scratch):
-    """The phase that begins in a state; an UNDECIDED mode ends the motion."""
+    """Start a phase; an UNDECIDED mode ends the motion."""
     opening = 0.0
     zeros = 1 if state.vt == 0.0 else 0
     status = GOING
@@ -64,23 +64,23 @@ def begin_phase(body, mode, state, bounce, what, scratch):
 
 @inline
 def begin_flight_after_slip(phase, state, what):
-    """The flight after a lift-off from slip, where N, and with it f_n, has come to zero."""
+    """Start the flight after a lift-off from slip, where N, and with it f_n, is zero."""
     return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)
 
 
 @inline
 def begin_slip_after_roll(body, phase, mode, state, what):
-    """The slip that begins where rolling reaches the friction cone: v̇_t is zero there too if μs = μk."""
+    """Start the slip after rolling has reached the friction cone; v̇_t is zero there too if μs = μk."""
     return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, phase.bounce, what, GOING)
 
 
 @inline
 def continue_phase(phase, state, level, what):
-    """The same phase, from where it has come to."""
+    """Continue the phase from `state`."""
     return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, phase.bounce, what, GOING)
 
 
 @inline
 def end_motion(phase, mode, state, what, status):
-    """The motion ends in a mode and state."""
+    """End the motion in a mode and state."""
     return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)

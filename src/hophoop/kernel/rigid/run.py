@@ -26,13 +26,13 @@ ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 START, END = int(Event.START), int(Event.END)
 UNDETERMINED, EVENT_LIMIT, BUFFER = (int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER))
 
-LARGEST = 1e150  # of all numbers of a motion in its own units: the squares of larger ones overflow
-LOWEST_START = 1e-250  # a rim this high touches: the time to fall would underflow
+LARGEST = 1e150  # maximum of all quantities of a motion in its own units: the squares of larger ones overflow
+LOWEST_START = 1e-250  # a rim this low is in contact: the time to fall would underflow
 
 
 @apart
 def begin_massless(body, state, log, scratch):
-    """The first phase of a hoop without mass, which only rolls and skims."""
+    """Start the motion of a massless hoop, which only rolls and skims."""
     if state.y > 0.0 or state.vn != 0.0 or state.vt != 0.0:
         mode = FLIGHT
         if state.y == 0.0 and state.vn == 0.0:
@@ -44,7 +44,7 @@ def begin_massless(body, state, log, scratch):
     mode = ROLL
     write_plain_event(log, START, -1, ROLL, state)
     down = cosine(state.th) <= -1.0
-    if down and state.om != 0.0:  # the load on the plane: no energy in the rotation, which nothing determines
+    if down and state.om != 0.0:  # load on the plane: the rotation has no energy, so nothing determines it
         return end_motion(
             begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
         )
@@ -55,7 +55,7 @@ def begin_massless(body, state, log, scratch):
 
 @apart
 def begin(body, start, log, scratch):
-    """The first phase of a motion."""
+    """Start the motion: write its START event and return its first phase."""
     state = start
     if 0.0 < state.y < LOWEST_START:
         state = moved(state, state.t, state.t_low, state.x, state.x_low, 0.0, state.turns, state.th, state.th_low)
@@ -72,7 +72,7 @@ def begin(body, start, log, scratch):
 
 @inline
 def step(body, phase, limits, log, scratch):
-    """The phase after this one, or this one from a turning point on."""
+    """Compute one step and return the next phase, or the same phase after a turning point."""
     if phase.mode == FLIGHT:
         return flight_step(body, phase, limits, log, scratch)
     if phase.mode == SKIM:
@@ -82,39 +82,39 @@ def step(body, phase, limits, log, scratch):
 
 @apart
 def can_follow(before, after, t_end):
-    """Whether a state can come after another: later or at once, and of numbers whose squares do not overflow."""
+    """Return True if `after` is not earlier than `before` and the squares of its quantities do not overflow."""
     sizes = abs(after.x) + after.y + abs(after.turns) + abs(after.vt) + abs(after.vn) + abs(after.om)
     lost = abs(after.friction) + abs(after.impact_n) + abs(after.impact_t) + abs(after.resisted)
-    return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # false for nan
+    return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # False for nan
 
 
 def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
-    """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
+    """Compute a motion up to the final time, an end by the physics, or a limit.
 
     Parameters
     ----------
     body : Body
     start : State
-        At t = 0; the rim is at the plane (y = 0) or above it.
+        At t = 0; the rim is on the plane (y = 0) or above it.
     t_end : float
-        Duration; everything is in kernel units.
+        Duration; all quantities are in kernel units.
     angle_span : float
-        The motion also ends when θ has changed by this much (nan: no such limit).
+        The motion also ends when θ has changed by this much (nan: no limit).
     stop : int
         Sum of limits.STOP_AT_TURN, STOP_AT_TAKEOFF.
     events, segments : ndarray of records.EVENT, records.SEGMENT
-        Filled; segments may have length 0 where only the events are wanted.
+        Filled; segments of length 0 are not written, if only events are wanted.
     scratch : records.Scratch
-        Its `doubt` tells afterwards whether the doubles sufficed.
+        Its `doubt` holds nan afterwards if double precision sufficed.
     script : ndarray of records.EVENT
-        First events, where they are known, else of length 0. The last one is a state inside a phase, or again the
-        last event: from there on the motion is computed.
+        Known first events, or length 0. The last row is a state inside a phase, or the last event once more: the computation
+        starts there.
 
     Returns
     -------
     status, number of events, number of segments : int
-        With Status.BUFFER the segments were full. With EVENT_LIMIT the events were full, and the motion ends at the last
-        one, whatever segments there are behind it; or the work for it, or the size of its numbers, was at its limit.
+        Status.BUFFER: the segments were full. EVENT_LIMIT: the events were full, and the motion ends at the last one, even if
+        later segments exist; or the limit of panels or of the size of quantities was reached.
     """
     scratch.doubt[0] = math.nan
     scratch.doubt[1] = math.nan
@@ -132,7 +132,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
             log.counts[EVENTS], log.counts[SEGMENTS] = events_before, segments_before
             break
         phase = after
-    if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also where the panels are used up: so far it has come
+    if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also if the panels are used up: END is at the state reached
         last = events[log.counts[EVENTS] - 1]["after_mode"]
         write_plain_event(log, END, last, last, phase.state)
     count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]
@@ -144,7 +144,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
 
 
 def run_cell(tables, script):
-    """`run` to the end of time, for a cell."""
+    """Compute the motion of a cell up to its duration."""
     scratch = new_scratch()
     cell = tables.cell
     second = second_of(cell, 0)

@@ -1,4 +1,4 @@
-"""The state at any time of a computed rigid motion: its panels are solved again, so memory stays small."""
+"""States at given times of a computed rigid motion; panels are solved again, so memory stays small."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FLIGHT = int(Mode.FLIGHT)
 
 
 def find_segment(segments, t, left):
-    """Index of the segment that holds the time t; at a border the earlier one if `left`."""
+    """Return the index of the segment that contains the time t; at a boundary the earlier one if `left`."""
     low = 0
     high = segments.shape[0]
     while high - low > 1:
@@ -39,20 +39,20 @@ def find_segment(segments, t, left):
 
 
 def place_on_panel(panel_time, segment, tau, scratch):
-    """ξ at the time tau after the begin of the panel."""
+    """Return ξ at the time tau after the start of the panel."""
     if tau <= 0.0:
         return -1.0
     for i in range(ORDER):
         scratch.values[0, i] = tau - panel_time[i]
     coefficients(scratch.values[0], scratch.series)
     xi = first_downcrossing(scratch.series, 0.0, scratch.stack)
-    if xi == NOT_FOUND:  # beside one of the ends, by less than the rounding of the series
+    if xi == NOT_FOUND:  # next to one of the ends, within the rounding of the series
         xi = segment["xi"] if tau > panel_time[0] else -1.0
     return min(xi, segment["xi"])
 
 
 def contact_force(body, sigma, th, th_low, om, rho):
-    """(F, N) in rolling (sigma = 0) or slip, with the rolling resistance ρ."""
+    """Return (F, N) in rolling (sigma = 0) or slip, with the rolling resistance ρ."""
     s, c = sine_cosine(th, th_low)
     if sigma == 0:
         return rolling_forces(body, s, c, om * om, rho)
@@ -62,7 +62,7 @@ def contact_force(body, sigma, th, th_low, om, rho):
 
 
 def load_energy(along, down):
-    """Kinetic energy of a hoop that is its load alone, which stays finite where the rim turns without bound."""
+    """Return the kinetic energy of the load alone, which stays finite when θ̇ of a massless rim is unbounded."""
     return 0.5 * (along * along + down * down)
 
 
@@ -77,7 +77,7 @@ def sample(body, segments, times, left, out):
         segment = segments[index]
         state = state_of(segment)
         tau = (min(times[k], segment["t_end"]) - segment["t"]) - segment["t_low"]
-        begins = times[k] == segment["t"]  # the event itself, whose time is known to more digits than it is asked for
+        begins = times[k] == segment["t"]  # exactly at the event, whose time has more digits than `times`
         if begins:
             tau = 0.0
         friction = 0.0
@@ -103,7 +103,7 @@ def sample(body, segments, times, left, out):
             s, c = sine_cosine(state.th, 0.0)
             along = state.vt + state.om * (1.0 + c)
             if segment["xi"] == STRUCK and times[k] >= segment["t_end"]:
-                # just before the strike: the limit, which rounding would put before or behind it
+                # the limit just before the strike; rounding would move it to either side
                 tau = segment["opening"]
                 x, th, vt = strike_place(body, state.x, state.th, s, along, segment["way"], tau)
                 om = segment["way"] * math.inf
@@ -112,7 +112,7 @@ def sample(body, segments, times, left, out):
             moving = load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
         else:
             now = state
-            if not begins and segment["kind"] != HOLD:  # a piece that holds a hoop that turns is too brief to be resolved
+            if not begins and segment["kind"] != HOLD:  # a HOLD segment of a rotating hoop is too short to be resolved
                 if index != solved:
                     panel = panel_of(segment)
                     totals = solve(body, panel, scratch.work)

@@ -1,4 +1,4 @@
-"""The first events of a motion where they are known: repeated, and the phases between them filled in."""
+"""Motions with known first events (a script): the events are copied, and the phases between them computed."""
 
 from __future__ import annotations
 
@@ -23,11 +23,12 @@ FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
 
 @apart
 def fill_phase(body, mode, state, until, until_low, log, scratch):
-    """Write the segments of a phase that is known to last until a time of two doubles."""
+    """Write the segments of a phase that is known to last until a time given as a double-double."""
     if mode == FLIGHT:
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)
         return
-    # The end of time is one double, whose rounding may be much of a slip: meanwhile all times are shifted by it.
+    # The final time is one double, and its rounding may be a large part of a slip. So all times are shifted by the low half
+    # meanwhile.
     first = log.counts[SEGMENTS]
     early = state.t_low - until_low
     shifted = moved(state, state.t, early, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
@@ -40,13 +41,13 @@ def fill_phase(body, mode, state, until, until_low, log, scratch):
 
 @apart
 def fill_contact(body, mode, state, until, log, scratch):
-    """Write the segments of rolling or slip that is known to last until a time of one double."""
+    """Write the segments of rolling or slip that is known to last until a time given as a double."""
     limits = limits_of(state, until, math.nan, 0)
     phase = begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
     while phase.state.t < until and has_room(log):
         written = log.counts[SEGMENTS]
         what, state, level = advance_contact(body, phase, True, limits, log, scratch)
-        if what == Ending.TIME_LIMIT and log.counts[SEGMENTS] == written:  # too brief for a panel: it counts as one that holds
+        if what == Ending.TIME_LIMIT and log.counts[SEGMENTS] == written:  # too short for a panel: treated as HOLD
             state = phase.state
             what = Ending.REST
         if what in (Ending.REST, Ending.SINGULAR, Ending.SEARCH_LIMIT):
@@ -58,10 +59,9 @@ def fill_contact(body, mode, state, until, log, scratch):
 
 
 def fill_script(body, script, segments, scratch):
-    """Write the segments of the phases between the events of a script; returns their number, −1 where there is no room.
+    """Write the segments between the events of a script; return their number, −1 if there is no room.
 
-    For Python alone, which interprets it: few motions have a script, and within `run` this would be most of the kernel once
-    more, a tenth of the time to compile.
+    Always interpreted: few motions have a script, and within `run` this would add 10 % to the compile time.
     """
     log = new_log(script, segments, scratch)
     for row in range(script.shape[0] - 1):
@@ -73,7 +73,7 @@ def fill_script(body, script, segments, scratch):
 
 @apart
 def repeat(body, script, log, scratch):
-    """Write the events of a script; returns the phase in which its last one is."""
+    """Write the events of a script; return the phase of its last one."""
     last = script.shape[0] - 1
     for row in range(last):
         copy_event(log, script[row])

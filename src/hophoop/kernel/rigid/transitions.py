@@ -1,4 +1,4 @@
-"""From an event to the next mode: impacts, the mode rule, and the paradoxes that it meets."""
+"""Transitions from an event to the next mode: impacts, the mode rule and the paradoxes."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ BOUNCE_LIMIT = int(Event.BOUNCE_LIMIT)
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
 PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 
-GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
+GAIN_FLOOR = 1e-14  # relative to the energy of the impact; a smaller gain is rounding
 
 
 @inline
 def collide(body, rest, state, kind, mode, collision):
-    """(state after, cause) of an impact."""
+    """Return (state after, cause) of an impact."""
     s, c = sine_cosine(state.th, state.th_low)
     p_sigma = math.nan
     if state.vn == 0.0 and state.vt != 0.0 and body.kap > 0.0 and not math.isinf(body.mu_k):
@@ -52,17 +52,17 @@ def collide(body, rest, state, kind, mode, collision):
     cause = PendingEvent(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
     losses_n = state.impact_n + loss_n
     losses_t = state.impact_t + loss_t
-    after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # what was conserved is not after an impact
+    after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # the anchor's quantity is not conserved by an impact
     return with_losses(after, state.friction, losses_n, losses_t), cause
 
 
 @apart
 def end_bounces(body, state):
-    """(state after, cause) of the impact that ends endless bounces: e = 0, and no jerk along the plane lifts it again."""
+    """Return (state after, cause) of the impact that ends infinitely many bounces, with e = 0 and v_n = 0 after it."""
     after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
     if not after.vn > 0.0:
         return after, cause
-    # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
+    # μ = ∞: the impulse that stops the slip lifts the rim; a second impulse that stops the rim dissipates as little
     s, c = sine_cosine(state.th, state.th_low)
     arm, lever = contact_arms(body, s, c)
     r, turn, lift = stick_rates(body, arm, lever)
@@ -78,7 +78,7 @@ def end_bounces(body, state):
 
 @apart
 def write_cause(log, cause, mode, state):
-    """The event, and Kane's gain after it where there is one."""
+    """Write the event, and Kane's energy gain after it if there is one."""
     write_event(log, cause, mode, state, 0.0, -1)
     if cause.gain > 0.0:
         write_event(log, event_without_jump(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
@@ -88,19 +88,19 @@ def write_cause(log, cause, mode, state):
 def resolve_mode(body, state, cause, log, scratch):
     """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
 
-    Returns (mode, state); the mode is UNDECIDED where the model has no answer.
+    Returns (mode, state); the mode is UNDECIDED if the model has no answer.
     """
     for _ in range(8):
         if state.vn > 0.0:
             write_cause(log, cause, FLIGHT, state)
             return FLIGHT, state
-        if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it
+        if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as at the phase's start
             state = with_velocities(state, state.vt, state.vn, 0.0)
         if mode_is_in_doubt(body, state):
             note_doubt(scratch, state.t, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
         if cause.kind == STICK and body.mu_s == 0.0 and mode == cause.mode:
-            mode = slip_mode(-slip_direction(mode))  # slip that has come to an end does not go on, whatever rounding says
+            mode = slip_mode(-slip_direction(mode))  # slip that has ended does not continue, even if rounding suggests so
         named = mode
         if mode > SKIM:
             named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
@@ -122,9 +122,9 @@ def resolve_mode(body, state, cause, log, scratch):
 
 @apart
 def resolve_painleve_singularity(body, mode, state, log, scratch):
-    """What follows slip whose panels have shrunk to nothing: (jams, mode, state).
+    """Return (True if it jams, mode, state) after slip whose panels have shrunk to nothing.
 
-    That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
+    This happens where p_σ → 0 with N → ∞. Any other cause is a failure of the program, reported as UNDECIDED.
     """
     s, c = sine_cosine(state.th, state.th_low)
     sigma = slip_direction(mode)
@@ -133,7 +133,7 @@ def resolve_painleve_singularity(body, mode, state, log, scratch):
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
     if not found:
         return False, UNDECIDED, state
-    if sigma * state.vt <= 0.0:  # slip that has no speed to lose is at its end: an impulse would drive it
+    if sigma * state.vt <= 0.0:  # v_t is used up: slip has ended, since an impulse would accelerate it
         mode, after = resolve_mode(
             body, with_velocities(state, 0.0, 0.0, state.om), event_without_jump(STICK, mode, state), log, scratch
         )
@@ -149,7 +149,7 @@ def resolve_painleve_singularity(body, mode, state, log, scratch):
         return True, mode, after
     write_plain_event(log, PAINLEVE_INCONSISTENT, mode, mode, state)
     cause = PendingEvent(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
-    if vt != 0.0:  # turned round, and still slipping
+    if vt != 0.0:  # θ̇ has reversed, and the hoop still slips
         write_event(log, cause, mode, after, 0.0, -1)
         return False, mode, after
     mode, after = resolve_mode(body, after, cause, log, scratch)
@@ -158,9 +158,9 @@ def resolve_painleve_singularity(body, mode, state, log, scratch):
 
 @apart
 def leave_cone(body, state, ahead, log, scratch):
-    """Rule 2: the mode after rolling that needs all friction there is; `ahead` says whether F > 0.
+    """Return the mode after rolling that needs all available friction (rule 2); `ahead` is True if F > 0.
 
-    Slip goes against the friction that was at its limit, unless the rim is free to leave the plane.
+    Slip starts against the friction force at its limit, unless the rim is free to leave the plane.
     """
     u = state.om * state.om
     s, c = sine_and_cosine(state.th)
@@ -171,7 +171,7 @@ def leave_cone(body, state, ahead, log, scratch):
         mode = FLIGHT
         write_plain_event(log, TAKEOFF, ROLL, FLIGHT, state)
     elif math.isinf(body.mu_s):
-        mode = UNDECIDED  # the quasi-jump: N = 0, but free motion would enter the plane
+        mode = UNDECIDED  # quasi-jump: N = 0, but free motion would penetrate the plane
     else:
         mode = slip_mode(-1 if ahead else 1)
         write_plain_event(log, SLIP_START, ROLL, mode, state)
