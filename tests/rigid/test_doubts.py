@@ -15,7 +15,7 @@ from hophoop.kernel.numerics.roots import NOT_FOUND
 from hophoop.kernel.panels.panel import A, B
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
+from hophoop.kernel.rigid.doubts import CLOSE, has_tangency, mode_is_in_doubt, record_doubt, touches_zero
 from hophoop.kernel.rigid.panel_events import margin_downcrossing
 from newton_euler import accelerations
 
@@ -108,15 +108,15 @@ def test_without_friction_and_without_mass_there_is_no_margin():
 
 
 def test_the_first_doubt_stays():
-    note_doubt(SCRATCH, 1.0, 2.0)
-    note_doubt(SCRATCH, 3.0, 4.0)
+    record_doubt(SCRATCH, 1.0, 2.0)
+    record_doubt(SCRATCH, 3.0, 4.0)
     assert SCRATCH.doubt.tolist() == [1.0, 2.0]
     SCRATCH.doubt[:] = math.nan
 
 
 def grazes(function, scale=1.0):
     SCRATCH.values[:] = 1e3  # what was there before does not count
-    return grazes_zero(function(NODES), scale, SCRATCH)
+    return touches_zero(function(NODES), scale, SCRATCH)
 
 
 @pytest.mark.parametrize("place", [-0.9, -0.3, 0.0, 0.55, 0.95])
@@ -157,7 +157,7 @@ def test_the_nodes_show_where_to_look_for_a_graze(place):
 
 
 class Sides(NamedTuple):
-    """What `has_graze` asks of a panel."""
+    """What `has_tangency` asks of a panel."""
 
     sigma: int
     vt: float
@@ -172,8 +172,8 @@ def test_slip_is_measured_beside_both_speeds(om):
     scratch.work[A] = 1.0 + NODES**2
     scratch.work[B] = NODES**2 + 4.0 * CLOSE
     state = start_state(0.0, 0.0, 0.0, 3.0, 0.0, om)
-    assert has_graze(body, Sides(1, 3.0, 1.0), state, scratch)
-    assert not has_graze(body, Sides(1, 0.0, 1.0), state, scratch)
+    assert has_tangency(body, Sides(1, 3.0, 1.0), state, scratch)
+    assert not has_tangency(body, Sides(1, 0.0, 1.0), state, scratch)
 
 
 @pytest.mark.parametrize("sigma", [0, 1, -1])
@@ -191,4 +191,4 @@ def test_margins_graze_zero_beside_forces_and_the_end_of_slip_beside_speeds(whic
         scratch = new_scratch()
         scratch.work[A] = scratch.work[B] = 1.0 + NODES**2
         scratch.work[which] = NODES**2 + part * CLOSE * beside
-        assert has_graze(body, Sides(sigma, 3.0, 0.25), state, scratch) is doubtful
+        assert has_tangency(body, Sides(sigma, 3.0, 0.25), state, scratch) is doubtful

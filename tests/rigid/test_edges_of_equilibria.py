@@ -14,7 +14,7 @@ from mpmath import mp, mpf
 import hophoop as hh
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics import double_angles, double_double
-from hophoop.kernel.panels.anchor import separatrix, separatrix_value, slip_hilltop
+from hophoop.kernel.panels.anchor import separatrix, separatrix_value, slip_unstable_equilibrium
 from hophoop.kernel.physics.body import Event
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
@@ -207,7 +207,7 @@ def test_a_rim_that_stays_at_the_plane_without_gravity_does_not_land():
 def test_the_series_of_the_slip_that_comes_to_rest(sigma):
     """It solves dθ̇²/dθ = 2 q (g − ε cos θ θ̇²)/(κ p_σ), and its hilltop has no torque."""
     body = body_of(mu=0.3)
-    base, low = slip_hilltop(body, sigma)
+    base, low = slip_unstable_equilibrium(body, sigma)
     series = np.zeros(16)
     reach = separatrix(body, sigma, base, series)
     assert 0.01 < reach <= 0.1

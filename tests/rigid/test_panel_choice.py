@@ -136,7 +136,7 @@ def test_how_much_narrower_slip_is_that_begins_beside_p_sigma_of_zero():
     begin = PanelStart(0.0, 0.0, -0.6, 0.8, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
 
     def levels(way=1.0, sigma=1, **values):
-        return panel_choice.levels_away(body, sigma, way, begin._replace(**values))
+        return panel_choice.extra_levels_near_singularity(body, sigma, way, begin._replace(**values))
 
     assert levels() == math.ceil(2.0 * math.log2(1e3))
     assert levels(u=0.25) == math.ceil(2.0 * math.log2(4e3))

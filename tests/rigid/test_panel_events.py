@@ -101,16 +101,16 @@ def test_the_rounding_of_slip_without_friction(eps, kap):
     """From rest at the top to the bottom the weight gives 2 ε of energy, all to ½ κ θ̇²: the rim then slips at (1 − ε) θ̇."""
     at_rest = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     lowest = (1.0 - eps) * math.sqrt(2.0 * 2.0 * eps / kap)
-    found = panel_events.graze_rounding(body_of(eps, kap), at_rest)
+    found = panel_events.tangency_rounding(body_of(eps, kap), at_rest)
     assert found == pytest.approx(1e-14 * (2.0 * math.sqrt(eps) + lowest), rel=1e-14, abs=0.0)
     moving = start_state(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
-    assert panel_events.graze_rounding(body_of(eps, kap), moving) == pytest.approx(found + 5e-14, rel=1e-14, abs=0.0)
-    assert panel_events.graze_rounding(body_of(eps, kap, gravity=0.0), moving) == pytest.approx(5e-14, rel=1e-14, abs=0.0)
+    assert panel_events.tangency_rounding(body_of(eps, kap), moving) == pytest.approx(found + 5e-14, rel=1e-14, abs=0.0)
+    assert panel_events.tangency_rounding(body_of(eps, kap, gravity=0.0), moving) == pytest.approx(5e-14, rel=1e-14, abs=0.0)
 
 
 def test_the_rounding_of_slip_without_mass_in_the_rim():
     moving = start_state(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
-    found = panel_events.graze_rounding(body_of(1.0, 0.0), moving)
+    found = panel_events.tangency_rounding(body_of(1.0, 0.0), moving)
     assert found == pytest.approx(1e-14 * (2.0 + 3.0 + 2.0), rel=1e-14, abs=0.0)
 
 

@@ -15,7 +15,7 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.rigid.columns import COLUMNS
-from hophoop.kernel.rigid.sampling import contact_force, find_segment, place_on_panel, sample
+from hophoop.kernel.rigid.sampling import contact_force, find_segment, sample, xi_at_time
 from newton_euler import accelerations
 from random_scenarios import draw, scenario_of
 
@@ -92,7 +92,7 @@ def test_the_place_of_a_time_on_a_panel(end):
     segment, scratch = np.zeros(1, SEGMENT)[0], new_scratch()
     segment["xi"] = end
     for tau, place in ((0.0, -1.0), (1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
-        assert place_on_panel(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
+        assert xi_at_time(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
 
 
 def body_of(eps, kap, **plane):

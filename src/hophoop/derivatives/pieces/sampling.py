@@ -12,7 +12,7 @@ from hophoop.derivatives.pieces.pieces import follow_prepared, follow_without_pa
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
 from hophoop.kernel.records.writing import panel_of
 from hophoop.kernel.rigid.panel_choice import solve
-from hophoop.kernel.rigid.sampling import find_segment, place_on_panel
+from hophoop.kernel.rigid.sampling import find_segment, xi_at_time
 
 STATE = ("x", "height", "theta", "omega", "slip", "vy")
 
@@ -40,7 +40,7 @@ def sample_changes(body, segments, at_segments, changes, clock, times, left, sta
                 prepare_panel(body, panel, row["omega"] * row["omega"], changes, scratch.work, local)
                 solved = index
             fill_inside(panel, scratch.work)
-            xi = place_on_panel(scratch.work[TIME], row, tau, scratch)
+            xi = xi_at_time(scratch.work[TIME], row, tau, scratch)
             end = follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local)
         else:
             end = follow_without_panel(body, row, tau, changes, z)

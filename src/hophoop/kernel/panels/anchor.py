@@ -51,7 +51,7 @@ class Anchor(NamedTuple):
 NONE = Anchor(FREE, 0.0, 0.0, 0.0, 0.0)
 
 
-def rolling_hilltop(body):
+def rolling_unstable_equilibrium(body):
     """Return θ of the unstable equilibrium on a slope as a double-double; requires abs(sin β) < ε."""
     sine = divide(sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
     return add(negative(arc_sine(sine)), (-body.slope, 0.0))
@@ -80,7 +80,7 @@ def rolling_anchor(body, th, low, s, c, u):
     base = 0.0
     base_low = 0.0
     if body.gt != 0.0:
-        base, base_low = rolling_hilltop(body)
+        base, base_low = rolling_unstable_equilibrium(body)
     top, side = sine_and_cosine(base)
     bend = -rest_curvature(body, top, side)
     psi = offset_from(th, low, base, base_low)
@@ -98,7 +98,7 @@ def rolling_anchor(body, th, low, s, c, u):
 
 
 @inline
-def rolling_begin(body, anchor, th, low, s, c, u):
+def rolling_panel_start(body, anchor, th, low, s, c, u):
     """Return (−dV/dθ, d²V/dθ², θ̇²) at the start of a rolling panel; without an anchor θ̇² is unchanged."""
     torque = body.eps * (body.gn * s + body.gt * c) + body.gt
     bend = -rest_curvature(body, s, c)
@@ -121,7 +121,7 @@ def rolling_begin(body, anchor, th, low, s, c, u):
     return torque, bend, u
 
 
-def slip_hilltop(body, sigma):
+def slip_unstable_equilibrium(body, sigma):
     """Return θ of the unstable equilibrium of slip as a double-double; requires σ μ/√(1 + μ²) < ε."""
     signed_mu = sigma * body.mu_k
     if signed_mu == 0.0:
@@ -190,7 +190,7 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
     slope = body.eps * (c - signed_mu * s)
     if not (slope > 0.0 and abs(torque) < 2.0 * LARGEST_PSI * slope):
         return NONE
-    base, base_low = slip_hilltop(body, sigma)
+    base, base_low = slip_unstable_equilibrium(body, sigma)
     psi = offset_from(th, low, base, base_low)
     if abs(psi) > separatrix(body, sigma, base, series):
         return NONE
@@ -198,7 +198,7 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
 
 
 @apart
-def slip_begin(body, anchor, sigma, th, low, arm, u, series):
+def slip_panel_start(body, anchor, sigma, th, low, arm, u, series):
     """Return (q, θ̇²) at the start of a slip panel with all digits, also near the unstable equilibrium."""
     if body.mu_k == 0.0:
         high = frictionless_value(body, th, low)

@@ -53,7 +53,7 @@ def moment_of(body, flight, tau):
 
 
 @inline
-def parabola_fall(value, rate, bend):
+def parabola_downcrossing(value, rate, bend):
     """Return the time t > 0 at which value + rate t + bend t²/2 falls through zero; nan if there is none."""
     square = rate * rate - 2.0 * bend * value
     if square < 0.0:
@@ -73,7 +73,7 @@ def halley_step(value, slope, bend):
 
 
 @inline
-def is_found(moved, before, tau):
+def has_converged(moved, before, tau):
     """Return True if Halley's steps have converged: the next step, about moved³/before³ times this one, would be rounding."""
     if moved <= RESOLVED_TIME * tau:
         return True
@@ -94,7 +94,7 @@ def target_function(moment, level, way):
 
 
 @apart
-def fall_between(body, flight, first, last, level):
+def downcrossing_between(body, flight, first, last, level):
     """Return the time of the only zero of the gap, or of its rate if `level`, between two moments.
 
     The gap falls. Its rate falls through zero at a maximum of the gap and rises through zero at a minimum.
@@ -103,7 +103,7 @@ def fall_between(body, flight, first, last, level):
     low = first.tau
     high = last.tau
     value, slope, bend = target_function(first, level, way)
-    tau = low + parabola_fall(value, slope, bend)
+    tau = low + parabola_downcrossing(value, slope, bend)
     if not low < tau < high:
         drop = value - target_function(last, level, way)[0]
         # in a flight of 10¹⁶ rad both ends may have the same time
@@ -120,7 +120,7 @@ def fall_between(body, flight, first, last, level):
         if halved:
             better = 0.5 * (low + high)
         moved = abs(better - tau)
-        if is_found(moved, before, better):
+        if has_converged(moved, before, better):
             return better
         before = 0.0 if halved else moved
         tau = better
@@ -143,15 +143,15 @@ def landing_in_convex_arc(body, flight, first, last):
     if first.rate >= 0.0:
         return -1.0
     if last.rate <= 0.0:
-        return -1.0 if last.gap > 0.0 else fall_between(body, flight, first, last, False)
+        return -1.0 if last.gap > 0.0 else downcrossing_between(body, flight, first, last, False)
     # the gap is above its tangents at both ends, and so above the plane if they meet above it
     meet = first.gap + first.rate * ((last.gap - first.gap - last.rate * (last.tau - first.tau)) / (first.rate - last.rate))
     if meet > 0.0:
         return -1.0
-    lowest = moment_of(body, flight, fall_between(body, flight, first, last, True))
+    lowest = moment_of(body, flight, downcrossing_between(body, flight, first, last, True))
     if lowest.gap > 0.0 or touches(body, flight, lowest):
         return -1.0
-    return fall_between(body, flight, first, lowest, False)
+    return downcrossing_between(body, flight, first, lowest, False)
 
 
 @inline
@@ -170,7 +170,7 @@ def landing_time_bound(body, flight, rise):
 
 
 @apart
-def worth_looking(body, flight, rise, start, never):
+def search_start(body, flight, rise, start, never):
     """Return the time at which the search in a flight of many revolutions starts: near the apex, or when the rim can land.
 
     `rise` is the velocity of the centre of gravity away from the plane; its parabola minus ε is a lower bound of the gap.
@@ -240,7 +240,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
     passed = 0.0  # angle since the start
     for _ in range(MOST_BENDS):
         if turned * (min(never, limit) - begin.tau) > MANY:
-            start = worth_looking(body, flight, rise, begin.tau, never)
+            start = search_start(body, flight, rise, begin.tau, never)
             if start > begin.tau:
                 begin = moment_of(body, flight, start)
                 passed = turned * start
@@ -261,9 +261,9 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
         else:
             top = begin
             if begin.rate > 0.0 and end.rate < 0.0:
-                top = moment_of(body, flight, fall_between(body, flight, begin, end, True))
+                top = moment_of(body, flight, downcrossing_between(body, flight, begin, end, True))
             if end.gap <= 0.0:
-                landing = fall_between(body, flight, top, end, False)
+                landing = downcrossing_between(body, flight, top, end, False)
             if top.tau > begin.tau and top.gap > highest:
                 highest = top.gap
                 apex = top.tau

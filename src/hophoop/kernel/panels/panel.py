@@ -143,7 +143,7 @@ def angle_at(panel, xi):
 
 
 @inline
-def place_of(panel, offset):
+def xi_of_offset(panel, offset):
     """Return ξ where abs(θ − ref) = offset."""
     if panel.kind == LINEAR:
         return 2.0 * offset / panel.extent - 1.0

@@ -43,7 +43,7 @@ from hophoop.kernel.physics.contact import contact_arms
 
 
 @inline
-def way_from_reference(panel):
+def direction_from_reference(panel):
     """Return ±1, the direction of θ from `ref` to the far end of a panel."""
     return -panel.way if panel.kind == ARRIVE else panel.way
 
@@ -62,7 +62,7 @@ def away_from_reference(panel, values, out):
 def from_reference(panel, values, out):
     """Integrate as `away_from_reference`, with the sign of dθ."""
     whole = away_from_reference(panel, values, out)
-    way = way_from_reference(panel)
+    way = direction_from_reference(panel)
     for i in range(ORDER):
         out[i] *= way
     return way * whole
@@ -103,7 +103,7 @@ def solve_slip(body, panel, work):
     height0 = contact_arms(body, s0, c0)[0]
     arm0 = panel.arm
     stiffness0 = panel.stiffness
-    way = way_from_reference(panel)
+    way = direction_from_reference(panel)
     for i in range(ORDER):
         # as changes from `ref`: near p_σ = 0 direct evaluation would give only rounding
         ds, dc = rotated(s0, c0, damping[i], drive[i])

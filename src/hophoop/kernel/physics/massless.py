@@ -52,7 +52,7 @@ def skim_state(body, x, th, vt, om, way, tau):
     return x_end, th_end, along - om_end * (2.0 - versine), om_end
 
 
-def strike_place(body, x, th, s, speed, way, tau):
+def strike_limit(body, x, th, s, speed, way, tau):
     """(x, θ, v_t) where the load strikes the plane, after skimming for the time tau with the speed of the load along it.
 
     These are the limits of `skim_state`, whose θ̇ grows without bound.

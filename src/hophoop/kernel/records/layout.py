@@ -20,7 +20,7 @@ CELL = (
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
 # Low-order halves of the double-double time and position, and the angle as whole revolutions and θ within one.
-_PLACE = ["t_low", "x_low", "turns", "theta", "theta_low"]
+_POSITION = ["t_low", "x_low", "turns", "theta", "theta_low"]
 _ENERGY = ["friction", "impact_normal", "impact_tangential"]
 # Kernel units (R, m, √(R/g)). `slip` is v_t after the event, kept because ẋ − Rθ̇ loses its digits near 0;
 # energies are those dissipated from the start to just after the event; `gain` is Kane's.
@@ -31,7 +31,7 @@ EVENT = np.dtype(
     + [("impulse_normal", "f8"), ("impulse_tangential", "f8")]
     + [(name, "f8") for name in _ENERGY]
     + [("gain", "f8"), ("collision", "i8"), ("stable", "i8")]
-    + [(name, "f8") for name in _PLACE]
+    + [(name, "f8") for name in _POSITION]
     + [("rolling_resistance", "f8")]
 )
 # All numbers needed to compute the motion inside the segment again, bit for bit.
@@ -42,7 +42,7 @@ SEGMENT = np.dtype(
     + [("x", "f8"), ("height", "f8"), ("angle", "f8"), ("vy", "f8"), ("omega", "f8"), ("slip", "f8")]
     + [(name, "f8") for name in _ENERGY]
     + [("ref_low", "f8")]
-    + [(name, "f8") for name in _PLACE]
+    + [(name, "f8") for name in _POSITION]
     + [("rolling_resistance", "f8")]
 )
 

@@ -59,7 +59,7 @@ from hophoop.kernel.records.writing import (
     write_plain_event,
     write_segment,
 )
-from hophoop.kernel.rigid.doubts import note_doubt
+from hophoop.kernel.rigid.doubts import record_doubt
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import STOP_AT_TURN, at_span
 from hophoop.kernel.rigid.massless_phase import begin_skim
@@ -76,7 +76,7 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
 )
 STILL_ACCELERATION = 1e-15
 LOST = 1e-9  # relative error of θ̇² near the unstable equilibrium above which v_t has lost digits too
-FORESEEN = 24  # finest level for which the next one is predicted: beyond, near p_σ = 0, truncation errors are rounding
+FINEST_PREDICTED = 24  # finest level for which the next one is predicted: beyond, near p_σ = 0, truncation errors are rounding
 
 
 @apart
@@ -242,9 +242,9 @@ def has_lost_digits(sigma, panel, state):
 
 
 @inline
-def foreseen_level(level, error, before):
+def predicted_level(level, error, before):
     """Return the level of the next panel: one finer if the truncation error grows too fast to stay resolved."""
-    return level + 1 if level < FORESEEN and error > before and error * (error / before) > RESOLVED else level
+    return level + 1 if level < FINEST_PREDICTED and error > before and error * (error / before) > RESOLVED else level
 
 
 @inline
@@ -257,7 +257,7 @@ def fit_to_time(body, panel, totals, state, limits, scratch):
 
 
 @inline
-def pinned(what, state, limits, way):
+def snap_to_event(what, state, limits, way):
     """Return the state with the quantity that defines its event exact: v_t = 0, the final time or the final angle."""
     if what == Ending.SLIP_END:
         return with_velocities(state, 0.0, state.vn, state.om)
@@ -290,7 +290,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         if has_lost_digits(sigma, panel, state):
             state = recover_slip_velocity(body, state, panel.u)
             continue
-        level = foreseen_level(level, totals.tail, before)
+        level = predicted_level(level, totals.tail, before)
         before = totals.tail
         panel, totals = fit_to_time(body, panel, totals, state, limits, scratch)
         if not totals.tail <= RESOLVED:
@@ -298,7 +298,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         xi, what = earliest_event(body, panel, totals, state, begins, blind, phase.zeros, limits, scratch)
         if -1.0 < xi < 1.0:
             fill_inside(panel, scratch.work)
-        after = pinned(what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
+        after = snap_to_event(what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
         if xi > -1.0:
             write_segment(log, phase.mode, panel, xi, 0.0, state, after.t)
             if after.anchor.kind == SLIPPING:
@@ -371,7 +371,7 @@ def still_step(body, phase, state, limits, log, scratch):
 def after_rolling(body, phase, what, state, log, scratch):
     """Return the phase after rolling that has reached the friction cone or could not be resolved further."""
     if what == Ending.SEARCH_LIMIT:
-        note_doubt(scratch, state.t, state.t)
+        record_doubt(scratch, state.t, state.t)
         return end_motion(phase, ROLL, state, what, UNDETERMINED)
     if body.kap == 0.0:
         mode, state = begin_skim(body, state, log)

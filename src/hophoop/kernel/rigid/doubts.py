@@ -21,7 +21,7 @@ NEARBY = 0.015  # relative to the range of a margin on a panel: (half the distan
 
 
 @inline
-def note_doubt(scratch, begin, end):
+def record_doubt(scratch, begin, end):
     """Record the times of the first doubt of a motion."""
     if math.isnan(scratch.doubt[0]):
         scratch.doubt[0] = begin
@@ -51,7 +51,7 @@ def mode_is_in_doubt(body, state):
 
 
 @apart
-def grazes_zero(row, scale, scratch):
+def touches_zero(row, scale, scratch):
     """Return True if a local minimum of a margin on a panel is zero within rounding."""
     series = scratch.series
     rate = scratch.values[1]
@@ -78,11 +78,11 @@ def grazes_zero(row, scale, scratch):
 
 
 @apart
-def has_graze(body, panel, state, scratch):
+def has_tangency(body, panel, state, scratch):
     """Return True if a margin of the phase has a minimum on the panel that is zero within rounding."""
     speed = abs(panel.vt) + abs(state.om)
     scale = body.gn + panel.u
     if panel.sigma == 0:
         scale += abs(body.gt)
         speed = scale
-    return grazes_zero(scratch.work[A], scale, scratch) or grazes_zero(scratch.work[B], speed, scratch)
+    return touches_zero(scratch.work[A], scale, scratch) or touches_zero(scratch.work[B], speed, scratch)

@@ -58,7 +58,7 @@ def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | No
     return None if status == Status.EVENT_LIMIT else events[:count]
 
 
-def _is_alike(first: np.ndarray, second: np.ndarray) -> int:
+def _count_alike(first: np.ndarray, second: np.ndarray) -> int:
     """Return the number of leading events with the same kinds and modes."""
     count = min(len(first), len(second))
     same = np.ones(count, bool)
@@ -121,7 +121,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
         plain = _again(body, row, t_end, 2 * count + 8)
         if plain is None:
             continue
-        reach = min(_is_alike(plain, events[i:]), len(plain))
+        reach = min(_count_alike(plain, events[i:]), len(plain))
         for name in CHANGED:
             if sizes[name] == 0.0 or (name in ("slip", "vy") and row[name] == 0.0):
                 continue  # zero by the definition of the event
@@ -132,7 +132,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
                 else:
                     moved[name] = row[name] + change * sizes[name]
                 other = _again(rougher, moved, t_end, 2 * count + 8)
-                alike = 0 if other is None else min(_is_alike(other, plain), reach)
+                alike = 0 if other is None else min(_count_alike(other, plain), reach)
                 if alike == reach or change == CHANGES[-1]:
                     break
             if other is not None and alike > 1:

@@ -8,7 +8,7 @@ from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.panels.panel import FLY, SKIMMING, STRUCK, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.massless import skim_duration, skim_state, strike, strike_place
+from hophoop.kernel.physics.massless import skim_duration, skim_state, strike, strike_limit
 from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
 from hophoop.kernel.records.state import later, moved, time_left, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, write_event, write_plain_event, write_segment
@@ -55,7 +55,7 @@ def skim(body, state, t_end, log):
     # a segment that ends with the strike is marked by STRUCK and holds its duration
     write_segment(log, SKIM, no_panel(SKIMMING, 0, way), STRUCK if strikes else 0.0, tau, state, t)
     if strikes:
-        x, th, vt = strike_place(body, state.x, state.th, s, along, way, tau)
+        x, th, vt = strike_limit(body, state.x, state.th, s, along, way, tau)
     after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.turns, th, 0.0), vt, 0.0, om)
     return strikes, after, -(s * state.om + body.gn * tau)
 

@@ -14,9 +14,9 @@ from hophoop.kernel.panels.anchor import (
     NONE,
     SLIPPING,
     rolling_anchor,
-    rolling_begin,
+    rolling_panel_start,
     slip_anchor,
-    slip_begin,
+    slip_panel_start,
 )
 from hophoop.kernel.panels.panel import (
     LEAVE,
@@ -54,7 +54,7 @@ START_ROUNDING = 1e-15  # relative error of θ̇² at the start of an ARRIVE pan
 # Below this speed panels may be narrower than the tables: θ̇² changes over the angle θ̇²/θ̈.
 SLOW = 1e-3
 # If κ p_σ · min(θ̇², 1) at the start of slip is below this, panels may shrink in proportion to it.
-BESIDE_SINGULAR = 1e-12
+NEAR_SINGULAR = 1e-12
 LONG = 64.0  # panels are cut if they last longer than this times the time left (or the unit of time)
 NARROWEST = 2000
 
@@ -77,7 +77,7 @@ def panel_start(body, sigma, state, s, c, scratch):
     """Return the start of the next panel; s and c are sin θ and cos θ."""
     u = state.om * state.om
     if sigma == 0:
-        arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
+        arm, stiffness, u = rolling_panel_start(body, state.anchor, state.th, state.th_low, s, c, u)
         if body.resist > 0.0:
             reach = body.resist * body.gn
             arm -= math.copysign(reach, state.om) if state.om != 0.0 else clamp(arm, reach)
@@ -85,7 +85,7 @@ def panel_start(body, sigma, state, s, c, scratch):
         rho = resistance_arm(body, s, c, state.om, sigma)
         arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
         if state.anchor.kind == SLIPPING:
-            arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
+            arm, u = slip_panel_start(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
             stiffness = body.kap + body.eps * s * arm
     return PanelStart(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
 
@@ -116,12 +116,12 @@ def narrower_level(level, size):
 
 
 @apart
-def levels_away(body, sigma, way, begin):
+def extra_levels_near_singularity(body, sigma, way, begin):
     """Return the extra levels allowed to slip that starts near p_σ = 0 and moves away from it."""
     slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
     if slope * way <= 0.0 or begin.stiffness <= 0.0:
         return 0
-    return int(math.ceil(2.0 * binary_logarithm(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
+    return int(math.ceil(2.0 * binary_logarithm(NEAR_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
 
 
 @apart
@@ -244,8 +244,8 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
     if u < SLOW * SLOW:
         widest, finest = slow_levels(body, sigma, begin)
         level = max(level, min(widest, finest))
-    if sigma != 0 and begin.stiffness * min(u, 1.0) < BESIDE_SINGULAR:
-        finest += levels_away(body, sigma, way, begin)
+    if sigma != 0 and begin.stiffness * min(u, 1.0) < NEAR_SINGULAR:
+        finest += extra_levels_near_singularity(body, sigma, way, begin)
     while True:  # at most `finest` times: each pass takes a finer level
         scratch.counts[PANELS] += 1
         panel = linear_panel(sigma, level, way, begin)

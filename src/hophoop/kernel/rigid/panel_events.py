@@ -19,25 +19,25 @@ from hophoop.kernel.panels.panel import (
     B,
     U,
     angle_at,
-    place_of,
     sine_versine_of_offset,
+    xi_of_offset,
 )
 from hophoop.kernel.panels.roll import roll_margins, u_on_panel
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces
 from hophoop.kernel.records.state import time_left
-from hophoop.kernel.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
+from hophoop.kernel.rigid.doubts import CLOSE, NEARBY, has_tangency, record_doubt
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import angle_left
 
 SMALLEST_SQUARE = 1e-290  # the square of a speed below this is close to underflow
 MARGIN_ROUNDING = 4e-16  # rounding of the margin to the friction cone, relative to the forces
 MISPLACED = 5e-13  # relative to the forces: above this the margin at a zero of its series has to be corrected
-NEXT = 1e-6  # in ξ: step of the difference quotient
+SLOPE_STEP = 1e-6  # in ξ: step of the difference quotient
 # If the minimum at the nodes exceeds this fraction of the range, the margin has no zero on the panel: between the nodes and at
 # the ends a resolved function overshoots by less than 10 % of the range.
 FAR_FROM_ZERO = 0.25
-SAME_PLACE = 1e-13  # in ξ: events of a panel that are closer than this are simultaneous in double precision
-GRAZE_ROUNDING = 1e-14  # rounding of v_t in slip without friction, relative to the speeds
+SIMULTANEOUS = 1e-13  # in ξ: events of a panel that are closer than this are simultaneous in double precision
+TANGENCY_ROUNDING = 1e-14  # rounding of v_t in slip without friction, relative to the speeds
 
 
 @inline
@@ -92,9 +92,9 @@ def on_cone(body, panel, side, xi):
     margin, size = cone_margin(body, panel, side, xi)
     if not abs(margin) > MISPLACED * size:
         return xi
-    further = xi - NEXT if xi > 0.0 else xi + NEXT
+    further = xi - SLOPE_STEP if xi > 0.0 else xi + SLOPE_STEP
     slope = (cone_margin(body, panel, side, further)[0] - margin) / (further - xi)
-    if not abs(margin) < NEXT * abs(slope):
+    if not abs(margin) < SLOPE_STEP * abs(slope):
         return xi
     better = min(max(xi - margin / slope, -1.0), 1.0)
     return better if abs(cone_margin(body, panel, side, better)[0]) < abs(margin) else xi
@@ -120,14 +120,14 @@ def end_of_rolling(body, panel, fresh, scratch):
 
 
 @apart
-def graze_rounding(body, state):
+def tangency_rounding(body, state):
     """Return the rounding of v_t in slip without friction, from the speeds since the last unstable equilibrium.
 
     Descending, the load gains at most 4 ε g_n, all of it in rotation at the bottom, where the arm of θ̇ is 1 − ε.
     """
     fallen = body.eps * body.gn
     lowest = (1.0 - body.eps) * math.sqrt(4.0 * fallen / body.kap) if body.kap > 0.0 else 0.0
-    return GRAZE_ROUNDING * (abs(state.vt) + abs(state.om) + 2.0 * math.sqrt(fallen) + lowest)
+    return TANGENCY_ROUNDING * (abs(state.vt) + abs(state.om) + 2.0 * math.sqrt(fallen) + lowest)
 
 
 @inline
@@ -143,7 +143,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
                 work[B, i] /= PARTS[i]
     lift, near_lift = margin_downcrossing(work[A], fresh, 0.0, scratch)
     # without friction v_t only touches zero at each unstable equilibrium, if it was zero at one
-    rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0
+    rounding = tangency_rounding(body, state) if body.mu_k == 0.0 else 0.0
     stop, near_stop = margin_downcrossing(work[B], fresh, rounding, scratch)
     doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
     if fresh and zeros == 0 and work[B, 0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
@@ -151,8 +151,8 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:
         stop = -1.0  # without friction rounding of θ may decide the direction of slip; here it is the other one
     if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
-        note_doubt(scratch, state.t, state.t + totals.time)
-    if stop < lift - SAME_PLACE:
+        record_doubt(scratch, state.t, state.t + totals.time)
+    if stop < lift - SIMULTANEOUS:
         return stop, Ending.SLIP_END, doubtful
     return lift, Ending.LIFT_OFF, doubtful
 
@@ -165,7 +165,7 @@ def end_of_span(panel, state, limits):
         return NOT_FOUND
     if not ahead > 0.0:
         return -1.0  # an event was exactly at this angle
-    return place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
+    return xi_of_offset(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
 
 
 @inline
@@ -195,8 +195,8 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
             xi, what, doubtful = end_of_rolling(body, panel, fresh, scratch)
         else:
             xi, what, doubtful = end_of_slip(body, panel, totals, state, fresh, zeros, scratch)
-        if doubtful and has_graze(body, panel, state, scratch):
-            note_doubt(scratch, state.t, state.t + totals.time)
+        if doubtful and has_tangency(body, panel, state, scratch):
+            record_doubt(scratch, state.t, state.t + totals.time)
     if not math.isnan(limits.span):
         found = end_of_span(panel, state, limits)
         if found < xi:

@@ -11,7 +11,7 @@ from hophoop.kernel.physics.body import Mode, Status
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.state import State
-from hophoop.kernel.rigid.doubts import note_doubt
+from hophoop.kernel.rigid.doubts import record_doubt
 from hophoop.kernel.rigid.panel_choice import START_LEVEL
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -58,7 +58,7 @@ def begin_phase(body, mode, state, bounce, what, scratch):
     elif mode == UNDECIDED:
         status = UNDETERMINED
         if body.kap > 0.0 and not math.isinf(body.mu_s):
-            note_doubt(scratch, state.t, state.t)
+            record_doubt(scratch, state.t, state.t)
     return Phase(mode, state, True, zeros, opening, START_LEVEL, bounce, what, status)
 
 

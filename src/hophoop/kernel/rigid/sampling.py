@@ -13,7 +13,7 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.contact import rolling_forces, slip_load
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.kernel.physics.flight import flight_displacement, flight_gap
-from hophoop.kernel.physics.massless import skim_state, strike_place
+from hophoop.kernel.physics.massless import skim_state, strike_limit
 from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
@@ -38,7 +38,7 @@ def find_segment(segments, t, left):
     return low
 
 
-def place_on_panel(panel_time, segment, tau, scratch):
+def xi_at_time(panel_time, segment, tau, scratch):
     """Return ξ at the time tau after the start of the panel."""
     if tau <= 0.0:
         return -1.0
@@ -105,7 +105,7 @@ def sample(body, segments, times, left, out):
             if segment["xi"] == STRUCK and times[k] >= segment["t_end"]:
                 # the limit just before the strike; rounding would move it to either side
                 tau = segment["opening"]
-                x, th, vt = strike_place(body, state.x, state.th, s, along, segment["way"], tau)
+                x, th, vt = strike_limit(body, state.x, state.th, s, along, segment["way"], tau)
                 om = segment["way"] * math.inf
             now = moved(state, times[k], 0.0, x, 0.0, 0.0, state.turns, th, 0.0)
             now = with_velocities(now, vt, 0.0, om)
@@ -118,7 +118,7 @@ def sample(body, segments, times, left, out):
                     totals = solve(body, panel, scratch.work)
                     fill_inside(panel, scratch.work)
                     solved = index
-                xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
+                xi = xi_at_time(scratch.work[TIME], segment, tau, scratch)
                 now = state_on_panel(body, panel, totals, state, xi, scratch)
             rho = segment["way"] * body.resist
             friction, normal = contact_force(body, segment["sigma"], now.th, now.th_low, now.om, rho)
