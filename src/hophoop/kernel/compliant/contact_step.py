@@ -1,4 +1,4 @@
-"""A step in contact: as long as the error allows, to the first change of regime or the lift-off."""
+"""A step in contact, as long as the error tolerance allows, up to the first change of regime or the lift-off."""
 
 from __future__ import annotations
 
@@ -45,15 +45,15 @@ AT_REST, UNDETERMINED = int(Status.AT_REST), int(Status.UNDETERMINED)
 
 SAFETY, SLOWER, FASTER = 0.9, 0.1, 6.0
 ORDER_OF_ERROR = STAGES + 1
-# A step as short as this means that the method has failed.
+# A shorter step means that the method has failed.
 SHORTEST = 1e-40
-# Velocities and accelerations (of order 1 in a motion) below which a stable equilibrium is called rest.
+# Velocities and accelerations (of order 1 in a motion) below which a stable equilibrium counts as rest.
 STILL = 1e-11
-ROUNDED = 1e-13  # of the slip velocities of a step: what rounding leaves of v_t where it nearly vanishes
+ROUNDED = 1e-13  # rounding of v_t near zero, relative to the slip velocities in the step
 
 
 def first_step(body, comp, regime, u, rtol):
-    """Length of a step that resolves the fastest transient of a contact that begins."""
+    """Return the length of a step that resolves the fastest transient of a contact that starts."""
     s, c = sine_and_cosine(u[TH])
     W_tt, W_nn, _ = delassus(body, s, c)
     normal, normal_y, normal_vn = normal_force(comp, u[Y], u[VN])
@@ -68,7 +68,7 @@ def first_step(body, comp, regime, u, rtol):
 
 
 def at_rest(body, comp, regime, u, work):
-    """(whether the hoop rests, whether stably)."""
+    """Return (True if the hoop rests, True if stably)."""
     speed = max(abs(u[VT]), abs(u[VN]), abs(u[OM]))
     if speed > STILL:
         return False, False
@@ -83,7 +83,7 @@ def at_rest(body, comp, regime, u, work):
 
 
 def arm_guards(comp, regime, armed, work):
-    """Which guards can fall from here."""
+    """Arm the guards that can fall from this state."""
     u = work.state
     for which in range(GUARDS):
         value, floor = guard(comp, regime, which, u[Y], u[VT], u[VN], u[Z])
@@ -91,7 +91,7 @@ def arm_guards(comp, regime, armed, work):
 
 
 def come_to_rest(phase, t_end, stable, log, rows, work):
-    """(the end at rest, segments)."""
+    """End the motion at rest; return (phase, segments)."""
     write_plain_event(log, REST, phase.mode, phase.mode, phase.t, phase.turns, work.state)
     if has_room(log):
         log.events[log.counts[EVENTS] - 1]["stable"] = 1 if stable else 0
@@ -100,7 +100,7 @@ def come_to_rest(phase, t_end, stable, log, rows, work):
 
 
 def shorten(body, comp, regime, which, s, length, rtol, work):
-    """Step again, to end where a guard falls, and until it does so to its floor: (length, whether all steps held)."""
+    """Repeat the step, shortened until its end is where a guard falls to its floor; return (length, True if no step failed)."""
     for _ in range(6):
         predict(work, 0.0, s)
         if not attempt(body, comp, regime, work, work.state, s * length, rtol) < FAILED:
@@ -114,7 +114,7 @@ def shorten(body, comp, regime, which, s, length, rtol, work):
 
 
 def accept(phase, after, behind, length, log, rows, work):
-    """(the phase after a step, segments), with the turning point on the way."""
+    """Accept a step and write a turning point inside it; return (phase, segments)."""
     u = work.state
     way = phase.way
     rows = append_segment(log, rows, phase, after, STEP, length, work)
@@ -124,7 +124,7 @@ def accept(phase, after, behind, length, log, rows, work):
         for m in range(SIZE):
             work.start[m] = poly_value(work.poly, m, s)
         work.start[OM] = 0.0
-        when = min(phase.t + s * length, after)  # which may be rounded the other way
+        when = min(phase.t + s * length, after)  # rounding could put it after the step
         write_plain_event(log, TURN, phase.mode, phase.mode, when, phase.turns, work.start)
     if spin != 0.0:
         way = 1.0 if spin > 0.0 else -1.0
@@ -135,9 +135,9 @@ def accept(phase, after, behind, length, log, rows, work):
 
 
 def meet_threshold(comp, regime, work):
-    """Put v_t where slip ends, if it is elsewhere by rounding.
+    """Set v_t exactly to the end of slip if it differs only by rounding.
 
-    v_t may have come from 10¹² slip speeds. What its last digits are would be friction beyond the cone.
+    v_t may have come from 10¹² slip speeds, and its rounding would mean friction outside the cone.
     """
     u = work.state
     value, floor = guard(comp, regime, FRICTION_CHANGE, u[Y], u[VT], u[VN], u[Z])
@@ -154,7 +154,7 @@ def meet_threshold(comp, regime, work):
 
 
 def change(comp, phase, which, armed, log, work):
-    """The phase after a guard has fallen: another regime of the friction, or flight."""
+    """Return the phase after a guard has fallen: another regime of friction, or flight."""
     u = work.state
     if which != FRICTION_CHANGE:
         write_plain_event(log, TAKEOFF, phase.mode, FLIGHT, phase.t, phase.turns, u)
@@ -172,12 +172,12 @@ def change(comp, phase, which, armed, log, work):
     write_plain_event(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, phase.turns, u)
     if comp.friction != TANH:
         return begin_phase(phase, phase.t, mode, regime)
-    arm_guards(comp, regime, armed, work)  # smooth across its threshold
+    arm_guards(comp, regime, armed, work)  # the tanh law is smooth across its threshold, so the step size stays
     return Phase(phase.t, phase.turns, phase.behind, mode, regime, False, phase.h, phase.before, phase.way, phase.status)
 
 
 def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
-    """(the phase one step later, segments); after a step that failed the phase is the same, with a shorter one."""
+    """Try one step; return (phase, segments). After a failed step the phase is unchanged but for a shorter next step."""
     u = work.state
     regime = phase.regime
     if phase.begins:
@@ -195,7 +195,7 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     predict(work, 1.0, length / phase.before if phase.before > 0.0 else 0.0)
     error = attempt(body, comp, regime, work, u, length, rtol)
     if error >= FAILED:
-        # Newton's iteration may have been sent astray by its first guess
+        # Newton's iteration may have diverged because of its first guess
         return with_step(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0), rows
     factor = SAFETY * power(max(error, 1e-10), -1.0 / ORDER_OF_ERROR)
     if error > 1.0:

@@ -1,6 +1,6 @@
-"""Small systems of linear equations, real and complex, by elimination with partial pivoting.
+"""Small systems of linear equations, real and complex, by Gaussian elimination with partial pivoting.
 
-Complex products and quotients are written out: compilers and NumPy take their terms in different orders.
+Complex products and quotients are written out, because compilers and NumPy add their terms in different orders.
 """
 
 from __future__ import annotations
@@ -9,22 +9,22 @@ import math
 
 
 def product(a, b):
-    """a b of complex numbers."""
+    """Return a b of complex numbers."""
     return complex(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
 
 
 def scaled(a, factor):
-    """A complex number times a real one."""
+    """Return a complex number times a real one."""
     return complex(a.real * factor, a.imag * factor)
 
 
 def divided(a, divisor):
-    """A complex number over a real one."""
+    """Return a complex number divided by a real one."""
     return complex(a.real / divisor, a.imag / divisor)
 
 
 def reciprocal(a):
-    """1/a of a complex number."""
+    """Return 1/a of a complex number."""
     square = a.real * a.real + a.imag * a.imag
     return complex(a.real / square, -a.imag / square)
 
@@ -36,7 +36,7 @@ def exchange_rows(matrix, one, other):
 
 
 def exchange_entries(side, pivots):
-    """Bring the right-hand side into the order of the factors."""
+    """Permute the right-hand side like the rows of the factors."""
     for k in range(side.shape[0]):
         best = pivots[k]
         if best != k:
@@ -44,7 +44,7 @@ def exchange_entries(side, pivots):
 
 
 def factor(matrix, pivots):
-    """LU factors of a small real matrix in place; False where it is singular."""
+    """Compute LU factors of a small real matrix in place; return False if it is singular."""
     n = matrix.shape[0]
     for k in range(n):
         best = k
@@ -80,12 +80,12 @@ def solve(matrix, pivots, side):
 
 
 def size_of(a):
-    """abs(Re a) + abs(Im a), by which pivots are chosen."""
+    """Return abs(Re a) + abs(Im a), the size for the choice of pivots."""
     return abs(a.real) + abs(a.imag)
 
 
 def factor_complex(matrix, pivots):
-    """LU factors of a small complex matrix in place, with reciprocals of the pivots; False where it is singular."""
+    """Compute LU factors of a small complex matrix in place, with reciprocal pivots; return False if it is singular."""
     n = matrix.shape[0]
     for k in range(n):
         best = k

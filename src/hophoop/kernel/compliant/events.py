@@ -1,4 +1,4 @@
-"""Where a step leaves the regime it was made in: the contact's end, and the thresholds of the friction."""
+"""Events in a step: the end of contact and the thresholds of friction, at which the step's regime ends."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from hophoop.kernel.physics.compliant import BRISTLE, KELVIN_VOIGT, bristle_rate
 RELEASE, OPENING, FRICTION_CHANGE = 0, 1, 2
 GUARDS = 3
 NONE = -1
-SAMPLES = 12  # places in a step at which every guard is looked at
-NEXT = 1e-4  # of a step: how far from its ends a guard is compared, to see whether it falls there
-NARROWINGS = 40  # of the search for a guard's extremum between them
+SAMPLES = 12  # samples per step of every guard
+NEXT = 1e-4  # fraction of a step: distance from its ends for the slope of a guard
+NARROWINGS = 40  # steps of the golden-section search
 GOLDEN = 0.3819660112501051  # (3 − √5)/2
 
 
 def guard(comp, regime, which, y, vt, vn, z):
-    """(value, floor): positive inside the regime; a guard is on its surface while within ± floor of 0."""
+    """Return (value, floor) of a guard: positive inside the regime, on its surface if within ± floor of 0."""
     normal = normal_force(comp, y, vn)[0]
     if which == RELEASE:
         if comp.law == KELVIN_VOIGT:
@@ -38,7 +38,7 @@ def guard(comp, regime, which, y, vt, vn, z):
 
 
 def guard_at(comp, regime, which, poly, s):
-    """`guard` on the dense output."""
+    """Return `guard` on the dense output."""
     return guard(
         comp, regime, which,
         poly_value(poly, Y, s), poly_value(poly, VT, s), poly_value(poly, VN, s), poly_value(poly, Z, s),
@@ -46,10 +46,10 @@ def guard_at(comp, regime, which, poly, s):
 
 
 def first_exit(comp, regime, poly, armed):
-    """(guard, s) of the first one to fall through zero in the step, or NONE.
+    """Return (guard, s) of the first guard to fall through zero in the step, or NONE.
 
-    A guard that begins on its surface, since the regime was entered there, is not armed: it must first leave
-    the surface. `armed` is updated to the end of the step.
+    A guard that starts on its surface, because the regime was entered there, is not armed until it has left the surface.
+    `armed` is updated to the end of the step.
     """
     best = 1.0
     which = NONE
@@ -57,10 +57,10 @@ def first_exit(comp, regime, poly, armed):
         low = 0.0
         last = guard_at(comp, regime, index, poly, 0.0)[0]
         slope = (guard_at(comp, regime, index, poly, NEXT)[0] - last) / NEXT
-        before = last - slope / SAMPLES  # as if it had come straight
+        before = last - slope / SAMPLES  # linear extrapolation
         for i in range(1, SAMPLES + 1):
             high = i / SAMPLES
-            if low - 1.0 / SAMPLES >= best:  # one sample further shows a minimum before it
+            if low - 1.0 / SAMPLES >= best:  # go one sample further, which shows a minimum before it
                 break
             value, floor = guard_at(comp, regime, index, poly, high)
             if armed[index]:
@@ -78,7 +78,7 @@ def first_exit(comp, regime, poly, armed):
                 armed[index] = True
             elif value < -floor:
                 s = low
-                if i == 1 and slope > 0.0:  # it may have risen from its surface in between
+                if i == 1 and slope > 0.0:  # it may have risen from its surface and fallen in between
                     peak = _between(comp, regime, index, poly, -1.0, -floor, low, high)
                     if peak < high:
                         s = _fall(comp, regime, index, poly, peak, high)
@@ -92,7 +92,7 @@ def first_exit(comp, regime, poly, armed):
 
 
 def _may_fall(comp, regime, which, poly, i, before, last, value):
-    """Whether a guard of these values at three samples may be negative between them: it is above its tangents."""
+    """Return True if a guard with these values at three samples may be negative between them, as its tangents are."""
     if value >= last:
         return 2.0 * last < max(before, value)
     if i < SAMPLES:
@@ -101,7 +101,7 @@ def _may_fall(comp, regime, which, poly, i, before, last, value):
 
 
 def _between(comp, regime, which, poly, sign, least, low, high):
-    """A place where sign × guard, which has a minimum between `low` and `high`, is below `least`; `high` if it is nowhere."""
+    """Return a point where sign × guard, with a minimum between `low` and `high`, is below `least`; `high` if there is none."""
     end = high
     left = low + GOLDEN * (high - low)
     right = high - GOLDEN * (high - low)
@@ -124,7 +124,7 @@ def _between(comp, regime, which, poly, sign, least, low, high):
 
 
 def _fall(comp, regime, which, poly, low, high):
-    """Root of a guard that is positive at `low` and negative at `high`, by Illinois' secants."""
+    """Return the root of a guard that is positive at `low` and negative at `high`, by the Illinois method."""
     f_low = guard_at(comp, regime, which, poly, low)[0]
     f_high = guard_at(comp, regime, which, poly, high)[0]
     if f_low <= 0.0:
@@ -155,7 +155,7 @@ def _fall(comp, regime, which, poly, low, high):
 
 
 def remaining(comp, regime, which, poly):
-    """Factor to the length of a step that was to end where a guard falls; 1 if it does."""
+    """Return the factor for the length of a step that should end where a guard falls; 1 if it does."""
     value, floor = guard_at(comp, regime, which, poly, 1.0)
     if abs(value) <= 0.1 * floor:
         return 1.0
@@ -168,7 +168,7 @@ def remaining(comp, regime, which, poly):
 
 
 def sign_change(poly, m):
-    """Place in the step where a variable that changes sign over it is zero."""
+    """Return the point in the step where a variable that changes sign is zero."""
     low = 0.0
     high = 1.0
     positive = poly[m, 0] > 0.0

@@ -30,18 +30,18 @@ from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 
 APEX = np.int64(Event.APEX)
 EVENT_LIMIT = int(Status.EVENT_LIMIT)
-MOST_PANELS = 20_000  # looked at in one flight below the plane's level
-PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
+MOST_PANELS = 20_000  # maximum per flight below the plane's level
+PHASE = 3.0  # rad of rotation per panel: the first omitted coefficient, J₁₆(1.5), is 5e-16
 LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
 
 
 def fly_state(body, comp, begin, opening, tau, out):
-    """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Returns the turns made."""
+    """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Return the revolutions."""
     s, c = sine_and_cosine(begin[TH])
     out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
     along, out[VT] = flight_displacement(body, begin[VT], begin[OM], s, c, tau)
     out[X] = begin[X] + along
-    # of the same angle as in the gap, which may be of many turns
+    # of the same angle as in the gap, which may be many revolutions
     more, rest, low = turns_and_rest(begin[OM] * tau)
     turns, out[TH] = within_turn(more, begin[TH] + (rest + low))
     out[OM] = begin[OM]
@@ -49,10 +49,10 @@ def fly_state(body, comp, begin, opening, tau, out):
     out[FRICTION] = begin[FRICTION]
     out[RESISTED] = begin[RESISTED]
     if comp.friction == BRISTLE and begin[Z] != 0.0:
-        # the free bristle relaxes; its spring's energy ends in its damper
+        # the free bristle relaxes; its damper dissipates its spring's energy
         out[Z] = begin[Z] * exponential(-comp.k_t / comp.c_t * tau)
         out[FRICTION] += 0.5 * comp.k_t * (begin[Z] - out[Z]) * (begin[Z] + out[Z])
-    # so does that of the normal spring, which cannot follow the rim
+    # the normal damper likewise, since the spring cannot follow the rim
     before = min(begin[Y], 0.0)
     after = min(out[Y], 0.0)
     out[DAMPING] = begin[DAMPING] + 0.5 * comp.k * (before - after) * (before + after)
@@ -60,14 +60,14 @@ def fly_state(body, comp, begin, opening, tau, out):
 
 
 def _regain(comp, y, vn):
-    """Negative of what must be positive for the contact to act again below the plane's level."""
+    """Return the negative of the quantity that is positive when the contact acts again below the plane's level."""
     if comp.law == KELVIN_VOIGT:
         return comp.k * y + comp.c * vn
     return comp.d * vn - 1.0
 
 
 def fly_below(body, comp, begin, opening, limit, work):
-    """(what, τ): a flight below the plane's level gets CLEAR of it, has LANDED again, or LASTS; GIVEN_UP after many turns."""
+    """Return (outcome, τ) of a flight below the plane's level: CLEAR of it, LANDED again, LASTS, or GIVEN_UP."""
     s, c = sine_and_cosine(begin[TH])
     om = begin[OM]
     start = 0.0
@@ -103,7 +103,7 @@ def fly_below(body, comp, begin, opening, limit, work):
 
 
 def fly_above(body, begin, opening, zeros, limit):
-    """(what, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
+    """Return (outcome, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
     landing, apex, seen = first_landing(body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit)
     if 0.0 <= landing <= limit:
         return LANDED, landing, apex
@@ -111,7 +111,7 @@ def fly_above(body, begin, opening, zeros, limit):
 
 
 def flight_step(body, comp, phase, t_end, log, rows, work):
-    """(the phase after a flight, segments)."""
+    """Fly up to the next contact or the final time; return (phase, segments)."""
     u = work.state
     t = phase.t
     s, c = sine_and_cosine(u[TH])

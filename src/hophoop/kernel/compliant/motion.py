@@ -17,13 +17,13 @@ from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 
 
 def contact_force(comp, regime, u):
-    """(F, N) in contact."""
+    """Return (F, N) in contact."""
     normal = normal_force(comp, u[Y], u[VN])[0]
     return friction_force(comp, regime, normal, u[Z], u[VT])[0], normal
 
 
 def rates(body, comp, regime, u, out):
-    """Time derivatives of the dynamic variables."""
+    """Fill `out` with the time derivatives of the dynamic variables."""
     s, c = sine_and_cosine(u[TH])
     friction, normal = contact_force(comp, regime, u)
     W_tt, W_nn, W_tn = delassus(body, s, c)
@@ -33,7 +33,7 @@ def rates(body, comp, regime, u, out):
     out[VT] = W_tt * friction + W_tn * normal + f_t
     out[VN] = W_tn * friction + W_nn * normal + f_n
     out[OM] = (body.eps * s * normal - (1.0 + body.eps * c) * friction) / body.kap
-    if body.resist > 0.0:  # a couple turns the hoop alone, and with it the rim
+    if body.resist > 0.0:  # a couple acts on the rotation of the hoop, and so on the rim
         turned = resisting_couple(comp, body.resist, normal, u[OM])[0] / body.kap
         out[OM] += turned
         out[VT] -= (1.0 + body.eps * c) * turned
@@ -44,11 +44,11 @@ def rates(body, comp, regime, u, out):
 
 
 def dissipation(body, comp, regime, u, out, begin):
-    """ẋ and the power lost in friction, in the normal damper and to rolling resistance, from out[begin] on."""
+    """Fill `out` from `begin` with ẋ and the power lost in friction, in the normal damper and to rolling resistance."""
     friction, normal = contact_force(comp, regime, u)
     out[begin + X - DYNAMIC] = u[VT] + u[OM]
     lost = -friction * u[VT]
-    if comp.friction == BRISTLE:  # what goes into the spring along the plane is not lost
+    if comp.friction == BRISTLE:  # energy stored in the tangential spring is not lost
         lost -= comp.k_t * u[Z] * bristle_rate(comp, regime, normal, u[Z], u[VT])
     out[begin + FRICTION - DYNAMIC] = lost
     out[begin + DAMPING - DYNAMIC] = -(normal + comp.k * u[Y]) * u[VN]
@@ -58,13 +58,13 @@ def dissipation(body, comp, regime, u, out, begin):
 
 
 def energies(body, comp, u):
-    """(energy of motion and in the springs, potential energy as at x = 0)."""
+    """Return (kinetic energy plus energy in the springs, potential energy at x = 0)."""
     moving = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
     return moving + spring_energy(comp, u[Y], u[Z]), potential_energy(body, 0.0, u[Y], u[TH])
 
 
 def jacobian(body, comp, regime, u, out):
-    """∂(rates)/∂u."""
+    """Fill `out` with ∂(rates)/∂u."""
     s, c = sine_and_cosine(u[TH])
     eps, kap, om = body.eps, body.kap, u[OM]
     arm = 1.0 + eps * c

@@ -1,4 +1,4 @@
-"""The numbers of a contact: units, defaults, a start with the spring loaded."""
+"""Parameters of a compliant contact: units, defaults, and a start with a loaded spring."""
 
 from __future__ import annotations
 
@@ -20,21 +20,22 @@ from hophoop.kernel.physics.compliant import (
 from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
 from hophoop.kernel.physics.resistance import resistance_arm
 
-SLIP_SPEED, LEAST_SLIP_SPEED = 1e-3, 1e-9  # √(g R)
+SLIP_SPEED, LEAST_SLIP_SPEED = 1e-3, 1e-9  # in √(g R)
 RTOL = 1e-9
-ROUNDING = 1e-13  # of f_n, beside gravity and θ̇²
+ROUNDING = 1e-13  # of f_n, relative to gravity and θ̇²
 
 
 def least_restitution(k):
-    """The restitution that stands for all smaller ones, which no finite damping gives.
+    """Return the minimum restitution of a compliant contact; smaller ones, which no finite damping gives, are raised to it.
 
-    `k` is the stiffness over m g / R. It is 1/√k, at most 0.1: it vanishes with the other errors of a compliant contact.
+    `k` is the stiffness over m g / R. The minimum is 1/√k, at most 0.1, so it vanishes as k → ∞ like the other errors of a
+    compliant contact.
     """
     return min(0.1, 1.0 / math.sqrt(k))
 
 
 def compliance_of(body, length, second, mass, law, friction, stiffness, damping, restitution, slip_speed, tangential):
-    """The contact's numbers in the kernel's units from those in SI units; nan stands for what it chooses by itself."""
+    """Return the parameters of a contact in kernel units from those in SI units; nan selects the default."""
     k = STIFFNESS if math.isnan(stiffness) else stiffness * (second * second) / mass
     c = 0.0
     d = 0.0
@@ -55,7 +56,7 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
         v_s = slip_speed * second / length
     elif friction == BRISTLE:  # it may relax as slowly as the hoop moves: c_t = μ k_t
         v_s = min(1.0 / k, 1.0)
-    if body.mu_s == 0.0:  # nothing for a bristle to hold
+    if body.mu_s == 0.0:  # no friction for a bristle to transmit
         friction = LINEAR
     k_t = k if math.isnan(tangential) else tangential * (second * second) / mass
     excess = static_excess(body.mu_s, body.mu_k) if friction == TANH else 0.0
@@ -64,15 +65,15 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
 
 
 def chosen_in_si(comp, length, second, mass):
-    """The stiffness [N/m] and the slip speed [m/s] of a contact in kernel units."""
+    """Return the stiffness [N/m] and the slip speed [m/s] of a contact in kernel units."""
     return comp.k * mass / (second * second), comp.v_s * length / second
 
 
 def load_contact(body, comp, start):
-    """Whether the contact acts at a start, which is changed in place to have its spring loaded.
+    """Load the spring of a start, in place; return True if the contact acts.
 
-    A start at rest on the plane (height 0, vy 0) has its spring compressed by the normal force that rigid
-    contact would have, and its bristle stretched: otherwise every motion would begin with a drop.
+    At a start at rest on the plane (height 0, vy 0) the spring is compressed by the normal force of rigid contact, and the
+    bristle is stretched likewise. Otherwise every motion would start with a drop.
     """
     if start[Y] > 0.0 or start[VN] != 0.0:
         return False
@@ -81,7 +82,7 @@ def load_contact(body, comp, start):
     opening = free_acceleration(body, s, c, start[OM] * start[OM])[1]
     if not normal > 0.0:
         u = start[OM] * start[OM]
-        if abs(opening) <= ROUNDING * (body.gn + u):  # zero: its rate decides
+        if abs(opening) <= ROUNDING * (body.gn + u):  # zero within rounding: its rate decides
             opening = -body.eps * start[OM] * u * sine(start[TH])
         return opening < 0.0
     start[Y] = -normal / comp.k
@@ -91,7 +92,7 @@ def load_contact(body, comp, start):
 
 
 def rigid_force(body, start):
-    """(F, N) that rigid contact would have in a state without approach."""
+    """Return (F, N) of rigid contact in a state without approach."""
     s, c = sine_and_cosine(start[TH])
     u = start[OM] * start[OM]
     sigma = direction(start[VT])
@@ -107,11 +108,11 @@ def rigid_force(body, start):
         normal = slip_motion(body, s, c, u, sigma, rho)[1]
         return -sigma * body.mu_k * normal, normal
     if opening > 0.0 > stiffness and body.strike:
-        # Painlevé's indeterminate contact: beyond twice the unstable equilibrium the spring strikes
+        # Painlevé's indeterminate contact: from twice the compression of the unstable equilibrium the spring strikes
         return 0.0, 2.0 * slip_motion(body, s, c, u, sigma, rho)[1]
     return 0.0, 0.0
 
 
 def direction(value):
-    """Its sign, −1, 0 or 1."""
+    """Return the sign of a number, −1, 0 or 1."""
     return 1 if value > 0.0 else (-1 if value < 0.0 else 0)

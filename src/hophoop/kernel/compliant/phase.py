@@ -1,4 +1,4 @@
-"""What the loop over contacts and flights carries, and how it is written down."""
+"""Phase: the state that the loop over contacts and flights passes on, and how it is written to the tables."""
 
 from __future__ import annotations
 
@@ -34,44 +34,44 @@ from hophoop.kernel.records.layout import EVENTS, SEGMENTS
 from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_resisted
 from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
 
-# As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
+# NumPy integers, because Numba would compile a function again for every Python integer that it is called with.
 ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
 IMPACT = np.int64(Event.IMPACT)
-GOING = -1  # stands for the status of a motion that has not ended
+GOING = -1  # status of a motion that has not ended
 
 
 class Phase(NamedTuple):
-    """Where a motion is; its state is in `work.state`."""
+    """Phase of a compliant motion; its state is in `work.state`."""
 
     t: float
-    turns: float  # whole ones; the state has θ within the turn, with all its digits however far the hoop has rolled
-    behind: float  # what rounding has kept from t so far: steps may be shorter than its last digit
+    turns: float  # whole revolutions; the state has θ within one, with all digits
+    behind: float  # rounding error of `t` (Kahan sum): a step may be shorter than one ulp of `t`
     mode: int | np.int64
-    regime: int | np.int64  # of the friction
-    begins: bool  # a contact, or a regime of its friction, begins
+    regime: int | np.int64  # of friction
+    begins: bool  # True at the start of a contact or of a friction regime
     h: float  # length of the next step
-    before: float  # length of the step whose dense output starts Newton's iteration, or 0
-    way: float  # sign of θ̇ when it was last not 0
-    status: int  # GOING, or how the motion ended
+    before: float  # length of the step whose dense output gives Newton's first guess, or 0
+    way: float  # sign of the last nonzero θ̇
+    status: int  # GOING, or the Status at the end of the motion
 
 
 def begin_phase(phase, t, mode, regime):
-    """The phase that begins at a time."""
+    """Start a phase at the time t."""
     return Phase(t, phase.turns, phase.behind, mode, regime, True, phase.h, phase.before, phase.way, GOING)
 
 
 def with_step(phase, h, before):
-    """The same phase, to be tried again with another step."""
+    """Return the same phase with another step length."""
     return Phase(phase.t, phase.turns, phase.behind, phase.mode, phase.regime, False, h, before, phase.way, GOING)
 
 
 def end_motion(phase, t, status):
-    """The motion ends in this phase."""
+    """End the motion in this phase."""
     return Phase(t, phase.turns, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.way, status)
 
 
 def within_turn(turns, th):
-    """(turns, θ) with θ counted in the turn it is in, once it is far from the present one."""
+    """Return (turns, θ) with θ reduced to one revolution, if it is far outside."""
     if abs(th) <= FARTHEST:
         return turns, th
     more, rest, low = turns_and_rest(th)
@@ -79,7 +79,7 @@ def within_turn(turns, th):
 
 
 def add_turns(phase, turns):
-    """The same phase, so many turns further."""
+    """Return the same phase with more revolutions."""
     return Phase(
         phase.t, phase.turns + turns, phase.behind, phase.mode, phase.regime, phase.begins,
         phase.h, phase.before, phase.way, phase.status,
@@ -87,21 +87,21 @@ def add_turns(phase, turns):
 
 
 def mode_of(regime):
-    """The mode that a regime of the friction is called."""
+    """Return the mode of a friction regime."""
     if regime == 0:
         return ROLL
     return SKID if regime > 0 else SPIN
 
 
 def as_state(t, turns, u):
-    """The state as events are written."""
+    """Return the state in the form in which events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
     there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns + turns, start.th, start.th_low)
     return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
 
 
 def write_plain_event(log, kind, before, after, t, turns, u):
-    """Append an event that changes no velocity."""
+    """Append an event without a jump of velocity."""
     state = as_state(t, turns, u)
     write_event(log, event_without_jump(kind, before, state), after, state, 0.0, -1)
     if kind == IMPACT and has_room(log):
@@ -109,7 +109,7 @@ def write_plain_event(log, kind, before, after, t, turns, u):
 
 
 def append_segment(log, rows, phase, t_end, kind, length, work):
-    """Append a segment; returns the array, which may be a longer copy."""
+    """Append a segment; return the table, which may be a longer copy."""
     pieces = log.counts[SEGMENTS]
     log.counts[SEGMENTS] = pieces + 1
     rows = grow_rows(rows, pieces)

@@ -1,4 +1,4 @@
-"""The state of a compliant motion, and what the kernel keeps of every accepted step."""
+"""The state of a compliant motion, and the record of every accepted step."""
 
 from __future__ import annotations
 
@@ -10,18 +10,19 @@ from hophoop.kernel.compliant.tableau import PAIRS, STAGES
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.numerics.roots import DEPTH
 
-# What the state array holds, in kernel units; `bristle` is z; `friction`, `damping`, `rolling_resistance`: energy lost so far.
+# Variables of the state array, in kernel units; `bristle` is z; `friction`, `damping`, `rolling_resistance`: energy lost so
+# far.
 VARIABLES = ("height", "angle", "slip", "vy", "omega", "bristle", "x", "friction", "damping", "rolling_resistance")
 Y, TH, VT, VN, OM, Z, X, FRICTION, DAMPING, RESISTED = range(10)
-DYNAMIC = 6  # the first ones; the others are integrals over the motion that nothing depends on
+DYNAMIC = 6  # the first 6; the others are integrals along the motion, on which nothing depends
 SIZE = len(VARIABLES)
-MEASURED = 9  # the error of a step is a mean over so many
+MEASURED = 9  # number of variables in the mean error of a step
 
 # Kinds of segments.
 STEP, FLY, HOLD = 0.0, 1.0, 2.0
-# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − its begin)/step; FLY and HOLD keep p_0
-# alone, and FLY has f_n at its start for `step`. The angle is θ within the turn; `turns` are whole.
-T, T_END, KIND, MODE, REGIME, TURNS, LENGTH, FIRST = range(8)  # FIRST: where the polynomials begin
+# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − its start)/step. FLY and HOLD only keep p_0, and FLY has
+# f_n at its start in `step`. The angle is θ within one revolution; `turns` counts whole ones.
+T, T_END, KIND, MODE, REGIME, TURNS, LENGTH, FIRST = range(8)  # FIRST: where the polynomials start
 WIDTH = FIRST + SIZE * (STAGES + 1)
 SEGMENT = np.dtype(
     [(name, "f8") for name in ("t", "t_end", "kind", "mode", "regime", "turns", "step")]
@@ -30,11 +31,11 @@ SEGMENT = np.dtype(
 
 
 class Work(NamedTuple):
-    """Arrays that a step works in."""
+    """Scratch arrays of a step."""
 
     state: np.ndarray
     stages: np.ndarray  # Z_i, increments of the dynamic variables
-    integrals: np.ndarray  # their counterparts of the integrals
+    integrals: np.ndarray  # increments of the integrals
     rates: np.ndarray  # f at the stages
     powers: np.ndarray  # integrands at the stages
     start_rate: np.ndarray
@@ -53,13 +54,13 @@ class Work(NamedTuple):
     atol: np.ndarray
     poly: np.ndarray  # Σ_j poly[:, j] s^j
     start: np.ndarray
-    values: np.ndarray  # for the flight
+    values: np.ndarray  # for flight
     series: np.ndarray
     stack: np.ndarray
 
 
 def new_work():
-    """A fresh set of arrays."""
+    """Return a new set of scratch arrays."""
     return Work(
         np.zeros(SIZE),
         np.zeros((STAGES, DYNAMIC)),
@@ -89,11 +90,11 @@ def new_work():
 
 
 def grow_rows(rows, count):
-    """`rows`, or a copy twice as long where `count` rows fill it."""
+    """Return `rows`, or a copy twice as long if `count` rows fill it."""
     if count < rows.shape[0]:
         return rows
     larger = np.empty((2 * rows.shape[0], rows.shape[1]))
-    for i in range(count):  # a loop compiles in a tenth of the time of a slice
+    for i in range(count):  # a loop compiles 10 times faster than a slice
         for j in range(rows.shape[1]):
             larger[i, j] = rows[i, j]
     return larger

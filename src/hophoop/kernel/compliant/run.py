@@ -1,4 +1,4 @@
-"""The loop over contacts and flights on a compliant plane, in nopython mode."""
+"""The event loop over contacts and flights on a compliant plane, in nopython mode."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ from hophoop.kernel.records.writing import Log, count_panel, has_room
 START, END = np.int64(Event.START), np.int64(Event.END)
 NO_MODE = np.int64(-1)
 COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
-MAX_STEPS = 300_000  # some seconds, and about 140 MB
+MAX_STEPS = 300_000  # a few seconds, and about 140 MB
 
 
 def set_tolerances(body, comp, work):
-    """Sizes of the variables beside which errors are measured."""
+    """Set the sizes of the variables to which errors are relative."""
     work.atol[Y] = min(1.0, 1.0 / comp.k)
     work.atol[TH] = 1.0
     work.atol[VT] = min(1.0, comp.v_s)
@@ -48,7 +48,7 @@ def set_tolerances(body, comp, work):
 
 
 def begin(comp, touching, log, work):
-    """The first phase of a motion."""
+    """Start a motion and return its first phase."""
     u = work.state
     regime = np.int64(0)
     mode = FLIGHT
@@ -61,7 +61,7 @@ def begin(comp, touching, log, work):
 
 
 def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached):
-    """The motion from a state to the end of time.
+    """Compute a motion up to the final time.
 
     Parameters
     ----------
@@ -70,16 +70,16 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     start : ndarray, shape (SIZE,)
         Not changed.
     touching : bool
-        Whether the contact acts at the start.
+        True if the contact acts at the start.
     t_end, rtol : float
     max_steps : int
-        Steps, failed ones included, and flights after which the motion is given up.
+        Maximum of steps, failed ones included, and flights; the motion is given up there.
     events : ndarray of records.EVENT
         Filled.
     no_segments : ndarray of records.SEGMENT
         Of length 0.
     reached : ndarray, shape (1,)
-        The share of the time that is computed, for who looks on from another thread.
+        Progress: the computed fraction of the time, for another thread.
 
     Returns
     -------
@@ -94,7 +94,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
-        count_panel(log)  # also of a step that failed
+        count_panel(log)  # failed steps count too
         if log.counts[PANELS] >= max_steps:
             phase = end_motion(phase, phase.t, EVENT_LIMIT)
         elif phase.mode == FLIGHT:
@@ -109,7 +109,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
 
 
 def run_into(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached, kept):
-    """`run` with its segments copied into `kept`, as many as it has room for; (status, number of events, of segments)."""
+    """Compute as `run` does and copy the segments into `kept` as far as it has room; return (status, events, segments)."""
     status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached)
     for k in range(min(pieces, kept.shape[0])):
         kept[k] = rows[k]

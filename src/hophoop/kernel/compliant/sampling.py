@@ -1,4 +1,4 @@
-"""The state at any time of a computed compliant motion: exact replay of the steps' own polynomials."""
+"""States at given times of a computed compliant motion, from the steps' own polynomials."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ COLUMNS = (
 
 
 def find_row(rows, t, left):
-    """Index of the segment that holds the time t; at a border the earlier one if `left`."""
+    """Return the index of the segment that contains the time t; at a boundary the earlier one if `left`."""
     low = 0
     high = rows.shape[0]
     while high - low > 1:
@@ -75,7 +75,7 @@ def sample(body, comp, rows, times, left, out):
         elif kind == HOLD:
             u[:] = begin
         else:
-            # a step may be shorter than the last digit of its times
+            # a step may be shorter than one ulp of its times
             s = 1.0 if t >= row[T_END] else min((t - row[T]) / row[LENGTH], 1.0)
             for m in range(SIZE):
                 at = FIRST + m * (STAGES + 1)

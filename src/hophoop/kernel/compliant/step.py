@@ -25,14 +25,14 @@ from hophoop.kernel.compliant.tableau import (
 from hophoop.kernel.numerics.powers import integer_power
 
 ITERATIONS = 10
-NEWTON = 1e-3  # of the tolerance: what Newton's iteration may leave
-LEDGER = 0.1  # of rtol: how much of the energy a step may leave out of the ledger
-ROUNDING = 4e-16  # of an energy, beside the speeds that it is a difference of
-FAILED = 1e300  # an error that no step may have
+NEWTON = 1e-3  # relative to the tolerance: accepted residual of Newton's iteration
+LEDGER = 0.1  # relative to rtol: accepted error of the energy ledger per step
+ROUNDING = 4e-16  # of an energy, relative to the speeds whose squares it is a difference of
+FAILED = 1e300  # error of a failed step
 
 
 def predict(work, begin, stretch):
-    """Start Newton's iteration from the polynomial in `work.poly`: its values at begin + stretch c_i."""
+    """Extrapolate Newton's first guess from the polynomial in `work.poly`: its values at begin + stretch c_i."""
     for m in range(DYNAMIC):
         base = poly_value(work.poly, m, begin)
         for i in range(STAGES):
@@ -40,7 +40,7 @@ def predict(work, begin, stretch):
 
 
 def poly_value(poly, m, s):
-    """Variable m of the dense output."""
+    """Return variable m of the dense output."""
     result = poly[m, STAGES]
     for j in range(STAGES - 1, -1, -1):
         result = result * s + poly[m, j]
@@ -48,7 +48,7 @@ def poly_value(poly, m, s):
 
 
 def to_eigenbasis(work):
-    """The stages in the eigenvectors of A⁻¹."""
+    """Transform the stages to the eigenvectors of A⁻¹."""
     for m in range(DYNAMIC):
         total = 0.0
         for i in range(STAGES):
@@ -62,7 +62,7 @@ def to_eigenbasis(work):
 
 
 def newton(body, comp, regime, work, start, h):
-    """Solve for the stages; True if the iteration converged."""
+    """Solve for the stages; return True if the iteration converged."""
     to_eigenbasis(work)
     before = 0.0
     rate = 0.9
@@ -129,8 +129,8 @@ def scaled_square(work):
 def attempt(body, comp, regime, work, start, h, rtol):
     """Try a step of length h from `start`, with `work.stages` as the first guess.
 
-    Leaves the stages, the integrals and the dense output in `work`; returns the error over the tolerance,
-    FAILED where Newton's iteration does not converge.
+    Leaves the stages and integrals in `work`. Returns the error over the tolerance, FAILED if Newton's iteration does not
+    converge.
     """
     for m in range(SIZE):
         work.scale[m] = rtol * (work.atol[m] + abs(start[m]))
@@ -177,7 +177,7 @@ def attempt(body, comp, regime, work, start, h, rtol):
     solve(work.real, work.real_pivots, work.real_side)
     size = scaled_square(work)
     if size + total > MEASURED:
-        # filtered once more, which stiff components need (Hairer & Wanner, IV.8)
+        # filtered once more for stiff components (Hairer & Wanner, IV.8)
         for m in range(DYNAMIC):
             work.trial[m] = start[m] + work.real_side[m]
         rates(body, comp, regime, work.trial, work.real_side)
@@ -188,13 +188,13 @@ def attempt(body, comp, regime, work, start, h, rtol):
     result = math.sqrt((size + total) / MEASURED)
     if not result < FAILED:
         return FAILED
-    if result <= 1.0:  # of a light ring the estimate says too little
+    if result <= 1.0:  # for a light ring the estimate is too small
         result = max(result, ledger_error(body, comp, work, start, rtol))
     return result
 
 
 def ledger_error(body, comp, work, start, rtol):
-    """What the ledger does not close by over a step, over its tolerance."""
+    """Return the error of the energy ledger over a step, relative to its tolerance."""
     end = work.trial
     for m in range(DYNAMIC):
         end[m] = start[m] + work.stages[STAGES - 1, m]
@@ -210,7 +210,7 @@ def ledger_error(body, comp, work, start, rtol):
 
 
 def make_poly(work, start):
-    """Write the dense output of the step in the stages to `work.poly`."""
+    """Write the dense output of the step to `work.poly`."""
     for m in range(SIZE):
         work.poly[m, 0] = start[m]
         for j in range(STAGES):

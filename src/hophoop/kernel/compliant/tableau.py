@@ -1,4 +1,4 @@
-"""Radau IIA with five stages, order 9: its constants (Hairer & Wanner, IV.8)."""
+"""Radau IIA with 5 stages, order 9: its constants (Hairer & Wanner, IV.8)."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ def _complex(parts: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(parts).view(np.complex128)[..., 0]
 
 
-# A⁻¹ has one real eigenvalue, GAMMA, and two pairs; one of each pair is enough, the other is its conjugate.
+# A⁻¹ has one real eigenvalue, GAMMA, and two conjugate pairs, of which one member each is stored.
 LAMBDA = _complex(RADAU_LAMBDA)
 TO_PAIR = _complex(RADAU_TO_PAIR)
-FROM_PAIR = _complex(RADAU_FROM_PAIR)  # twice the eigenvectors: the conjugate's share is in the factor 2
+FROM_PAIR = _complex(RADAU_FROM_PAIR)  # twice the eigenvectors, to include the conjugates
 
 # DEFECT and ERROR: the solution of order 5 that also uses f at the start with weight 1/γ; its difference from the method,
 # h f(y0)/γ + Σ DEFECT_i h f_i = h f(y0)/γ + Σ ERROR_i Z_i, estimates the error.

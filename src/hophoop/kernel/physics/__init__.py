@@ -1,1 +1,1 @@
-"""Formulas of the hoop, once each: scalars in, tuples out."""
+"""Formulas of the hoop, each stated once: scalars in, tuples out."""

@@ -1,7 +1,7 @@
-"""The body as kernels see it, and the words for modes, events and ends.
+"""Dimensionless parameters of hoop and plane, and the codes of modes, events and statuses (docs/model.md#the-body).
 
-Kernels work in units of R (length), m (mass) and √(R/g) (time); where g = 0 the time unit is the
-one that makes R / (1 m/s²) equal to 1.
+Kernels work in units of R (length), m (mass) and √(R/g) (time). If g = 0, the unit of time is the one for which g would be 1
+m/s².
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ class Body(NamedTuple):
     gt: float  # gravity along the plane, downhill positive (sin β, or 0)
     rest: float  # restitution e
     law: int  # ImpactLaw
-    strike: bool  # indeterminate Painlevé: impact (True) or flight
+    strike: bool  # indeterminate Painlevé contact: impact (True) or flight (False)
     slope: float  # β, whose rounded cosine and sine are gn and gt; 0 without gravity [rad]
-    ideal: bool = False  # κ is 1 − ε², of which `kap` is the rounded value
+    ideal: bool = False  # True if κ = 1 − ε², which `kap` rounds
     resist: float = 0.0  # rolling resistance f
 
 
 class Mode(IntEnum):
-    """How the rim and the plane meet."""
+    """Modes of contact between rim and plane."""
 
     ROLL = 0
     SPIN = 1
@@ -63,12 +63,12 @@ class Event(IntEnum):
 
 
 EVENT_NAMES = tuple(event.name.lower() for event in Event)
-# Those that do not end a phase: the mode stays.
+# Events that do not end a phase: the mode stays.
 PASSING = (int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST))
 
 
 class Status(IntEnum):
-    """How a motion ended; `BUFFER` is internal (the arrays were too small, run again)."""
+    """How a motion ended; `BUFFER` is internal (the tables were too short, and the motion is run again)."""
 
     COMPLETED = 0
     AT_REST = 1
@@ -79,7 +79,7 @@ class Status(IntEnum):
 
 
 class ImpactLaw(IntEnum):
-    """What ends the restitution of an impact."""
+    """Impact law: when the restitution of an impact ends."""
 
     NEWTON = 0
     POISSON = 1

@@ -1,11 +1,11 @@
-"""Compliant contact: a unilateral spring with a damper, and regularised Coulomb friction.
+"""Compliant contact: a unilateral spring with a damper, and regularised friction (docs/model.md#compliant-contact).
 
-Kernel units (R, m, √(R/g)). The rim may sink into the plane: y < 0 there. While the contact acts
+Kernel units (R, m, √(R/g)). The rim may sink into the plane (y < 0). While the contact acts, its normal force is
 
     Kelvin–Voigt       N = −k y − c v_n            until N = 0 (clipped: the plane never pulls)
     Hunt–Crossley      N = −k y (1 − d v_n)        until y = 0 or d v_n = 1
 
-and the friction is one of
+and its friction force is
 
     tanh, linear       F = −N φ(v_t/v_s), creeping under every load
     bristle            a spring and damper along the plane, F = −(k_t z + c_t ż), whose foot sticks to
@@ -33,7 +33,7 @@ class NormalLaw(IntEnum):
 
 
 class FrictionLaw(IntEnum):
-    """Law of the friction."""
+    """Law of friction."""
 
     TANH = 0
     LINEAR = 1
@@ -50,32 +50,32 @@ class Compliance(NamedTuple):
     law: int  # NormalLaw
     friction: int  # FrictionLaw
     k: float  # stiffness
-    c: float  # damping of Kelvin and Voigt
-    d: float  # damping of Hunt and Crossley, per speed
+    c: float  # damping of Kelvin–Voigt
+    d: float  # damping of Hunt–Crossley, per speed
     v_s: float  # slip speed
     mu_s: float
     mu_k: float
-    excess: float  # of static friction in the tanh law, see `static_excess`
-    k_t: float  # bristle
+    excess: float  # A of the tanh law, see `static_excess`
+    k_t: float  # stiffness of the bristle; `c_t` is its damping
     c_t: float
-    om_s: float = 1e-6  # θ̇ at which rolling resistance comes to its full size
+    om_s: float = 1e-6  # θ̇ at which rolling resistance nears its full size
 
 
-STIFFNESS = 1e6  # m g / R, where none is given
+STIFFNESS = 1e6  # in m g / R, if none is given
 
-# The part of friction that is above the kinetic one falls off over so many slip speeds in the tanh law.
+# In the tanh law friction falls from its static maximum to the kinetic value within this many slip speeds.
 STRIBECK = 3.0
-# Slip is called roll below so many slip speeds, where tanh gives 99.93 % of the friction, the linear law all.
+# Slip below this many slip speeds counts as roll; there tanh gives 99.93 % of the friction, the linear law all.
 TANH_CREEP, LINEAR_CREEP = 4.0, 1.0
 
 
 def creep_speed(comp):
-    """Slip speed below which the tanh and linear laws are said to roll."""
+    """Return the slip speed below which a motion counts as roll in the tanh and linear laws."""
     return (TANH_CREEP if comp.friction == TANH else LINEAR_CREEP) * comp.v_s
 
 
 def normal_force(comp, y, vn):
-    """(N, ∂N/∂y, ∂N/∂v_n) while the contact acts."""
+    """Return (N, ∂N/∂y, ∂N/∂v_n) while the contact acts."""
     if comp.law == KELVIN_VOIGT:
         return -comp.k * y - comp.c * vn, -comp.k, -comp.c
     closing = 1.0 - comp.d * vn
@@ -83,7 +83,7 @@ def normal_force(comp, y, vn):
 
 
 def traction(comp, regime, vt):
-    """(φ, dφ/dv_t) of the tanh and linear laws; `regime` is 0 below the creep speed, else sign(v_t)."""
+    """Return (φ, dφ/dv_t) of the tanh and linear laws; `regime` is 0 below the creep speed, else sign(v_t)."""
     if comp.friction == TANH:
         xi = vt / comp.v_s
         hyper = hyperbolic_tangent(xi)
@@ -100,14 +100,14 @@ def traction(comp, regime, vt):
 
 
 def bristle_rate(comp, regime, normal, z, vt):
-    """ż of the bristle: with the rim while its foot sticks, else relaxing against the sliding friction."""
+    """Return ż of the bristle: v_t while its foot sticks, else relaxation against the sliding friction."""
     if regime == 0:
         return vt
     return (regime * comp.mu_k * normal - comp.k_t * z) / comp.c_t
 
 
 def friction_force(comp, regime, normal, z, vt):
-    """(F, ∂F/∂N, ∂F/∂v_t, ∂F/∂z)."""
+    """Return (F, ∂F/∂N, ∂F/∂v_t, ∂F/∂z)."""
     if comp.friction == BRISTLE:
         if regime == 0:
             return -(comp.k_t * z + comp.c_t * vt), 0.0, -comp.c_t, -comp.k_t
@@ -117,13 +117,13 @@ def friction_force(comp, regime, normal, z, vt):
 
 
 def resisting_couple(comp, resist, normal, om):
-    """(C, ∂C/∂N, ∂C/∂θ̇) of the couple of rolling resistance."""
+    """Return (C, ∂C/∂N, ∂C/∂θ̇) of the couple C of rolling resistance."""
     hyper = hyperbolic_tangent(om / comp.om_s)
     return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.om_s
 
 
 def first_regime(comp, normal, z, vt):
-    """Regime of the friction where a contact begins: 0 in stick or creep, else the direction of slip."""
+    """Return the friction regime at the start of a contact: 0 in stick or creep, else the direction of slip."""
     if comp.friction == BRISTLE:
         bristle_force = comp.k_t * z + comp.c_t * vt
         if abs(bristle_force) <= comp.mu_s * normal:
@@ -135,7 +135,7 @@ def first_regime(comp, normal, z, vt):
 
 
 def spring_energy(comp, y, z):
-    """Energy in the normal and the tangential spring."""
+    """Return the energy in the normal and the tangential spring."""
     depth = min(y, 0.0)
     energy = 0.5 * comp.k * depth * depth
     if comp.friction == BRISTLE:
@@ -143,14 +143,14 @@ def spring_energy(comp, y, z):
     return energy
 
 
-# --- damping for a wanted restitution ------------------------------------------------------------
+# --- damping for a given restitution -------------------------------------------------------------
 
 
-BISECTIONS = 200  # at most; two neighbouring doubles end it before
+BISECTIONS = 200  # maximum; the bisection ends earlier at two neighbouring doubles
 
 
 def ratio_restitution(ratio):
-    """Restitution of a mass on a clipped Kelvin–Voigt contact that nothing else presses down.
+    """Return the restitution of a mass on a clipped Kelvin–Voigt contact without other forces.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def ratio_restitution(ratio):
     Returns
     -------
     restitution : float
-        Of the contact that ends where N = 0: exp(−ζ/√(1 − ζ²) (π − 2 asin ζ)), continued to ζ > 1 [1].
+        exp(−ζ/√(1 − ζ²) (π − 2 asin ζ)), continued to ζ > 1; the contact ends where N = 0 [1].
     """
     if ratio < 1.0:
         root = math.sqrt((1.0 - ratio) * (1.0 + ratio))
@@ -170,7 +170,7 @@ def ratio_restitution(ratio):
 
 
 def damping_ratio(restitution):
-    """Inverse of `ratio_restitution`.
+    """Return the damping ratio that gives a restitution: the inverse of `ratio_restitution`.
 
     Parameters
     ----------
@@ -199,12 +199,12 @@ def damping_ratio(restitution):
 
 
 def hunt_crossley_excess(restitution, u):
-    """ln(1 + u) − ln(1 − e u) − (1 + e) u."""
+    """Return ln(1 + u) − ln(1 − e u) − (1 + e) u."""
     return logarithm_1p(u) - logarithm_1p(-restitution * u) - (1.0 + restitution) * u
 
 
 def hunt_crossley_number(restitution):
-    """d times the approach speed at which a Hunt–Crossley contact has a restitution.
+    """Return d times the approach speed at which a Hunt–Crossley contact has the given restitution.
 
     Parameters
     ----------
@@ -220,9 +220,9 @@ def hunt_crossley_number(restitution):
         return 0.0
     pole = 1.0 / restitution
     high = pole * (1.0 - 1e-15)
-    if hunt_crossley_excess(restitution, high) < 0.0:  # the root is the pole, to rounding
+    if hunt_crossley_excess(restitution, high) < 0.0:  # the root equals the pole within rounding
         return high
-    # negative from 0 to the root, where it is rising
+    # the function is negative from 0 to the root and rises through it
     low = 0.5 * pole
     while hunt_crossley_excess(restitution, low) >= 0.0:
         low *= 0.5
@@ -238,13 +238,13 @@ def hunt_crossley_number(restitution):
 
 
 def static_height(mu_kinetic, excess, xi):
-    """tanh ξ (μk + A exp(−ξ²/9))."""
+    """Return tanh ξ (μk + A exp(−ξ²/9))."""
     part = xi / STRIBECK
     return hyperbolic_tangent(xi) * (mu_kinetic + excess * exponential(-(part * part)))
 
 
 def static_peak(mu_kinetic, excess):
-    """The maximum of `static_height`: golden section; it is the only one between 0 and 4 STRIBECK, or saturates."""
+    """Return the maximum of `static_height` by golden section; between 0 and 4 STRIBECK it is the only one, or saturates."""
     low, high = 0.0, 4.0 * STRIBECK
     share = 0.5 * (math.sqrt(5.0) - 1.0)
     for _ in range(80):
@@ -257,7 +257,7 @@ def static_peak(mu_kinetic, excess):
 
 
 def static_excess(mu_static, mu_kinetic):
-    """The factor that gives tanh ξ (μk + A exp(−ξ²/9)) the maximum μs exactly.
+    """Return the factor A that makes μs the exact maximum of tanh ξ (μk + A exp(−ξ²/9)).
 
     Parameters
     ----------
@@ -285,10 +285,10 @@ def static_excess(mu_static, mu_kinetic):
     return 0.5 * (low + high)
 
 
-# --- what a start asks of the contact ------------------------------------------------------------
+# --- requirements of a start ---------------------------------------------------------------------
 
 
 def sinking(k, falls, height, speed):
-    """How far the rim sinks into the plane, roughly, when it comes down from a height with a speed (kernel units)."""
+    """Estimate how deep the rim sinks into the plane after a fall from `height` with a speed (kernel units)."""
     fall = math.sqrt(2.0 * height) if falls else 0.0
     return (speed + fall) / math.sqrt(k) + 1.0 / k

@@ -1,19 +1,19 @@
-"""Flight: G is a projectile and θ̇ constant; the gap is a parabola plus a cosine, written without cancellation."""
+"""Flight: G is a projectile, θ̇ is constant, and the gap is a parabola minus a cosine (docs/model.md#flight)."""
 
 from __future__ import annotations
 
 from hophoop.kernel.numerics.trigonometry import turn, turn_deficits
 
-# rad: over more the parabola of G and the turning are added up as they are. Their sum from the start, which keeps the digits
-# of a short flight, would lose φ² of them.
+# rad: beyond this rotation the parabola of G and the cosine are added directly. The sum of their changes from the start, which
+# keeps the digits of a short flight, would lose a factor φ² in accuracy.
 MANY_TURNS = 1_000.0
 
 
 def flight_rates(body, s, c, om, y, vn, fn, tau):
-    """The gap after the time tau and its first three derivatives; fn is the initial f_n, exactly 0 after a lift-off from slip.
+    """Return the gap after the time tau and its first three derivatives; fn is f_n at the start, 0 after lift-off from slip.
 
-    gap = y + v_n τ + f_n τ²/2 − ε [cos θ (cos φ − 1 + φ²/2) + sin θ (φ − sin φ)], φ = θ̇ τ; its second derivative is
-    −g_n + ε θ̇² cos (θ + φ).
+    gap = y + v_n τ + f_n τ²/2 − ε [cos θ (cos φ − 1 + φ²/2) + sin θ (φ − sin φ)] with φ = θ̇ τ; its second derivative is −g_n +
+    ε θ̇² cos (θ + φ). Written so that nothing cancels in a short flight.
     """
     phi = om * tau
     high = body.eps * om * om
@@ -30,13 +30,13 @@ def flight_rates(body, s, c, om, y, vn, fn, tau):
 
 
 def flight_gap(body, s, c, om, y, vn, fn, tau):
-    """(gap, its rate) after the time tau of a flight, as `flight_rates` gives them."""
+    """Return (gap, its rate) after the time tau of a flight; see `flight_rates`."""
     gap, rate, _, _ = flight_rates(body, s, c, om, y, vn, fn, tau)
     return gap, rate
 
 
 def flight_displacement(body, vt, om, s, c, tau):
-    """(change of x, v_t) after the time tau."""
+    """Return (change of x, v_t) after the time tau."""
     phi = om * tau
     ds, dc = turn(s, c, phi)
     # G moves on a parabola: ẋ_G = v_t + θ̇ (1 + ε cos θ)

@@ -1,4 +1,4 @@
-"""How much of the friction that is possible acts (docs/model.md#modes)."""
+"""Friction utilization: the fraction of the available friction that acts (docs/model.md#modes)."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import math
 
 
 def utilization(slips, friction, normal, mu_s, mu_k):
-    """abs(F)/(μ N), μ being that of the phase: μk in slip, else μs.
+    """Return abs(F)/(μ N) with the μ of the phase: μk in slip, else μs.
 
-    In slip N divides out of Coulomb's law, so that it is 1 also at the instant of lift-off; nan where slip has no
-    friction at all, and without slip where nothing presses.
+    In slip N divides out of Coulomb's law, so the utilization is 1 also at the instant of lift-off. It is nan in slip without
+    friction, and without slip if N = 0.
     """
     limit = (mu_k if slips else mu_s) * normal
     if limit > 0.0:
@@ -22,6 +22,6 @@ def utilization(slips, friction, normal, mu_s, mu_k):
 
 
 def utilizations(slips, friction, normal, mu_s, mu_k, out):
-    """`utilization` of many cases; all arguments are arrays of one length."""
+    """Fill `out` with the `utilization` of many cases; all arguments are arrays of one length."""
     for i in range(out.shape[0]):
         out[i] = utilization(slips[i], friction[i], normal[i], mu_s[i], mu_k[i])

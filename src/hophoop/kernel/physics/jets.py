@@ -1,7 +1,7 @@
-"""Time derivatives at an instant: truncated Taylor series along a candidate motion.
+"""Time derivatives at an instant: truncated Taylor series along a candidate motion (docs/model.md#which-mode-follows).
 
-Only ties need them: where a quantity that decides on the next mode is zero, its first derivative that is
-not zero decides. A series is a tuple of its first five coefficients: kernels for a GPU can make no arrays.
+They decide ties: if a quantity that selects the next mode is zero, its first nonzero derivative decides. A series is a tuple of
+its first 5 coefficients, since kernels for a GPU cannot allocate arrays.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from hophoop.kernel.physics.contact import cone_weights
 from hophoop.kernel.physics.resistance import resistance_arm
 
 TERMS = 5
-ZERO = 1e-11  # a coefficient this small beside the others' scale counts as zero
+ZERO = 1e-11  # relative to the scale of the others; a smaller coefficient counts as zero
 
 
 def _times(a, b):
@@ -38,7 +38,7 @@ def _over(a, b):
 
 
 def _sum(x, a, y, b):
-    """The series x a + y b."""
+    """Return the series x a + y b."""
     return (
         x * a[0] + y * b[0],
         x * a[1] + y * b[1],
@@ -49,7 +49,7 @@ def _sum(x, a, y, b):
 
 
 def _shifted(value, x, a):
-    """The series value + x a."""
+    """Return the series value + x a."""
     return x * a[0] + value, x * a[1], x * a[2], x * a[3], x * a[4]
 
 
@@ -70,7 +70,7 @@ def _sine_cosine(th, rate):
 
 @apart
 def candidate_series(body, th, om, sigma):
-    """Taylor coefficients of (N, cone margin at F > 0, at F < 0, v̇_t) in rolling (sigma = 0) or slip."""
+    """Return Taylor coefficients of (N, cone margin at F > 0, at F < 0, v̇_t) in rolling (sigma = 0) or slip."""
     eps = body.eps
     drag = sigma * body.mu_k
     sine, cosine = sine_and_cosine(th)
@@ -80,7 +80,7 @@ def candidate_series(body, th, om, sigma):
     friction = normal
     slip = normal
     rate = (om, 0.0, 0.0, 0.0, 0.0)
-    for _ in range(TERMS):  # each pass makes one more coefficient of the angular velocity right
+    for _ in range(TERMS):  # each pass determines one more coefficient of the angular velocity
         s, c = _sine_cosine(th, rate)
         u = _times(rate, rate)
         arm = _shifted(1.0, eps, c)
@@ -107,7 +107,7 @@ def candidate_series(body, th, om, sigma):
 
 
 def leading_sign(series, scale):
-    """Sign of the first coefficient that is not zero, 0 if all are."""
+    """Return the sign of the first nonzero coefficient, 0 if all are zero."""
     for value in series:
         if abs(value) > ZERO * scale:
             return 1 if value > 0.0 else -1

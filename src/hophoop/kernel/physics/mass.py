@@ -1,4 +1,4 @@
-"""Mass properties of a hoop: those of the ideal one, and what parts add up to (docs/model.md#the-body)."""
+"""Mass properties of a hoop: the ideal hoop, and hoops assembled from parts (docs/model.md#the-body)."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from hophoop.kernel.numerics.arcs import hypotenuse
 from hophoop.kernel.numerics.double_double import plus
 
 RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
-# Columns of a table of parts: what it is, its mass, two lengths, and how far its centre is from C on the line to the load.
-# The lengths are the inner and outer radius of a ring, the radius of a disk, the length of a rod.
+# Columns of a table of parts: shape, mass, two lengths, and the position of the centre on the line from C to the load. The
+# lengths are the inner and outer radius of a ring, the radius of a disk, or the length of a rod.
 SHAPE, MASS, FIRST, SECOND, AT = range(5)
 
 
 def ideal_inertia(load_fraction):
-    """κ of a thin ring with a point load: 1 − γ², G being at ε = γ."""
+    """Return κ of a thin ring with a point load: 1 − γ², with G at ε = γ."""
     return (1.0 - load_fraction) * (1.0 + load_fraction)
 
 
 def part_inertia(shape, mass, first, second):
-    """Moment of inertia about the part's own centre."""
+    """Return the moment of inertia about the part's own centre."""
     if shape == RING:
         return 0.5 * mass * (first * first + second * second)
     if shape == DISK:
@@ -28,7 +28,7 @@ def part_inertia(shape, mass, first, second):
 
 
 def part_reach(shape, first, second, at):
-    """Distance of the part's farthest point from C."""
+    """Return the distance of the part's farthest point from C."""
     if shape == RING:
         return second
     if shape == DISK:
@@ -41,9 +41,9 @@ def part_reach(shape, first, second, at):
 
 
 def combined(radius, parts):
-    """(mass, ε, κ) of parts, each a row of the table; sums in two doubles.
+    """Return (mass, ε, κ) of parts, each a row of the table; sums are double-doubles.
 
-    Measured from the first part, so that parts all in one place give exactly that place and no inertia.
+    Positions are relative to the first part, so that parts at one position have exactly that centre and no moment of inertia.
     """
     mass = 0.0
     low = 0.0

@@ -1,7 +1,7 @@
 """The massless hoop, γ = 1 (docs/model.md#no-mass-in-the-ring).
 
-While it rolls, the formulas of `roll` hold with κ = 0. When the contact force is lost the load falls freely
-and the rim skims the plane, so that θ follows from the height of the load alone.
+While it rolls, the formulas of `roll` hold with κ = 0. When the contact force is lost, the load falls freely and the rim skims
+the plane, so that θ follows from the height of the load.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from hophoop.kernel.numerics.arcs import arcsine
 from hophoop.kernel.numerics.circular import sine, sine_and_cosine
 from hophoop.kernel.numerics.trigonometry import versine_of
 
-TOP_ROUNDING = 1e-8  # of a turn: beside the top cos θ rounds to 1
+TOP_ROUNDING = 1e-8  # revolutions: this close to the top cos θ rounds to 1
 
 
 def skim_duration(body, c, sink):
-    """Time until the load strikes the plane, from cos θ and its rate of sinking, which is not below 0."""
-    gained = 2.0 * body.gn * (1.0 + c)  # in the square of the rate
-    if sink * sink > gained:  # of a fast one the difference would have no digits
+    """Return the time until the load strikes the plane, from cos θ and its sinking rate, which must not be negative."""
+    gained = 2.0 * body.gn * (1.0 + c)  # increase of the squared rate
+    if sink * sink > gained:  # at a high rate the difference below would lose all digits
         return 2.0 * (1.0 + c) / (sink + math.sqrt(sink * sink + gained))
     if body.gn == 0.0:
         return math.inf
@@ -26,12 +26,12 @@ def skim_duration(body, c, sink):
 
 
 def turns_before(th, way):
-    """Whole turns on this way up to the top that the load falls from, which it may still be before by its rounding."""
+    """Return the revolutions in the direction `way` up to the top from which the load falls, with a tolerance for rounding."""
     return 1.0 * math.floor(way * (0.5 * th / math.pi) + TOP_ROUNDING)
 
 
 def skim_state(body, x, th, vt, om, way, tau):
-    """(x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite where the load strikes the plane."""
+    """Return (x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite when the load strikes the plane."""
     s, c = sine_and_cosine(th)
     sink = s * om
     speed = vt + om * (1.0 + c)  # of the load, along the plane
@@ -53,9 +53,9 @@ def skim_state(body, x, th, vt, om, way, tau):
 
 
 def strike_limit(body, x, th, s, speed, way, tau):
-    """(x, θ, v_t) where the load strikes the plane, after skimming for the time tau with the speed of the load along it.
+    """Return (x, θ, v_t) at the strike, after skimming for the time tau; `speed` is the load's velocity along the plane.
 
-    These are the limits of `skim_state`, whose θ̇ grows without bound.
+    These are the limits of `skim_state`, in which θ̇ is unbounded.
     """
     x_end = x + s + speed * tau + 0.5 * body.gt * tau * tau
     th_end = way * math.pi * (2.0 * turns_before(th, way) + 1.0)
@@ -63,7 +63,7 @@ def strike_limit(body, x, th, s, speed, way, tau):
 
 
 def strike(body, vx, vy):
-    """(v_x after, p_n, p_t) of the load that strikes the plane without rebound: a particle with friction."""
+    """Return (v_x after, p_n, p_t) of the load that strikes the plane without rebound: a particle with friction."""
     p_n = -vy
     limit = body.mu_s * p_n
     if abs(vx) <= limit:

@@ -1,4 +1,4 @@
-"""The one rule that picks the next mode (docs/model.md#which-mode-follows), used at the start and after every event."""
+"""The rule that selects the next mode, at the start and after every event (docs/model.md#which-mode-follows)."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.physics.resistance import resistance_arm
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
-# Answers beyond the modes: what rule 4 records before the motion goes on.
+# Results other than modes: rule 4 records them before the motion continues.
 INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
 
-ROUNDING = 2e-15  # of forces, beside gravity and centrifugal acceleration
-TIE = 1e-13  # below this, beside gravity and centrifugal acceleration, a quantity counts as zero
+ROUNDING = 2e-15  # rounding of forces, relative to gravity and centrifugal acceleration
+TIE = 1e-13  # relative to gravity and centrifugal acceleration; a smaller quantity counts as zero
 
 
 def slip_mode(sigma):
-    """SKID for sliding ahead (v_t > 0), SPIN for over-rotating."""
+    """Return SKID for forward slip (v_t > 0), SPIN for over-rotation."""
     return SKID if sigma > 0 else SPIN
 
 
 @inline
 def slip_direction(mode):
-    """σ = sign(v_t) of a slip mode, 0 of any other."""
+    """Return σ = sign(v_t) of a slip mode, 0 for any other mode."""
     if mode == SKID:
         return 1
     if mode == SPIN:
@@ -38,7 +38,7 @@ def slip_direction(mode):
 
 @apart
 def opening_sign(body, th, om):
-    """Sign of f_n, or of its first derivative in free motion that is not zero."""
+    """Return the sign of f_n, or of its first nonzero derivative in free motion."""
     s, c = sine_and_cosine(th)
     u = om * om
     scale = body.gn + body.eps * u
@@ -56,14 +56,14 @@ def opening_sign(body, th, om):
 
 @apart
 def can_roll(body, th, om):
-    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    """Return True if rolling from this state has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     s, c = sine_and_cosine(th)
     u = om * om
     friction, normal = rolling_forces(body, s, c, om * om, resistance_arm(body, s, c, om, 0))
     a, b = cone_weights(body.mu_s)
     tie = TIE * (body.gn + abs(body.gt) + u)
     margin = a * normal - b * abs(friction)
-    # with little friction a small force decides, that a light ring is started by; beyond its rounding it is no tie
+    # with little friction a small force decides, enough to start a light ring; above its own rounding this is no tie
     close = min(tie, TIE * (a * abs(normal) + b * abs(friction)) + ROUNDING * (body.gn + abs(body.gt) + u))
     if normal > tie and margin > close:
         return True
@@ -76,7 +76,7 @@ def can_roll(body, th, om):
 
 @apart
 def can_start_slip(body, th, om, sigma):
-    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    """Return True if slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     s, c = sine_and_cosine(th)
     u = om * om
     scale = body.gn + abs(body.gt) + u
@@ -84,7 +84,7 @@ def can_start_slip(body, th, om, sigma):
     stiffness = slip_stiffness(body, s, c, sigma, resistance_arm(body, s, c, om, sigma))
     if stiffness <= 0.0:
         return False
-    # N = κ load / stiffness; as κ → 0 it is the load that has to be told from rounding
+    # N = κ load / stiffness; as κ → 0 the load, not N, must exceed its rounding
     load = body.gn - body.eps * c * u
     slip = slip_motion(body, s, c, om * om, sigma, resistance_arm(body, s, c, om, sigma))[2]
     if load < -tie or sigma * slip < -tie:
@@ -97,9 +97,9 @@ def can_start_slip(body, th, om, sigma):
 
 @apart
 def frictionless_mode(body, th, th_low, om):
-    """Mode from v_t = 0 without friction: the sign of the coming v_t, exact also beside a hilltop or a valley.
+    """Return the mode from v_t = 0 without friction, by the sign of v̇_t, exact also near an equilibrium.
 
-    On the level v̇_t = s (...), so that its sign is that of sin θ and a factor that is far from zero there.
+    On the level v̇_t is s times a factor that is not near zero close to an equilibrium, so sin θ gives its sign.
     """
     s, c = sine_cosine(th, th_low)
     u = om * om
@@ -115,9 +115,9 @@ def frictionless_mode(body, th, th_low, om):
 
 @apart
 def next_mode(body, th, th_low, om, vt):
-    """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
+    """Return the mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
 
-    Returns a mode, or INCONSISTENT or INDETERMINATE where Painlevé's paradox stands in the way.
+    Returns INCONSISTENT or INDETERMINATE instead of a mode if Painlevé's paradox occurs, UNDECIDED if the model has no answer.
     """
     if vt == 0.0 and body.mu_s == 0.0 and opening_sign(body, th, om) < 0:
         return frictionless_mode(body, th, th_low, om)
@@ -131,8 +131,8 @@ def next_mode(body, th, th_low, om, vt):
         if opening_sign(body, th, om) >= 0:
             return FLIGHT
         if math.isinf(body.mu_k):
-            return UNDECIDED  # rolling would need to pull and free motion would enter the plane
-        # for f_n < 0 just one of roll and slip exists: rounding hides which
+            return UNDECIDED  # rolling needs N < 0, and free motion would penetrate the plane
+        # for f_n < 0 exactly one of roll and slip exists, and rounding hides which
         s, c = sine_and_cosine(th)
         friction, normal = rolling_forces(body, s, c, om * om, resistance_arm(body, s, c, om, 0))
         a, b = cone_weights(body.mu_s)
@@ -149,7 +149,7 @@ def next_mode(body, th, th_low, om, vt):
     if stiffness > 0.0:
         return slip_mode(sigma) if opening < 0 else FLIGHT
     if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.strike):
-        return UNDECIDED  # an impact, which is without rolling resistance, would change nothing
+        return UNDECIDED  # an impact, which has no rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT
     return INDETERMINATE if stiffness < 0.0 else FLIGHT

@@ -1,4 +1,4 @@
-"""Where κ p_σ is nearly zero, in more digits: its sign decides whether slip has an answer (docs/model.md#contact-space)."""
+"""Sign of κ p_σ near zero, in extended precision: it decides whether slip has a solution (docs/model.md#painlevés-paradox)."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from hophoop.kernel.numerics.double_angles import sine_versine
 from hophoop.kernel.numerics.double_double import add, multiply, negative, two_product
 from hophoop.kernel.physics.contact import slip_torque_arm
 
-NEARLY = 1e-8  # nearer to zero than this κ p_σ and q have lost half their digits
+NEARLY = 1e-8  # below this κ p_σ has lost half its digits
 
 
 @inline
 def exact_inertia(body):
-    """κ as two doubles."""
+    """Return κ as a double-double."""
     if body.ideal:
         return add((1.0, 0.0), negative(two_product(body.eps, body.eps)))
     return body.kap, 0.0
@@ -20,7 +20,7 @@ def exact_inertia(body):
 
 @apart
 def exact_slip_stiffness(body, th, th_low, sigma, rho):
-    """(q, κ p_σ) with all their digits: `slip_torque_arm` and `slip_stiffness` from θ and the parameters as exact numbers."""
+    """Return (q, κ p_σ) with all digits, treating θ and the parameters as exact numbers."""
     sine, versine = sine_versine((th, th_low))
     lever = multiply((body.eps, 0.0), sine)
     arm = add(add((1.0, 0.0), (body.eps, 0.0)), negative(multiply((body.eps, 0.0), versine)))
@@ -30,13 +30,13 @@ def exact_slip_stiffness(body, th, th_low, sigma, rho):
 
 
 def stiffness_slope(body, s, c, sigma, q):
-    """dκp_σ/dθ."""
+    """Return dκp_σ/dθ."""
     return body.eps * c * q + body.eps * s * body.eps * (c - sigma * body.mu_k * s)
 
 
 @inline
 def slip_coefficients(body, th, th_low, s, c, sigma, rho):
-    """(q, κ p_σ) in slip of direction σ with the rolling resistance ρ, exact also where κ p_σ is nearly zero."""
+    """Return (q, κ p_σ) in slip of direction σ with the rolling resistance ρ, accurate also if κ p_σ is nearly zero."""
     arm = slip_torque_arm(body, s, c, sigma) - rho
     stiffness = body.kap + body.eps * s * arm
     if abs(stiffness) < NEARLY:

@@ -10,15 +10,15 @@ from hophoop.kernel.physics.contact import inertia_at_height, load_height
 
 @inline
 def rest_curvature(body, s, c):
-    """V″(θ) of rolling contact, V = ε (g_n cos θ − g_t sin θ) − g_t θ; negative at a hilltop."""
+    """Return V″(θ) of rolling contact, V = ε (g_n cos θ − g_t sin θ) − g_t θ; negative at an unstable equilibrium."""
     return body.eps * (body.gt * s - body.gn * c)
 
 
 def rolling_energy_change(body, s0, c0, sine, versine, angle):
-    """Change of D θ̇² over an angle φ, from sin φ and 1 − cos φ.
+    """Return the change of D θ̇² over an angle φ, from sin φ and 1 − cos φ.
 
-    Written with the torque and the stiffness at the start, so that near an equilibrium on a slope, where the
-    weights of hoop and slope balance, nothing is lost.
+    Written with torque and stiffness at the start, so that nothing cancels near an equilibrium on a slope, where the moments of
+    hoop and slope balance.
     """
     change = sine * (body.eps * (body.gn * s0 + body.gt * c0) + body.gt)
     change += versine * body.eps * (body.gn * c0 - body.gt * s0)
@@ -34,7 +34,7 @@ def _u_after(body, s0, c0, u0, sine, versine, angle):
 
 
 def rolling_u(body, th0, u0, offset):
-    """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
+    """Return θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative if it does not get there."""
     s0, c0 = sine_and_cosine(th0)
     s, versine = sine_and_versine(offset)
     return _u_after(body, s0, c0, u0, s, versine, offset)
