@@ -78,7 +78,7 @@ def test_an_old_library_is_told_of_and_not_used(tmp_path):
     done = python("import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)", HOPHOOP_LIBRARY=str(tmp_path))
     assert done.returncode == 0
     assert done.stdout == "R\n"
-    assert done.stderr.startswith(f"The compiled kernels are older than their sources. To build them anew: {native.BUILD}.")
+    assert done.stderr.startswith(f"The compiled kernels are older than their sources. To rebuild them: {native.BUILD}.")
     assert done.stderr.count("\n") == 1
 
 
@@ -113,7 +113,7 @@ def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
     )
     done = python(code)
     assert done.returncode == 1
-    assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[build]'. What there was before stays.\n"
+    assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[build]'. The previous build remains.\n"
     assert (tmp_path / native.TOLD).read_text() == "before"
 
 

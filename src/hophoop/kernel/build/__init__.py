@@ -1,1 +1,1 @@
-"""The build of the compiled kernels: a library of a machine's kind, from Numba's code, LLVM's optimisation and zig's linker."""
+"""Build of the compiled kernels: a library per kind of machine, by Numba (code), LLVM (optimization) and zig (linker)."""

@@ -1,7 +1,7 @@
-"""`python -m hophoop.kernel.build`: the library of compiled kernels, for this machine or others, and the browser's modules.
+"""`python -m hophoop.kernel.build`: build the compiled kernels, for this machine or others, and the browser's modules.
 
-Each group of entries is compiled by a process of its own, two at a time, and kept: what has not changed since is taken as it
-is. A library is in place when it is whole; until then the one before stays.
+Each group of entries is compiled in its own process, two at a time, and cached: unchanged groups are not compiled again. A
+library is put in place when it is complete; until then the previous one remains.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ from hophoop.lab.wasm.stamp import LAYOUT, stamped
 TOOLS = ("numba", "llvmlite", "numpy", "ziglang")
 BROWSER = "browser"
 ALL = (*TARGETS, BROWSER)
-TRIED = ((0, 62), (0, 68))  # versions of Numba that have built the library, from the first that can
-OLD = 600.0  # seconds after which a library of another build is no longer awaited
+TRIED = ((0, 62), (0, 68))  # versions of Numba known to build the library, oldest and newest
+OLD = 600.0  # seconds after which files of earlier builds are deleted
 
 
 def tools() -> dict[str, str]:
-    """Versions of the packages that make the library.
+    """Return the versions of the packages that the build depends on.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def tools() -> dict[str, str]:
 
 
 def refuse_older(numba: str) -> None:
-    """Refuse a Numba that cannot build the library, and say of one that is newer than those tried that it is.
+    """Refuse a Numba that is too old to build the library; print a note about an untested newer one.
 
     Raises
     ------
@@ -77,12 +77,12 @@ def _cache_folder() -> Path:
         return Path(wanted)
     try:
         return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "hophoop-build"
-    except RuntimeError:  # nobody's home
+    except RuntimeError:  # no home directory
         return Path(tempfile.mkdtemp())
 
 
 def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
-    """Write what is made of a group, and what is told of it; for a process of its own."""
+    """Compile a group and write its files, in a process of its own."""
     if group in MODULES:
         (folder / f"{group}.wasm").write_bytes(module_of(group))
         _tell(folder / f"{group}.json", {}, stamped())
@@ -96,7 +96,7 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
         for level in TARGETS[name].levels:
             (folder / f"{group}-{name}-{level}.o").write_bytes(object_of(text, names, TARGETS[name], level))
     imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
-    _tell(folder / f"{group}.json", told, [file for file in files() if file in imported])  # it depends on no others
+    _tell(folder / f"{group}.json", told, [file for file in files() if file in imported])  # it depends on no other sources
 
 
 def _tell(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
@@ -105,14 +105,14 @@ def _tell(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
 
 
 def _made(group: str, targets: Sequence[str]) -> list[str]:
-    """The names of the files that are made of a group."""
+    """Return the names of the files that a group produces."""
     if group in MODULES:
         return [f"{group}.wasm", f"{group}.json"]
     return [f"{group}-{name}-{level}.o" for name in targets for level in TARGETS[name].levels] + [f"{group}.json"]
 
 
 def _kept(group: str, targets: Sequence[str], made_with: str, cache: Path) -> Path | None:
-    """The folder in the cache with what a build of these sources has made of a group."""
+    """Return the cache folder with the group's files from the same sources, or None."""
     try:
         known = json.loads((cache / f"{group}.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -156,7 +156,7 @@ def _copy(folder: Path, place: Path) -> None:
     shutil.copytree(folder, part)
     try:
         part.replace(place)
-    except OSError:  # another build was first
+    except OSError:  # another build was faster
         shutil.rmtree(place, ignore_errors=True)
         part.replace(place)
 
@@ -175,15 +175,14 @@ def build(targets: Sequence[str], out: Path | None = None) -> None:
     targets : sequence of str
         Of `ALL`.
     out : Path, optional
-        Folder for what the only target gives, or for one folder each. By default the library and the modules come to
-        their places in the package.
+        Folder for the files of a single target, or of one folder per target. By default they are written into the package.
 
     Raises
     ------
     PackageNotFoundError
         If Numba or ziglang is not installed.
     RuntimeError
-        If Numba is too old, or compiling or linking fails; what there was before stays.
+        If Numba is too old, or compiling or linking fails; earlier files remain.
     OSError
         If the folder cannot be written to.
     """
@@ -207,7 +206,7 @@ def build(targets: Sequence[str], out: Path | None = None) -> None:
 
 
 def _place(name: str, targets: Sequence[str], out: Path | None) -> Path:
-    """The folder for what is made of a target."""
+    """Return the folder for the files of a target."""
     if out is not None:
         return out if len(targets) == 1 else out / name
     if name == BROWSER:
@@ -216,7 +215,7 @@ def _place(name: str, targets: Sequence[str], out: Path | None) -> Path:
 
 
 def stamp_of_build() -> str:
-    """Hash of what says how kernels are compiled."""
+    """Return a hash of the files that control how kernels are compiled."""
     return _hash(
         [f"kernel/build/{name}" for name in ("numba_code.py", "entry_code.py", "link.py", "__main__.py")]
         + ["kernel/entries.py"],
@@ -259,10 +258,10 @@ def _replace(place: Path, content: bytes) -> None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Read the command line, and build."""
+    """Parse the command line and build."""
     parser = argparse.ArgumentParser(prog="python -m hophoop.kernel.build", description="Build the compiled kernels.")
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=f"{', '.join(ALL)}; this machine by default")
-    parser.add_argument("--out", type=Path, help="folder for what is built")
+    parser.add_argument("--out", type=Path, help="folder for the built files")
     parser.add_argument("--group", choices=[*GROUPS, *MODULES], help=argparse.SUPPRESS)
     parser.add_argument("--into", type=Path, help=argparse.SUPPRESS)
     given = parser.parse_args(arguments)
@@ -275,12 +274,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         build(list(dict.fromkeys(given.targets)) or [own_target()], given.out)
     except PackageNotFoundError as error:
-        print(
-            f"Error: building needs {error.name}: pip install 'hophoop[build]'. What there was before stays.", file=sys.stderr
-        )
+        print(f"Error: building needs {error.name}: pip install 'hophoop[build]'. The previous build remains.", file=sys.stderr)
         return 1
     except (RuntimeError, OSError, KeyError) as error:
-        print(f"Error: {error} What there was before stays.", file=sys.stderr)
+        print(f"Error: {error} The previous build remains.", file=sys.stderr)
         return 1
     return 0
 

@@ -17,14 +17,14 @@ LINKED = ("-Wl,--no-entry", "-Wl,--export-memory", "-Wl,--strip-all", "-Wl,--gc-
 
 
 class Module(NamedTuple):
-    """A module: its file, its name in the layout, the name of its entries."""
+    """A module: its file, its name in the layout, and the source of its entries."""
 
     file: str
     name: str
     entries: str
 
 
-# Each is made by a process of its own.
+# Each is compiled in its own process.
 MODULES = {
     "browser-motions": Module(MODULE, "module", "ENTRIES"),
     "browser-derivatives": Module(DERIVATIVES, "derivatives", "DERIVATIVE_ENTRIES"),
@@ -32,7 +32,7 @@ MODULES = {
 
 
 def wrapper(name: str, mangled: str, kinds: Iterable[Any]) -> str:
-    """A function with the plain name, pointers and 32-bit counts, which calls Numba's."""
+    """Return LLVM code of a function with a plain name, pointers and 32-bit counts, that calls Numba's function."""
     given, made, passed = [], [], []
     for place, kind in enumerate(kinds):
         if str(kind) == "int64":
@@ -60,7 +60,7 @@ def _entry_code(name: str, kernel: Any, kinds: tuple[Any, ...]) -> str:
 
 
 def module_code(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> str:
-    """LLVM's code of a module, for a process that builds something and ends.
+    """Return the LLVM code of a module; for a build process that ends afterwards.
 
     Parameters
     ----------
@@ -78,14 +78,14 @@ def module_code(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> str:
 
 
 def retargeted(text: str, names: Iterable[str]) -> bytes:
-    """The object file for WebAssembly."""
+    """Return the object file for WebAssembly."""
     machine, module = optimised(text, names, TRIPLE, features="+simd128", reloc="static")
     made: bytes = machine.emit_object(module)
     return made
 
 
 def linked(code: bytes, names: Iterable[str]) -> bytes:
-    """The object file with the C library, as a module without imports."""
+    """Link the object file with the C library into a module without imports."""
     exports = [f"-Wl,--export={name}" for name in (*names, "malloc", "free")]
     with tempfile.TemporaryDirectory() as folder:
         part, file = Path(folder) / "kernel.o", Path(folder) / MODULE
@@ -103,8 +103,8 @@ def module_of(name: str) -> bytes:
 
 
 def told_of(contents: Mapping[str, bytes], versions: dict[str, str]) -> dict[str, Any]:
-    """What `layout.json` says of the modules: their sources, their hashes, how they are called."""
-    from hophoop.lab.wasm.layout import layout  # it imports most kernels, which a group of the library need not depend on
+    """Return the description of the modules in `layout.json`: sources, hashes and signatures."""
+    from hophoop.lab.wasm.layout import layout  # it imports most kernels, on which a group of the library need not depend
 
     tags = {MODULES[name].name: hashlib.sha256(content).hexdigest()[:16] for name, content in contents.items()}
     return {"sources": sources(), **tags, "built_with": versions, **layout()}

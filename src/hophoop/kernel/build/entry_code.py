@@ -1,4 +1,4 @@
-"""The library's entries as LLVM's code: functions of one address, behind which their arguments lie (see `_native.calls`)."""
+"""LLVM code of the library's entries: functions of one address, at which their arguments are stored (`kernel.native.calls`)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from hophoop.kernel.entries import Array, fields_of, is_tuple, kernel_named
 
 
 def numba_type(kind: Any) -> Any:
-    """Numba's type of a kind of argument."""
+    """Return Numba's type of an argument type."""
     if isinstance(kind, Array):
         return types.Array(numba.from_dtype(kind.dtype), kind.dimensions, "C")
     if is_tuple(kind):
@@ -37,14 +37,14 @@ def _pointer_to(item: Any) -> Any:
 
 
 class _Writer:
-    """Writes the source of an entry, which reads its arguments from memory and writes its results behind them."""
+    """Writer of the source of an entry, which reads its arguments from memory and writes its results after them."""
 
     def __init__(self) -> None:
         self.names: dict[str, Any] = {"carray": numba.carray}
         self.place = 0
 
     def read(self, kind: Any) -> str:
-        """The expression of an argument."""
+        """Return the expression of an argument."""
         if isinstance(kind, Array):
             item = numba.from_dtype(kind.dtype)
             name = f"pointer{len(self.names)}"
@@ -61,7 +61,7 @@ class _Writer:
         return {float: "reals[{}]", int: "wholes[{}]", bool: "(wholes[{}] & 255) != 0"}[kind].format(self.place - 1)
 
     def write(self, kind: Any, value: str, lines: list[str]) -> Any:
-        """Write a result of Numba's type `kind`; returns what is told of it."""
+        """Append lines that write a result of Numba's type `kind`; return the description of its type."""
         if isinstance(kind, types.BaseTuple):
             items = [self.write(each, f"{value}[{i}]", lines) for i, each in enumerate(kind.types)]
             made = getattr(kind, "instance_class", None)
@@ -80,14 +80,14 @@ class _Writer:
 
 
 def entry_code(name: str, kinds: tuple[Any, ...], symbol: str) -> tuple[str, Any]:
-    """LLVM's code of an entry, and what is told of its result.
+    """Return the LLVM code of an entry, and the description of its result.
 
     Parameters
     ----------
     name : str
-        Of the kernel, with its module.
+        Dotted name of the kernel.
     kinds : tuple
-        Of its arguments.
+        Types of its arguments.
     symbol : str
         Name of the function in the library.
 
@@ -118,7 +118,7 @@ def _wrapper(symbol: str, mangled: str) -> str:
 
 
 def takes(kind: Any) -> Any:
-    """What is told of a kind of argument, as `_native.calls` reads it."""
+    """Return the description of an argument type for `kernel.native.calls`."""
     if isinstance(kind, Array):
         return {"array": [kind.dtype.str if kind.dtype.names is None else kind.dtype.descr, kind.dimensions]}
     if is_tuple(kind):
@@ -127,7 +127,7 @@ def takes(kind: Any) -> Any:
 
 
 def group_code(entries: Mapping[str, tuple[Any, ...]]) -> tuple[str, dict[str, Any]]:
-    """LLVM's code of a group of entries, and what is told of each; for a process that builds something and ends."""
+    """Return the LLVM code of a group of entries and their descriptions; for a build process that ends afterwards."""
     parts, told = [], {}
     for name, kinds in entries.items():
         symbol = "hophoop_" + name.removeprefix("hophoop.").replace(".", "_")

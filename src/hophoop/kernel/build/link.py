@@ -1,4 +1,4 @@
-"""From LLVM's code to a library: optimised as a whole for a kind of processor, and linked by zig, for any system."""
+"""From LLVM code to a library: optimized as a whole for a kind of processor, and linked by zig, for any system."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 HERE = Path(__file__).parent
-# which processor there is; what Numba's code asks for
+# detection of the processor's level; the runtime that Numba's code needs
 LEVEL, RUNTIME = HERE / "level.c", HERE.parents[1] / "lab" / "wasm" / "nrt.c"
 
 
@@ -28,9 +28,9 @@ class Target(NamedTuple):
     zig : str
         As zig calls it, with the oldest C library.
     levels : dict
-        Kinds of processors, by the name of the library's file: LLVM's name of each.
+        Kinds of processors: suffix of the library's file → LLVM's name.
     suffix : str
-        Of the library's file.
+        Suffix of the library's file.
     """
 
     machine: tuple[str, str]
@@ -57,7 +57,7 @@ TARGETS = {
 
 
 def own_target() -> str:
-    """The name of the target that is this machine.
+    """Return the name of this machine's target.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def own_target() -> str:
 
 
 def joined(parts: Iterable[str]) -> str:
-    """LLVM's code of several entries in one."""
+    """Return the LLVM code of several entries as one module."""
     import llvmlite.binding as llvm
 
     whole = None
@@ -91,18 +91,18 @@ def joined(parts: Iterable[str]) -> str:
 def optimised(
     text: str, names: Iterable[str], triple: str, cpu: str = "", features: str = "", reloc: str = "pic"
 ) -> tuple[Any, Any]:
-    """The code made ready for a machine, the plainest of its kind by default.
+    """Return the code optimized for a machine, by default for the oldest processor of its kind.
 
     Parameters
     ----------
     text : str
         LLVM's code.
     names : iterable of str
-        Functions that stay visible.
+        Functions that remain visible.
     triple, cpu, features : str
-        The machine, as LLVM names it.
+        LLVM triple of the machine.
     reloc : str, default 'pic'
-        How addresses are written.
+        LLVM's relocation model.
 
     Returns
     -------
@@ -135,7 +135,7 @@ def optimised(
 
 
 def anonymous(content: bytes) -> bytes:
-    """Code without the folders of this machine's packages, which Numba writes into places of errors.
+    """Replace this machine's package folders, which Numba writes into error locations, by neutral ones of the same length.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def anonymous(content: bytes) -> bytes:
     """
     found = find_spec("numba")
     places = {Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")} | {HERE.parents[2]}
-    if found is not None and found.origin is not None:  # pip builds with packages that lie elsewhere
+    if found is not None and found.origin is not None:  # pip's isolated builds have their packages elsewhere
         places.add(Path(found.origin).parents[1])
     for place in places:
         own = str(place).encode()
@@ -157,7 +157,7 @@ def anonymous(content: bytes) -> bytes:
 
 
 def object_of(text: str, names: Iterable[str], target: Target, level: str) -> bytes:
-    """The object file of a group of entries for a kind of processor."""
+    """Return the object file of a group of entries for a kind of processor."""
     machine, module = optimised(text, names, target.triple, target.levels[level])
     return anonymous(machine.emit_object(module))
 
@@ -168,7 +168,7 @@ def zig(arguments: Iterable[str], file: Path) -> None:
     Raises
     ------
     RuntimeError
-        If zig cannot, with what it says.
+        If zig fails; the message contains its output.
     """
     command = [sys.executable, "-m", "ziglang", "cc", *arguments, "-o", str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

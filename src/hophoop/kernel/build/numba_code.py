@@ -1,6 +1,6 @@
-"""Kernels as LLVM's code, by Numba: the only place that knows private names of Numba.
+"""LLVM code of kernels, by Numba: the only module that uses Numba's private names.
 
-Numba types and lowers each kernel once; none is optimised by itself, so that the code knows no machine.
+Numba types and lowers each kernel once. No kernel is optimized on its own, so the code is independent of the machine.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from numba.core.untyped_passes import InlineClosureLikes
 from hophoop.kernel.native.marks import mark_of, source_of
 from hophoop.kernel.native.sources import is_kernel
 
-ARRAYS = {"empty", "zeros", "ones", "full", "array", "arange", "empty_like", "zeros_like"}  # what of NumPy makes an array
+ARRAYS = {"empty", "zeros", "ones", "full", "array", "arange", "empty_like", "zeros_like"}  # of NumPy, create an array
 
 
-# --- the names that a kernel calls -----------------------------------------------------------------------------------
+# --- names that a kernel calls ---------------------------------------------------------------------------------------
 
 
 def _names_in(code: CodeType) -> Iterator[str]:
@@ -42,7 +42,7 @@ def _names_in(code: CodeType) -> Iterator[str]:
 
 
 def called(kernel: Callable[..., Any]) -> list[Any]:
-    """The kernels that a kernel calls itself."""
+    """Return the kernels that a kernel calls directly."""
     function = source_of(kernel)
     values = [function.__globals__.get(name) for name in dict.fromkeys(_names_in(function.__code__))]
     values += [cell.cell_contents for cell in function.__closure__ or ()]
@@ -50,12 +50,12 @@ def called(kernel: Callable[..., Any]) -> list[Any]:
 
 
 def _makes_one(code: CodeType) -> bool:
-    if "carray" in code.co_names:  # Numba's function for it gives an array back
+    if "carray" in code.co_names:  # Numba's carray returns an array
         return True
     for one, following in pairwise(dis.get_instructions(code)):
         if one.argval == "np" and following.argval in ARRAYS:
             return True
-        # what is put into a part of an array is copied first
+        # a value assigned to a slice is copied first
         if one.opname == "STORE_SLICE" or (following.opname == "STORE_SUBSCR" and _is_slice(one)):
             return True
     return any(_makes_one(constant) for constant in code.co_consts if isinstance(constant, CodeType))
@@ -67,17 +67,17 @@ def _is_slice(step: dis.Instruction) -> bool:
 
 @cache
 def makes_arrays(kernel: Callable[..., Any]) -> bool:
-    """Whether a kernel, or one that it calls, makes arrays: only then references are counted, at a fifth of a motion's time."""
+    """Return True if a kernel or its callees create arrays; only then are references counted, which costs 20 % of the time."""
     return _makes_one(source_of(kernel).__code__) or any(makes_arrays(each) for each in called(kernel))
 
 
 class Namespaces:
-    """Copies of modules' names in which each kernel stands as something else, so that what a kernel calls is of its kind.
+    """Copies of modules' namespaces in which every kernel is replaced, so that kernels call the replacements.
 
     Parameters
     ----------
     made : callable
-        What stands for a kernel, of the kernel and of its function with such names.
+        Function of a kernel and of its copied function that returns the replacement.
     """
 
     def __init__(self, made: Callable[[Any, FunctionType], Any]) -> None:
@@ -87,7 +87,7 @@ class Namespaces:
         self._lock = threading.RLock()
 
     def of(self, kernel: Any) -> Any:
-        """What stands for a kernel."""
+        """Return the replacement of a kernel."""
         with self._lock:
             if kernel not in self._made:
                 self._made[kernel] = self._make(kernel, self._copied(source_of(kernel)))
@@ -113,18 +113,18 @@ class Namespaces:
 
 
 def options_of(kernel: Any) -> dict[str, Any]:
-    """Numba's options of a kernel, for whatever it is compiled."""
+    """Return Numba's options for compiling a kernel, the same for every purpose."""
     options: dict[str, Any] = {"error_model": "numpy", "forceinline": mark_of(kernel) == "inline"}
     if not makes_arrays(kernel):
         options["_nrt"] = False
     return options
 
 
-# --- code that is not optimised --------------------------------------------------------------------------------------
+# --- unoptimized code ------------------------------------------------------------------------------------------------
 
 
 class _Part(JITCodeLibrary):  # type: ignore[misc]
-    """Code that is only ever linked into that of an entry."""
+    """Code of a kernel, which is only linked into the code of an entry."""
 
     _linking_libraries: list[Any]
     called: tuple[Any, ...] = ()
@@ -136,7 +136,7 @@ class _Part(JITCodeLibrary):  # type: ignore[misc]
 
 
 class _Whole(JITCodeLibrary):  # type: ignore[misc]
-    """Code of an entry, linked with all that it calls and left as it is."""
+    """Code of an entry, linked with all of its callees and not optimized."""
 
     _linking_libraries: list[Any]
 
@@ -155,7 +155,7 @@ class _Whole(JITCodeLibrary):  # type: ignore[misc]
         super().finalize()
 
     def _optimize_final_module(self) -> None:
-        # LLVM drops what is not called yet when it is linked: link it when something linked later calls it
+        # LLVM drops a library that nothing calls yet: link it once code linked later calls it
         waiting = self._linking_libraries
         while waiting:
             missing = {function.name for function in self._final_module.functions if function.is_declaration}
@@ -170,7 +170,7 @@ class _Whole(JITCodeLibrary):  # type: ignore[misc]
     def _finalize_final_module(self) -> None:
         self._finalize_dynamic_globals()
         self._verify_declare_only_symbols()
-        self._finalized = True  # no machine code is made
+        self._finalized = True  # no machine code is generated
 
 
 class _ApartLower(Lower):  # type: ignore[misc]
@@ -188,7 +188,7 @@ class _Lowering(NativeLowering):  # type: ignore[misc]
         super().run_pass(state)
         made = state["cr"]
 
-        part: Any = {}.get  # Numba wants a builtin for a key, one for each; nobody calls it
+        part: Any = {}.get  # Numba needs a unique builtin as a key; it is never called
         state.targetctx.insert_user_function(part, made.fndesc, [library])
         state["cr"] = _LowerResult(made.fndesc, made.call_helper, cfunc=part, env=made.env)
         return True
@@ -205,9 +205,9 @@ def _compiler(library: type[JITCodeLibrary], lower: type[Lower]) -> type[Compile
             pipeline.passes = [
                 (lowering if step is NativeLowering else step, text)
                 for step, text in pipeline.passes
-                # no kernel has a function or a comprehension within
+                # no kernel contains a function or a comprehension
                 if step is not InlineClosureLikes
-                # those are of arrays made within: most kernels make none, and have no reference counts
+                # these rewrites concern arrays that are created inside, so kernels without reference counts do not need them
                 and (step is not NopythonRewrites or self.state.flags.nrt)
             ]
             pipeline.finalize()
@@ -226,7 +226,7 @@ def _jitted(function: FunctionType, compiler: type[CompilerBase], **options: Any
     general = dispatcher.get_call_template
 
     def get_call_template(arguments: Any, keywords: Any) -> Any:
-        # Numba would compile a function anew for each constant that it is called with: a third of the time to compile
+        # Numba would compile a function again for each constant argument, a third of the compile time
         return general(
             [types.unliteral(kind) for kind in arguments],
             {name: types.unliteral(kind) for name, kind in keywords.items()},
@@ -244,26 +244,26 @@ _parts = Namespaces(_made)
 
 
 def part_of(kernel: Any) -> Any:
-    """The dispatcher of a kernel, for entries to call."""
+    """Return the dispatcher of a kernel, for entries to call."""
     return _parts.of(kernel)
 
 
 def result_of(kernel: Any, kinds: tuple[Any, ...]) -> Any:
-    """Numba's type of what a kernel gives for arguments of such types."""
+    """Return Numba's type of a kernel's result for these argument types."""
     part = part_of(kernel)
     part.compile(kinds)
     return part.overloads[kinds].signature.return_type
 
 
 def code_of(function: FunctionType, kinds: tuple[Any, ...]) -> tuple[str, str]:
-    """LLVM's code of a function that calls parts, with all that these call.
+    """Return the LLVM code of a function that calls parts, with all of its callees.
 
     Parameters
     ----------
     function : function
-        Its names are those of parts.
+        Function whose globals are parts.
     kinds : tuple of numba type
-        Of its arguments.
+        Types of its arguments.
 
     Returns
     -------
@@ -280,10 +280,10 @@ def code_of(function: FunctionType, kinds: tuple[Any, ...]) -> tuple[str, str]:
 
 @contextlib.contextmanager
 def compiling() -> Iterator[None]:
-    """Within this, what Numba adds by itself is not optimised either; for a process that builds something and ends."""
+    """Context in which Numba's own library code is not optimized either; for a build process that ends afterwards."""
     CPUCodeLibrary._optimize_functions = lambda self, module: None
     CPUCodeLibrary._optimize_final_module = lambda self: None
-    gc.disable()  # Numba makes millions of objects that stay: to look through them takes a sixth of the time
+    gc.disable()  # Numba creates millions of permanent objects, and collecting garbage among them takes about 15 % of the time
     try:
         yield
     finally:

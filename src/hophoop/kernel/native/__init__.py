@@ -1,4 +1,4 @@
-"""The compiled kernels at run time: the marks of kernels, and the library that calls them, or the interpreter."""
+"""Compiled kernels at run time: the marks of kernels, and calls of the library or of the interpreted source."""
 
 from hophoop.kernel.native.entry import compiled, forced, mode
 from hophoop.kernel.native.marks import apart, inline, interpreted_as

@@ -1,7 +1,7 @@
-"""Calls of the library's functions: arguments are packed into plain memory, in which the results come back.
+"""Calls of the library's functions: arguments are packed into a memory block, and results are read from it.
 
-A function takes one address. Behind it lie, eight bytes each, the numbers that it is given, and for an array its address and
-its shape; the results follow. A function lets go of the interpreter, and threads share nothing.
+A function takes one address. The block holds 8 bytes per number, and for an array its address and shape; the results follow. A
+function releases the interpreter lock, and threads share no block.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from typing import Any, cast
 
 import numpy as np
 
-MOST_KNOWN, MOST_BYTES = 16, 1 << 20  # tables and named tuples that an entry knows again, if they are no larger
+MOST_KNOWN, MOST_BYTES = 16, 1 << 20  # cached tables and named tuples per entry, and their maximum size
 CODES = {"float": "d", "int": "q", "bool": "?7x"}
 
 
 def _address(array: np.ndarray) -> int:
-    if array.size and array.flags.writeable:  # a quarter of the time of the other way
+    if array.size and array.flags.writeable:  # 4 times as fast as `ctypes.data`
         return ctypes.addressof(ctypes.c_char.from_buffer(cast(Any, array)))
     return int(array.ctypes.data)
 
 
 class Memory(threading.local):
-    """The plain memory of an entry, and the arrays that come again and again; of this thread."""
+    """The memory block of an entry in this thread, and a cache of arrays that are passed repeatedly."""
 
     def __init__(self, size: int) -> None:
         self.block = ctypes.create_string_buffer(size)
@@ -34,8 +34,8 @@ class Memory(threading.local):
         self.known: dict[int, tuple[Any, tuple[int, ...]]] = {}
 
     def numbers_of(self, array: np.ndarray, dtype: np.dtype[Any], dimensions: int) -> tuple[int, ...]:
-        """Address and shape of an array of this kind."""
-        if dtype.names is not None:  # tables of records come again, other arrays do not
+        """Return address and shape of an array of this type."""
+        if dtype.names is not None:  # only tables of records are passed repeatedly
             known = self.known.get(id(array))
             if known is not None and known[0] is array:
                 return known[1]
@@ -47,7 +47,7 @@ class Memory(threading.local):
         return found
 
     def numbers_of_all(self, arrays: Any, kinds: tuple[tuple[np.dtype[Any], int], ...]) -> tuple[int, ...]:
-        """Addresses and shapes of the arrays of a named tuple, which comes again and again."""
+        """Return addresses and shapes of the arrays of a named tuple that is passed repeatedly."""
         known = self.known.get(id(arrays))
         if known is None or known[0] is not arrays:
             found: tuple[int, ...] = ()
@@ -65,18 +65,18 @@ class Memory(threading.local):
 
 
 class Packing:
-    """How the arguments of an entry are packed: their formats, the source of each, the kinds of arrays.
+    """Packing of an entry's arguments: their formats, their expressions, and the types of arrays.
 
     Parameters
     ----------
     takes : list
-        As the build has told it: 'float', 'int' or 'bool'; {"array": [dtype, dimensions]}; {"tuple": [...]}.
+        As recorded by the build: 'float', 'int' or 'bool'; {"array": [dtype, dimensions]}; {"tuple": [...]}.
     """
 
     def __init__(self, takes: list[Any]) -> None:
         self.codes: list[str] = []
         self.parts: list[str] = []
-        self.kinds: list[Any] = []  # (dtype, dimensions) of each array, or those of all in a named tuple
+        self.kinds: list[Any] = []  # (dtype, dimensions) of each array, or those of all arrays in a named tuple
         self.names = [f"a{i}" for i in range(len(takes))]
         for name, kind in zip(self.names, takes, strict=True):
             self._add(kind, name)
@@ -110,7 +110,7 @@ def _kind(told: dict[str, Any]) -> tuple[np.dtype[Any], int]:
 
 
 def _unpacked(told: Any, values: str, at: list[int], classes: list[Any]) -> str:
-    """The source of a result, from the numbers that came back."""
+    """Return the expression of a result, from the numbers of the block."""
     if isinstance(told, dict):
         inner = ", ".join(_unpacked(each, values, at, classes) for each in told["items"])
         if told["class"] is None:
@@ -129,7 +129,7 @@ def _codes(told: Any) -> str:
 
 
 def caller(function: Any, takes: list[Any], gives: Any) -> Callable[..., Any]:
-    """What calls a function of the library.
+    """Return a Python function that calls a function of the library.
 
     Parameters
     ----------

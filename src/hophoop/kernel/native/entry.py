@@ -1,7 +1,7 @@
-"""Calls of kernels from Python: by the library of compiled kernels where it has them, else by the interpreter.
+"""Calls of kernels from Python: compiled if the library has them, else interpreted.
 
-Both give the same bits. The environment variable HOPHOOP_KERNELS says otherwise: `interpreted` runs the sources even where
-there is a library, `compiled` refuses to run without one.
+Both give the same bits. The environment variable HOPHOOP_KERNELS can force one: `interpreted` always runs the sources,
+`compiled` fails without a library.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ MODES = ("auto", "compiled", "interpreted")
 
 
 def mode() -> str:
-    """What the environment asks for: auto, compiled or interpreted.
+    """Return the mode that the environment asks for: auto, compiled or interpreted.
 
     Raises
     ------
     ValueError
-        If HOPHOOP_KERNELS is something else.
+        If HOPHOOP_KERNELS has another value.
     """
     wanted = os.environ.get("HOPHOOP_KERNELS") or "auto"
     if wanted not in MODES:
@@ -36,7 +36,7 @@ def mode() -> str:
 
 
 class Entry:
-    """A kernel as Python calls it."""
+    """A kernel that Python can call."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -69,7 +69,7 @@ class Entry:
 
     @cached_property
     def kernel(self) -> Callable[..., Any]:
-        """Its source, imported where it is interpreted."""
+        """The kernel's source, imported only if it is interpreted."""
         module, _, function = self.name.rpartition(".")
         found: Callable[..., Any] = getattr(import_module(module), function)
         return found
@@ -79,17 +79,17 @@ _entries: dict[Callable[..., Any] | str, Entry] = {}
 
 
 def compiled(kernel: Callable[..., Any] | str) -> Callable[..., Any]:
-    """A kernel of `kernel.entries` as compiled code; interpreted where there is none.
+    """Return a kernel of `kernel.entries` as compiled code, or interpreted if there is none.
 
     Parameters
     ----------
     kernel : function or str
-        Or its name with that of its module, which then is not imported where there is a library.
+        Or its dotted name; its module is then imported only if there is no library.
 
     Returns
     -------
     call : callable
-        Takes what the kernel takes.
+        A callable with the kernel's arguments.
     """
     found = _entries.get(kernel)
     if found is None:
@@ -100,7 +100,7 @@ def compiled(kernel: Callable[..., Any] | str) -> Callable[..., Any]:
 
 @contextlib.contextmanager
 def forced(wanted: str) -> Iterator[None]:
-    """Run all kernels as HOPHOOP_KERNELS says within; for tests and measurements."""
+    """Context in which all kernels run as `wanted` (a value of HOPHOOP_KERNELS); for tests and measurements."""
     before = os.environ.get("HOPHOOP_KERNELS")
     os.environ["HOPHOOP_KERNELS"] = wanted
     _choose_again()

@@ -1,6 +1,6 @@
-"""The library of compiled kernels: whether there is one for this machine and these sources, and its functions.
+"""The library of compiled kernels: search for one that fits this machine and these sources, and its functions.
 
-The environment variable HOPHOOP_LEVEL, such as `v2`, takes the library for older processors.
+The environment variable HOPHOOP_LEVEL, such as `v2`, selects the library for older processors.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ BUILD = "python -m hophoop.kernel.build"
 
 
 class Library:
-    """A library that is loaded.
+    """A loaded library.
 
     Attributes
     ----------
     told : dict
-        What the build has written about it.
+        The build's description of it.
     level : str
-        Which kind of processor it is made for.
+        Kind of processor that it is compiled for.
     """
 
     def __init__(self, told: dict[str, Any], level: str, loaded: ctypes.CDLL) -> None:
@@ -42,12 +42,12 @@ class Library:
         self._calls: dict[str, Callable[..., Any]] = {}
 
     def call(self, name: str) -> Callable[..., Any]:
-        """What calls an entry.
+        """Return a callable for an entry.
 
         Raises
         ------
         KeyError
-            If the library has none of this name.
+            If the library has no entry of this name.
         """
         if name not in self._calls:
             entry = self.told["entries"][name]
@@ -56,7 +56,7 @@ class Library:
 
 
 def _levels(told: dict[str, Any]) -> list[str]:
-    """The libraries from the one that asks most of the processor to the one that asks least, up to HOPHOOP_LEVEL."""
+    """Return the levels of the library's files, highest processor requirements first, up to HOPHOOP_LEVEL."""
     levels = sorted(told["files"], reverse=True)
     most = os.environ.get("HOPHOOP_LEVEL") or levels[0]
     if most not in levels:
@@ -66,30 +66,30 @@ def _levels(told: dict[str, Any]) -> list[str]:
 
 @cache
 def library(quiet: bool = False) -> Library | None:
-    """The library of this machine, loaded; None where there is none, which is told of once, with what that costs."""
+    """Return the library of this machine; None, with one message on stderr unless `quiet`, if there is none."""
     found = _found()
     if isinstance(found, str):
         from multiprocessing import parent_process
 
         if not quiet and sys.stderr is not None and parent_process() is None:
-            print(f"{found} Without them a motion takes some milliseconds, a hundred times as long.", file=sys.stderr)
+            print(f"{found} Without them a motion takes about 100 times as long (some milliseconds).", file=sys.stderr)
         return None
     return found
 
 
 def why_none() -> str:
-    """Why there is no library; empty where there is one."""
+    """Return why there is no library; empty if there is one."""
     found = _found()
     return found if isinstance(found, str) else ""
 
 
 def _loaded(name: str) -> ctypes.CDLL:
-    """A file of the library, if it has the bytes that its name tells: one that is cut short may end the process.
+    """Load a file of the library if its bytes match the hash in its name; a truncated file could crash the process.
 
     Raises
     ------
     OSError
-        If it has not, or cannot be loaded.
+        If the hash differs, or the file cannot be loaded.
     """
     file = HERE / name
     if hashlib.sha256(file.read_bytes()).hexdigest()[:12] not in name:
@@ -104,20 +104,20 @@ def _found() -> Library | str:
     except (OSError, ValueError):
         return f"hophoop was installed without compiled kernels. To build them: {BUILD}."
     if not {"machine", "sources", "files", "entries"} <= set(told):
-        return f"The library of compiled kernels is not whole. To build it anew: {BUILD}."
+        return f"The library of compiled kernels is incomplete. To rebuild it: {BUILD}."
     if told["machine"] != [sys.platform, platform.machine().lower()]:
         return f"The compiled kernels are for {' '.join(told['machine'])}. To build them for this machine: {BUILD}."
     if told["sources"] != stamp():
-        return f"The compiled kernels are older than their sources. To build them anew: {BUILD}."
+        return f"The compiled kernels are older than their sources. To rebuild them: {BUILD}."
     levels = _levels(told)
     try:
         loaded = _loaded(told["files"][levels[-1]])
         able = loaded.hophoop_level()
         if able < int(levels[-1][1:]):
-            return "The compiled kernels ask more than this processor has."
+            return "The compiled kernels need a newer processor."
         best = next(level for level in levels if int(level[1:]) <= able)
         if best != levels[-1]:
             loaded = _loaded(told["files"][best])
     except OSError as error:
-        return f"The compiled kernels cannot be loaded ({error}). To build them anew: {BUILD}."
+        return f"The compiled kernels cannot be loaded ({error}). To rebuild them: {BUILD}."
     return Library(told, best, loaded)

@@ -1,4 +1,4 @@
-"""What the build is told about a kernel. A kernel is a plain function: Python runs it as it stands."""
+"""Marks that tell the build how to compile a kernel. A kernel is a plain function, which Python can also interpret."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ MARK, COMPILED = "__hophoop_mark__", "__hophoop_compiled__"
 
 
 def inline(function: Function) -> Function:
-    """Mark a kernel that becomes part of its callers: what is called at each panel.
+    """Mark a kernel that the compiler must inline in its callers, because it is called for each panel.
 
-    Handing body, panel and scratch on is some sixty words a call, which costs a quarter of a motion's time.
+    Passing body, panel and scratch takes about 60 words per call, which would cost 25 % of a motion's time.
     """
     setattr(function, MARK, "inline")
     return function
 
 
 def apart(function: Function) -> Function:
-    """Mark a kernel that never becomes part of its callers: small code stays in the processor's cache.
+    """Mark a kernel that the compiler must not inline: small code stays in the processor's cache.
 
-    A motion runs through all of the kernel, so that its size decides about its speed.
+    A motion runs through most of the kernel, so code size decides the speed.
     """
     setattr(function, MARK, "apart")
     return function
 
 
 def interpreted_as(other: Callable[..., Any]) -> Callable[[Function], Function]:
-    """Above a kernel and its mark: Python runs `other`, the build takes the kernel.
+    """Decorate a kernel (above its mark) so that Python runs `other`; the build compiles the kernel.
 
-    For the bits of doubles, which Python reaches by other ways, and for loops over the nodes of a panel, where NumPy's whole
-    arrays are quicker. The numbers must be the same to the last bit, so sums keep their order.
+    For the bits of doubles, which interpreted Python accesses differently, and for loops over the nodes of a panel, where NumPy
+    is faster. Both must agree to the last bit, so sums keep their order.
     """
 
     def attached(kernel: Function) -> Function:
@@ -47,10 +47,10 @@ def interpreted_as(other: Callable[..., Any]) -> Callable[[Function], Function]:
 
 
 def source_of(kernel: Callable[..., Any]) -> FunctionType:
-    """The function that the build compiles for a kernel."""
+    """Return the function that the build compiles for a kernel."""
     return cast(FunctionType, getattr(kernel, COMPILED, kernel))
 
 
 def mark_of(kernel: Callable[..., Any]) -> str:
-    """'inline', 'apart' or nothing."""
+    """Return 'inline', 'apart' or ''."""
     return cast(str, getattr(source_of(kernel), MARK, ""))

@@ -1,4 +1,4 @@
-"""The sources of the kernels: what the library and the browser's modules are made of."""
+"""Source files of the kernels, of which the library and the browser's modules are compiled."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import FunctionType
 from typing import Any
 
 PACKAGE = Path(__file__).parents[2]
-# Rooms whose files are kernels, files of other rooms, and what says how they are compiled.
+# Packages that only contain kernels, single files of other packages, and files that control their compilation.
 ROOMS = (
     "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
     "theory/kernels", "derivatives", "derivatives/events", "derivatives/pieces",
@@ -22,7 +22,7 @@ FILES = (
 
 
 def files() -> list[Path]:
-    """The sources that decide the library's bytes, sorted."""
+    """Return the sources that determine the library's bytes, sorted."""
     found = {PACKAGE / name for name in FILES}
     for room in ROOMS:
         found.update((PACKAGE / room).glob("*.py"))
@@ -30,12 +30,12 @@ def files() -> list[Path]:
 
 
 def stamp() -> str:
-    """Hash of these sources: equal stamps, equal sources."""
+    """Return a hash of these sources: equal stamps mean equal sources."""
     return stamp_of(files())
 
 
 def stamp_of(sources: Iterable[Path]) -> str:
-    """Hash of files of the package."""
+    """Return a hash of files of the package."""
     digest = hashlib.sha256()
     for file in sources:
         digest.update(f"{file.relative_to(PACKAGE).as_posix()}\n".encode())
@@ -51,5 +51,5 @@ def _modules() -> frozenset[str]:
 
 
 def is_kernel(value: Any) -> bool:
-    """Whether something is a function of a kernel's source."""
+    """Return True for a function in a kernel's source."""
     return isinstance(value, FunctionType) and value.__module__ in _modules()

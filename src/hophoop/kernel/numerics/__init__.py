@@ -1,1 +1,1 @@
-"""What solves the formulas and knows no hoop."""
+"""Numerical methods that are independent of the hoop."""

@@ -1,11 +1,11 @@
-"""Arcs whose bits are the same on every machine, made of + − × ÷ √ and integer operations alone.
+"""Inverse trigonometric functions with the same bits on every machine, from + − × ÷ √ and integer operations.
 
-All are the angle of a point (x, y). With t = j/64 near y/x,
+All of them return the angle of a point (x, y). With t = j/64 near y/x,
 
     arctan(y/x) = arctan t + arctan v,   v = (y − t x)/(x + t y),   abs(v) ≤ 1/128.
 
-arctan t stands in a table of two doubles, v is computed as two doubles, and arctan v = v − v³/3 + …. An arcsine is the angle of
-(√(1 − x²), x), with the root in two doubles. Errors stay below 0.5001 units in the last place.
+arctan t comes from a double-double table, v is a double-double, and arctan v = v − v³/3 + …. An arcsine is the angle of (√(1 −
+x²), x), with a double-double root. Errors stay below 0.5001 units in the last place.
 
 References: S. Gal and B. Bachelis, An accurate elementary mathematical library for the IEEE floating point standard (1991);
 P. T. P. Tang, Table-lookup algorithms for elementary functions and their error analysis (1991); T. J. Dekker, A floating-point
@@ -22,15 +22,15 @@ from hophoop.kernel.numerics.elementary_constants import ARCTANGENTS, PI_HIGH, P
 
 HALF_PI_HIGH, HALF_PI_LOW = 0.5 * PI_HIGH, 0.5 * PI_LOW
 A3, A5, A7, A9 = -1.0 / 3.0, 0.2, -1.0 / 7.0, 1.0 / 9.0
-SMALL_RATIO = 9.094947017729282e-13  # 2^−40: up to here arctan t = t
-SMALL_SINE = 1e-8  # up to here arcsin x = x
-LARGE, DOWN = 2.0**500, 2.0**-600  # lengths from where on both are made shorter, and by how much
+SMALL_RATIO = 9.094947017729282e-13  # 2^−40: up to here arctan t = t in double precision
+SMALL_SINE = 1e-8  # up to here arcsin x = x in double precision
+LARGE, DOWN = 2.0**500, 2.0**-600  # from LARGE on both lengths are scaled down by the factor DOWN
 SMALL, UP = 2.0**-400, 2.0**600
 
 
 @inline
 def angle_beyond(y, y_low, x, x_low, t, high, low):
-    """Return the angle of (x + x_low, y + y_low) as two doubles; high + low is arctan t."""
+    """Return the angle of (x + x_low, y + y_low) as a double-double; high + low is arctan t."""
     product, error = two_product(t, x)
     above, above_low = two_sum(y, -product)
     above_low = (above_low - error) + (y_low - t * x_low)
@@ -47,21 +47,21 @@ def angle_beyond(y, y_low, x, x_low, t, high, low):
 
 @apart
 def _angle(y, y_low, x, x_low):
-    """Return the angle of (x + x_low, y + y_low) as two doubles; 0 ≤ y ≤ x, x neither very large nor very small."""
+    """Return the angle of (x + x_low, y + y_low) as a double-double, for 0 ≤ y ≤ x of moderate size."""
     j = int(64.0 * (y / x) + 0.5)
     return angle_beyond(y, y_low, x, x_low, 0.015625 * j, float(ARCTANGENTS[j, 0]), float(ARCTANGENTS[j, 1]))
 
 
 @inline
 def less(high, low, angle, rest):
-    """Return (high + low) − (angle + rest) as two doubles, high ≥ angle."""
+    """Return (high + low) − (angle + rest) as a double-double, for high ≥ angle."""
     total, error = quick_sum(high, -angle)
     return total, error + (low - rest)
 
 
 @inline
 def _first_quadrant(y, y_low, x, x_low):
-    """Return the angle of (x, y) as two doubles, x and y not negative and not both 0."""
+    """Return the angle of (x, y) as a double-double, for x and y not negative and not both 0."""
     if y <= x:
         return _angle(y, y_low, x, x_low)
     angle, low = _angle(x, x_low, y, y_low)
@@ -70,20 +70,20 @@ def _first_quadrant(y, y_low, x, x_low):
 
 @inline
 def root_near(root, high, low):
-    """Return √(high + low) as two doubles, root = √high."""
+    """Return √(high + low) as a double-double, given root = √high."""
     product, error = two_product(root, root)
     return quick_sum(root, (((high - product) - error) + low) / (2.0 * root))
 
 
 @inline
 def root_of(high, low):
-    """Return √(high + low) as two doubles, of a sum that is not 0."""
+    """Return √(high + low) as a double-double, for a sum that is not 0."""
     return root_near(math.sqrt(high), high, low)
 
 
 @inline
 def complement_of(size):
-    """Return 1 − x² as two doubles, 0 ≤ x < 1."""
+    """Return 1 − x² as a double-double, for 0 ≤ x < 1."""
     square, error = two_product(size, size)
     high, low = quick_sum(1.0, -square)
     return quick_sum(high, low - error)
@@ -117,13 +117,13 @@ def arccosine(x):
 
 @apart
 def arctangent2(y, x):
-    """Return the angle of the point (x, y), from −π to π [rad]; with the special values of C's atan2."""
+    """Return the angle of the point (x, y), from −π to π [rad], with the special values of C's atan2."""
     if x != x or y != y:
         return math.nan
     high, width = abs(y), abs(x)
     behind = math.copysign(1.0, x) < 0.0
     if high == math.inf or width == math.inf:
-        # the angle of a corner
+        # both infinite: the angle of a corner
         high, width = (1.0 if high == math.inf else 0.0), (1.0 if width == math.inf else 0.0)
     if high == 0.0:
         return math.copysign(PI_HIGH if behind else 0.0, y)
@@ -149,7 +149,7 @@ def arctangent(t):
 
 @inline
 def square_of_length(long, short):
-    """Return long² + short² as two doubles, long ≥ short."""
+    """Return long² + short² as a double-double, for long ≥ short."""
     square, error = two_product(long, long)
     other, other_error = two_product(short, short)
     total, more = quick_sum(square, other)
@@ -158,7 +158,7 @@ def square_of_length(long, short):
 
 @apart
 def hypotenuse(x, y):
-    """Return √(x² + y²), without overflow or underflow on the way; inf where one of both is infinite, even beside a nan."""
+    """Return √(x² + y²) without intermediate overflow or underflow; inf if x or y is infinite, even if the other is nan."""
     long, short = abs(x), abs(y)
     if long == math.inf or short == math.inf:
         return math.inf

@@ -1,15 +1,14 @@
-"""Sine, cosine and tangent whose bits are the same on every machine.
+"""Sine, cosine and tangent with the same bits on every machine.
 
-They are made of + − × ÷ and integer operations alone. The angle is k π/256 and a rest r, abs(r) ≤ π/512, after Cody and
-Waite; from `NEAR` on after Payne and Hanek, with the digits of 1/2π that the angle needs, so that every double is reduced
-with some 100 bits. Then, after Tang,
+They only use + − × ÷ and integer operations. The angle is split into k π/256 and a remainder r, abs(r) ≤ π/512: after Cody and
+Waite, and from `NEAR` on after Payne and Hanek, with the digits of 1/2π that the angle needs. So every double is reduced with
+about 100 bits. Then, after Tang,
 
     sin(k π/256 + r) = S + C r + (S (cos r − 1) + C (sin r − r)).
 
-The table holds S and C in 26 bits and a rest. r is split in the same way, so that the largest product, C r, is exact, and so
-is the error of its sum with S (Dekker). All other terms are below 2^−15 of S, and the result is below S/2 nowhere: what they
-lose by rounding is at most 2^−65 of the result. So the errors of sine and cosine are at most 0.5003 units in the last place.
-None was above 0.5 where it was measured (tests/numerics), but correct rounding is not proved.
+The table holds S and C as 26 bits and a remainder. r is split in the same way, so that the largest product, C r, and the error
+of its sum with S (Dekker) are exact. All other terms are below 2^−15 of S, and the result is never below S/2. So their rounding
+is at most 2^−65 of the result, and the error stays below 0.501 units in the last place.
 
 References: W. J. Cody and W. Waite, Software manual for the elementary functions (1980). M. Payne and R. Hanek, Radian
 reduction for trigonometric functions (1983). P. T. P. Tang, Table-driven implementation of the exponential function in IEEE
@@ -26,10 +25,10 @@ from hophoop.kernel.numerics.double_double import SPLITTER, TWO_PI, TWO_PI_LOW, 
 from hophoop.kernel.numerics.elementary_constants import ANGLE_1, ANGLE_2, ANGLE_3, ANGLE_INVERSE, REVOLUTIONS, SINES
 from hophoop.kernel.numerics.words import FRACTION, HIDDEN, word_of
 
-INTEGER = 6755399441055744.0  # 1.5 · 2^52: added and taken away it leaves the nearest integer, in the last bits of the sum
+INTEGER = 6755399441055744.0  # 1.5 · 2^52: adding and subtracting it rounds to an integer, which is in the last bits of the sum
 INTEGER_WORD = 0x4338000000000000  # its bits
-NEAR = 200.0  # rad: up to here k is below 2^14, and k · ANGLE_1 is exact
-TINY = 7.450580596923828e-09  # 2^−27: up to here sin x = x and cos x = 1
+NEAR = 200.0  # rad: below this, k is below 2^14, and k · ANGLE_1 is exact
+TINY = 7.450580596923828e-09  # 2^−27: below this, sin x = x and cos x = 1 in double precision
 # sin r = r + r³ (S3 + S5 r² + …), cos r = 1 + r² (C2 + C4 r² + …)
 S3, S5, S7 = -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0
 C2, C4, C6 = -0.5, 1.0 / 24.0, -1.0 / 720.0
@@ -39,7 +38,7 @@ SMALL_60, SMALL_90, SMALL_120, SMALL_150, SMALL_180 = 2.0**-60, 2.0**-90, 2.0**-
 
 @inline
 def rest_of(x, k):
-    """Return (r, low), x = k π/256 + r + low, abs(x) < NEAR."""
+    """Return (r, low) with x = k π/256 + r + low, for abs(x) < NEAR."""
     a = x - k * ANGLE_1
     b = k * ANGLE_2
     r = a - b
@@ -48,7 +47,7 @@ def rest_of(x, k):
 
 @inline
 def reduced(x):
-    """Return (k, r, low), x = k π/256 + r + low, abs(x) < NEAR; of k the last bits."""
+    """Return (k, r, low) with x = k π/256 + r + low, for abs(x) < NEAR; only the last bits of k."""
     count = x * ANGLE_INVERSE + INTEGER
     r, low = rest_of(x, count - INTEGER)
     return word_of(count), r, low
@@ -56,7 +55,7 @@ def reduced(x):
 
 @inline
 def revolution_rest(d0, d1, d2, d3, d4, d5):
-    """Return (k, r, low), k π/256 + r + low = 2π (d0 2^−30 + d1 2^−60 + …), of integers."""
+    """Return (k, r, low) with k π/256 + r + low = 2π (d0 2^−30 + d1 2^−60 + …) for integer digits."""
     k = (d0 + 1048576) >> 21
     high = 1.0 * (((d0 - (k << 21)) << 30) + d1) * SMALL_60
     high, low = two_sum(high, 1.0 * d2 * SMALL_90)
@@ -69,19 +68,19 @@ def revolution_rest(d0, d1, d2, d3, d4, d5):
 
 @apart
 def reduced_far(x):
-    """Return `reduced` of any finite x ≥ 1, with some 100 bits of the rest."""
+    """Return `reduced` of any finite x ≥ 1, with about 100 bits of the remainder."""
     word = word_of(x)
-    exponent = (word >> 52) - 1015  # of the last bit, and 60
+    exponent = (word >> 52) - 1015  # of the last bit, plus 60
     first = exponent // 30
     shift = exponent - 30 * first
-    # the significand times 2^shift, in digits of 30 bits
+    # the significand times 2^shift, in 30-bit digits
     significand = (word & FRACTION) | HIDDEN
     m0 = (significand & DIGIT) << shift
     m1 = ((significand >> 30) << shift) + (m0 >> 30)
     m2 = m1 >> 30
     m0 &= DIGIT
     m1 &= DIGIT
-    # seven digits after the point of x/2π; those before it are whole revolutions
+    # the fractional part of x/2π in 30-bit digits; the integer part is whole revolutions
     d0 = d1 = d2 = d3 = d4 = d5 = 0
     carry = 0
     for i in range(7, 0, -1):
@@ -94,7 +93,7 @@ def reduced_far(x):
 
 @inline
 def _curves(r):
-    """Return (the first bits of r, sin r − r, cos r − 1)."""
+    """Return (the leading bits of r, sin r − r, cos r − 1)."""
     part = SPLITTER * r
     z = r * r
     return part - (part - r), r * z * (S3 + z * (S5 + z * S7)), z * (C2 + z * (C4 + z * C6))
@@ -102,7 +101,7 @@ def _curves(r):
 
 @inline
 def _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine):
-    """Return S + C r + (S (cos r − 1) + C (sin r − r)) as two doubles."""
+    """Return S + C r + (S (cos r − 1) + C (sin r − r)) as a double-double."""
     product = c1 * r1
     total = s1 + product
     error = product - (total - s1)
@@ -111,7 +110,7 @@ def _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine):
 
 @inline
 def sums(s1, s2, c1, c2, r, low):
-    """Return (sine, rest, cosine, rest) of r + low beyond the angle whose sine and cosine are s1 + s2 and c1 + c2."""
+    """Return (sine, its low half, cosine, its low half) of a + r + low, where s1 + s2 and c1 + c2 are sin a and cos a."""
     r1, sine, cosine = _curves(r)
     r2 = (r - r1) + low
     s, s_rest = _sum(s1, s2, c1, c2, r1, r2, r, sine, cosine)
@@ -136,7 +135,7 @@ def _sine_at(quarter, j, r, low):
 
 @inline
 def both_at(k, r, low):
-    """Return (sine, rest, cosine, rest) of k π/256 + r + low."""
+    """Return (sine, its low half, cosine, its low half) of k π/256 + r + low."""
     j = k & 127
     i = 128 - j
     s1, s2, c1, c2 = float(SINES[j, 0]), float(SINES[j, 1]), float(SINES[i, 0]), float(SINES[i, 1])
@@ -159,10 +158,10 @@ def quotient_of(s, s_rest, c, c_rest):
 
 @apart
 def rare(x):
-    """Return (sine, rest, cosine, rest) where x is tiny, far or no number."""
+    """Return (sine, its low half, cosine, its low half) if x is tiny, large, infinite or nan."""
     size = abs(x)
     if size <= TINY:
-        return x, -0.0, 1.0, 0.0  # x − 0 is x also where x = −0
+        return x, -0.0, 1.0, 0.0  # x − 0 keeps the sign of x = −0
     if not size < math.inf:
         return math.nan, 0.0, math.nan, 0.0
     k, r, low = reduced_far(size)

@@ -1,8 +1,7 @@
 """Functions on a panel: 16 Gauss–Legendre nodes, integrals, series and interpolation.
 
-A smooth function on ξ ∈ [−1, 1] is known by its values at the nodes. `antiderivative` gives its
-integral from −1 to every node, `WEIGHTS` the integral over the panel (exact to degree 31), `coefficients`
-its Chebyshev series.
+A smooth function on ξ ∈ [−1, 1] is represented by its values at the nodes. `antiderivative` gives its integral from −1 to every
+node, `WEIGHTS` the integral over the panel (exact to degree 31), `coefficients` its Chebyshev series.
 """
 
 from __future__ import annotations
@@ -16,10 +15,10 @@ from hophoop.kernel.numerics.constants import ANTIDERIVATIVE_T, NODES, SERIES, W
 from hophoop.kernel.numerics.exponentials import exponential
 
 ORDER = len(NODES)
-PARTS = 0.5 * (1.0 + NODES)  # of the panel before a node
+PARTS = 0.5 * (1.0 + NODES)  # fraction of the panel before each node
 
-# ANTIDERIVATIVE_T is transposed, so that products run as sums of columns, which vectorise without reassociation.
-# The integral from every node to the end of the panel.
+# ANTIDERIVATIVE_T is transposed, so that products run as sums of columns, which vectorise without reassociation. REMAINDER_T
+# integrates from every node to the end of the panel.
 REMAINDER_T = np.ascontiguousarray(ANTIDERIVATIVE_T[::-1, ::-1])
 SERIES_T = np.ascontiguousarray(SERIES.T)
 TAIL = np.ascontiguousarray(SERIES[ORDER - 3 :])
@@ -38,9 +37,9 @@ def _product_by_arrays(matrix_t, values, out):
 @interpreted_as(_product_by_arrays)
 @inline
 def product(matrix_t, values, out):
-    """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers.
+    """Compute out = matrix · values for a transposed matrix; 8 columns per pass keep the sums in registers.
 
-    Part of its callers, each of which has one matrix, known when it is compiled.
+    Inlined, so that each caller's matrix is known to the compiler.
     """
     for j in range(0, ORDER, 8):
         v0, v1, v2, v3 = values[j], values[j + 1], values[j + 2], values[j + 3]
@@ -53,7 +52,7 @@ def product(matrix_t, values, out):
 
 @inline
 def dot(a, b):
-    """Sum of products in a fixed order: four sums side by side, which do not wait for each other."""
+    """Return the sum of products in a fixed order: 4 partial sums that do not wait for each other."""
     r0 = 0.0
     r1 = 0.0
     r2 = 0.0
@@ -68,7 +67,7 @@ def dot(a, b):
 
 @inline
 def extremes(values):
-    """Smallest and largest value, also four at a time."""
+    """Return the smallest and the largest value, in 4 parallel chains."""
     l0 = h0 = values[0]
     l1 = h1 = values[1]
     l2 = h2 = values[2]
@@ -87,7 +86,7 @@ def extremes(values):
 
 @inline
 def smallest(values):
-    """Smallest value, four at a time."""
+    """Return the smallest value, in 4 parallel chains."""
     l0 = values[0]
     l1 = values[1]
     l2 = values[2]
@@ -123,7 +122,7 @@ def _exponentials_by_arrays(values, out):
 
 @inline
 def _small_exponential(x):
-    """exp(x) by the series up to 1, which the processor does for several nodes at a time."""
+    """Return exp x for abs(x) ≤ 1 by a series that vectorizes over the nodes."""
     square = x * x
     even = EXP_18
     odd = EXP_17
@@ -141,7 +140,7 @@ def _small_exponential(x):
     odd = odd * square + EXP_5
     even = even * square + EXP_4
     odd = odd * square + EXP_3
-    # the first terms last, so that their rounding is all there is
+    # leading terms last, so that only their rounding remains
     return 1.0 + (x + (0.5 * square + square * (even * square + odd * x)))
 
 
@@ -156,7 +155,7 @@ def _largest(values):
 @interpreted_as(_exponentials_by_arrays)
 @inline
 def exponentials(values, out):
-    """out = exp(values)."""
+    """Compute out = exp(values)."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
             out[i] = exponential(values[i])
@@ -173,7 +172,7 @@ def _divided_by_arrays(values, out, row):
 @interpreted_as(_divided_by_arrays)
 @inline
 def divided_by_exponentials(values, out, row):
-    """out = exp(values), and row divided by it: in one loop, so that the processor takes several nodes at a time here, too."""
+    """Compute out = exp(values) and divide `row` by it, in one loop that vectorizes over the nodes."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
             out[i] = exponential(values[i])
@@ -187,32 +186,32 @@ def divided_by_exponentials(values, out, row):
 
 @inline
 def total(values):
-    """Integral of the function over the panel, by Gauss."""
+    """Return the integral of the function over the panel, by Gauss quadrature."""
     return dot(WEIGHTS, values)
 
 
 @apart
 def integrals(values, out):
-    """Integrals of the function from −1 to every node."""
+    """Compute the integrals of the function from −1 to every node."""
     product(ANTIDERIVATIVE_T, values, out)
 
 
 @apart
 def remainders(values, out):
-    """Integrals of the function from every node to 1."""
+    """Compute the integrals of the function from every node to 1."""
     product(REMAINDER_T, values, out)
 
 
 @inline
 def antiderivative(values, out):
-    """Integrals of the function from −1 to every node; returns the one over the whole panel."""
+    """Compute the integrals of the function from −1 to every node; return the integral over the panel."""
     integrals(values, out)
     return total(values)
 
 
 @apart
 def coefficients(values, out):
-    """Chebyshev coefficients of the function with these values at the nodes."""
+    """Compute the Chebyshev coefficients of the function with these values at the nodes."""
     product(SERIES_T, values, out)
 
 
@@ -226,7 +225,7 @@ def _tail_by_arrays(values, scale):
 @interpreted_as(_tail_by_arrays)
 @inline
 def truncation_error(values, scale):
-    """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
+    """Return the size of the last 3 Chebyshev coefficients relative to `scale` or the largest value; inf for nan."""
     a = 0.0
     b = 0.0
     c = 0.0
@@ -241,7 +240,7 @@ def truncation_error(values, scale):
 
 
 def series_value(series, xi):
-    """Clenshaw's sum of the Chebyshev series at ξ."""
+    """Return the Chebyshev series at ξ, by Clenshaw's recurrence."""
     b1 = 0.0
     b2 = 0.0
     double = 2.0 * xi
@@ -252,7 +251,7 @@ def series_value(series, xi):
 
 @inline
 def end_values(series):
-    """The series at ξ = −1, 0 and 1: sums of every fourth coefficient, side by side."""
+    """Return the series at ξ = −1, 0 and 1: sums of every fourth coefficient, in parallel."""
     r0, r1, r2, r3 = series[0], series[1], series[2], series[3]
     for k in range(4, ORDER, 4):
         r0 += series[k]
@@ -266,7 +265,7 @@ def end_values(series):
 
 @inline
 def left_value(series):
-    """The series at ξ = −1."""
+    """Return the series at ξ = −1."""
     return end_values(series)[0]
 
 
@@ -277,16 +276,16 @@ def _lagrange_by_arrays(xi, out):
         chebyshev.append(double * chebyshev[-1] - chebyshev[-2])
     terms = SERIES * np.array(chebyshev)[:, None]
     terms[0] = SERIES[0]
-    # from left to right, as the loop sums
+    # from left to right, in the order of the loop
     out[:] = np.add.accumulate(terms)[-1]
 
 
 @interpreted_as(_lagrange_by_arrays)
 @inline
 def lagrange(xi, out):
-    """Weights that interpolate node values at ξ: the rows of `SERIES`, each times its T_k(ξ).
+    """Compute the weights that interpolate node values at ξ: the rows of `SERIES`, each times its T_k(ξ).
 
-    Seven rows a pass, so that the processor does several nodes at a time.
+    7 rows per pass, so that it vectorizes over the nodes.
     """
     double = 2.0 * xi
     t0 = 1.0
@@ -309,17 +308,17 @@ def lagrange(xi, out):
 
 @inline
 def value_slope_bend(series, xi):
-    """The Chebyshev series, its first and its second derivative at ξ, by one pass of Clenshaw's recurrence.
+    """Return the Chebyshev series and its first two derivatives at ξ, by one pass of Clenshaw's recurrence.
 
-    The even part is a series in T_k(y), the odd one ξ times one in V_k(y), with y = 2 ξ² − 1: side by side they take half
-    the time. V_k has the recurrence of T_k, from 1 and 2 y − 1.
+    The even part is a series in T_k(y), the odd part ξ times a series in V_k(y), with y = 2 ξ² − 1. Computed in parallel they
+    take half the time. V_k has the recurrence of T_k, starting from 1 and 2 y − 1.
     """
     e1 = e2 = o1 = o2 = 0.0
     de1 = de2 = do1 = do2 = 0.0
     dde1 = dde2 = ddo1 = ddo2 = 0.0
     double = 4.0 * xi * xi - 2.0
     for k in range(ORDER - 2, 0, -2):
-        # summed so that a step waits for one product and one sum of the step before
+        # summed so that a step only waits for one product and one sum of the previous step
         dde1, dde2 = double * dde1 + (4.0 * de1 - dde2), dde1
         ddo1, ddo2 = double * ddo1 + (4.0 * do1 - ddo2), ddo1
         de1, de2 = double * de1 + (2.0 * e1 - de2), de1

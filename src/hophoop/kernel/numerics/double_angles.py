@@ -1,4 +1,4 @@
-"""Sine, 1 − cosine and arcsine of numbers of two doubles."""
+"""Sine, 1 − cosine and arcsine of double-doubles."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from hophoop.kernel.numerics.double_double import add, divide, multiply, negativ
 
 _TERMS = 12
 _INVERSE = [Fraction(1, math.factorial(k)) for k in range(2 * _TERMS + 2)]
-# 1/(2k+1)! and 1/(2k+2)!, each as two doubles
+# 1/(2k+1)! and 1/(2k+2)! as double-doubles
 _ODD = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[1::2]])
 _EVEN = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[2::2]])
 _HALVINGS = 4
 
 
 def sine_versine(a):
-    """(sin a, 1 − cos a) of an angle up to a few turns."""
+    """Return (sin a, 1 − cos a) of an angle of up to a few revolutions."""
     scale = 0.5**_HALVINGS
     x = (a[0] * scale, a[1] * scale)
     square = multiply(x, x)
@@ -41,7 +41,7 @@ def sine_versine(a):
 
 
 def arc_sine(a):
-    """The angle from −π/2 to π/2 whose sine is a, abs(a) < 1; near ±1 as exact as the sine lets it be."""
+    """Return the angle from −π/2 to π/2 whose sine is a, abs(a) < 1; near ±1 as accurate as the sine permits."""
     angle = (arcsine(a[0]), 0.0)
     for _ in range(3):
         sine, versine = sine_versine(angle)

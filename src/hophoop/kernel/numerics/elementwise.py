@@ -1,7 +1,7 @@
-"""The elementary functions for NumPy's arrays, with the bits of those that the kernels use.
+"""Elementary functions of NumPy arrays, with the same bits as the kernels' functions.
 
-Each computes the usual arguments as whole arrays (`whole_arrays`) and rare arguments, as infinite ones, one by one. A number
-gives a float, an array an array of the same shape.
+Common arguments are computed as whole arrays (`whole_arrays`), rare ones, such as infinite ones, one by one. A number gives a
+float, an array gives an array of the same shape.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ import numpy as np
 
 from hophoop.kernel.numerics import arcs, circular, exponentials, hyperbolic, whole_arrays
 
-Arrays = Any  # a float, or an array of them
+Arrays = Any  # a float, or an array of floats
 
 _both = circular.sine_and_cosine
-_CHUNK = 8192  # numbers at a time, which stay in the processor's cache
+_CHUNK = 8192  # numbers per chunk, which fits the processor's cache
 
 
 def _elementwise(
     scalar: Any, whole: Callable[..., Any], common: Callable[..., Any], safe: float, arguments: tuple[Arrays, ...]
 ) -> Any:
-    """Apply a function to common arguments as whole arrays, to the others one by one; `safe` stands in for these meanwhile."""
+    """Apply a function to common arguments as whole arrays and to the others one by one, with `safe` as their placeholder."""
     one = scalar
     if all(isinstance(value, float | int) for value in arguments):
         return whole_arrays.single(one, *(float(value) for value in arguments))
@@ -170,7 +170,7 @@ def binary_logarithm(x: Arrays) -> Any:
 
 
 def logarithm_1p(u: Arrays) -> Any:
-    """Logarithm of 1 + u, with all digits also where u is small.
+    """Logarithm of 1 + u, with all digits also for small u.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ def logarithm_1p(u: Arrays) -> Any:
 
 
 def power(x: Arrays, y: Arrays) -> Any:
-    """x to the power of y.
+    """x to the power y.
 
     Parameters
     ----------

@@ -1,11 +1,12 @@
-"""Exponentials, logarithms and powers whose bits are the same on every machine, made of + − × ÷ and integer operations.
+"""Exponentials, logarithms and powers with the same bits on every machine, from + − × ÷ and integer operations.
 
-The exponent is k ln 2/64 and a rest r, and exp r = 1 + r + r²/2 + …, times a power of two from a table (Tang 1989). The
-table's values have 26 bits and a rest, so that the largest product is exact (Dekker). The other terms are below 2^−15 of the
-result, so that the errors of `exponential` are at most 0.5003 units in the last place, also where the result is subnormal.
+The exponent is split into k ln 2/64 and a remainder r, and exp r = 1 + r + r²/2 + … is multiplied by a power of 2 from a table
+(Tang 1989). The table's values have 26 bits and a remainder, so that the largest product is exact (Dekker). The other terms are
+below 2^−15 of the result, so the errors of `exponential` are at most 0.5003 units in the last place, also for subnormal
+results.
 
-A logarithm is e ln 2 − log c + log(1 + r), where c is near 1/m and has 10 bits, so that r = m c − 1 is exact as two doubles
-(Tang 1990, with a table of 1/m). It has some 65 bits before it is rounded; a power has those of y log x.
+A logarithm is e ln 2 − log c + log(1 + r), where c is near 1/m and has 10 bits, so that r = m c − 1 is exact as a double-double
+(Tang 1990, with a table of 1/m). It has about 65 bits before it is rounded; a power uses those of y log x.
 
 References: P. T. P. Tang, Table-driven implementation of the exponential function (1989) and of the logarithm function
 (1990) in IEEE floating-point arithmetic. J.-M. Muller, Elementary functions (3rd edition, 2016), chapter 6.
@@ -31,22 +32,22 @@ from hophoop.kernel.numerics.elementary_constants import (
 )
 from hophoop.kernel.numerics.words import octave, power_of_two, scaled, word_of
 
-LEAST, MOST = -708.0, 709.0  # between them the result is a normal number
+LEAST, MOST = -708.0, 709.0  # the result is normal between them
 LARGEST_EXPONENT = 709.782712893384  # of a double
-SMALLEST_EXPONENT = -745.1332191019412  # from here down exp x is rounded to zero
+SMALLEST_EXPONENT = -745.1332191019412  # from here down exp x rounds to 0
 E2, E3, E4, E5, E6 = 0.5, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0, 1.0 / 720.0
 L3, L4, L5, L6, L7, L8, L9, L10 = (-1.0 / 3.0, -0.25, -0.2, -1.0 / 6.0, -1.0 / 7.0, -0.125, -1.0 / 9.0, -0.1)
 L3, L5, L7, L9 = -L3, -L5, -L7, -L9
 FIRST = 90  # row of LOGARITHMS for m = 90/128
 ROOT_TWO = 1.4142135623730951
-COARSE = 3145728.0  # 1.5 · 2^21: added and taken away it leaves multiples of 2^−31
-SMALL_1P = 1e-9  # up to here log(1 + u) = u − u²/2
+COARSE = 3145728.0  # 1.5 · 2^21: adding and subtracting it rounds to a multiple of 2^−31
+SMALL_1P = 1e-9  # up to here log(1 + u) = u − u²/2 in double precision
 LARGE_POWER = 1.8446744073709552e19  # 2^64
 
 
 @inline
 def growth_at(x, k, t1, t2):
-    """Return exp(x − k ln 2/64) (t1 + t2) as two doubles."""
+    """Return exp(x − k ln 2/64) (t1 + t2) as a double-double."""
     a = x - k * OCTAVE_1
     b = k * OCTAVE_2
     r = a - b
@@ -63,7 +64,7 @@ def growth_at(x, k, t1, t2):
 
 @inline
 def growth(x):
-    """Return (m, high, rest), exp x = 2^m (high + rest), of abs(x) < 800."""
+    """Return (m, high, rest) with exp x = 2^m (high + rest), for abs(x) < 800."""
     count = x * OCTAVE_INVERSE + INTEGER
     whole = word_of(count) - INTEGER_WORD
     j = whole & 63
@@ -73,14 +74,14 @@ def growth(x):
 
 @apart
 def rounded(m, high, rest):
-    """Return 2^m (high + rest), 1 ≤ high + rest < 2, rounded once also where it is subnormal or too large."""
+    """Return 2^m (high + rest), 1 ≤ high + rest < 2, rounded once, also if it is subnormal or overflows."""
     if m > 1022:
         return (high + rest) * power_of_two(1022) * power_of_two(min(m - 1022, 1000))
     if m >= -1022:
         return (high + rest) * power_of_two(m)
     if m < -1076:
         return 0.0
-    # a number whose last bit is the last of the result
+    # a number whose last bit is the last bit of the result
     large = power_of_two(-1022 - m)
     total = large + high
     error = high - (total - large)
@@ -135,7 +136,7 @@ def exponential(x):
 
 @inline
 def logarithm_at(power, m, inverse, high, low):
-    """Return log(2^power m) as two doubles; high + low is −log(inverse)."""
+    """Return log(2^power m) as a double-double; high + low is −log(inverse)."""
     # r = m c − 1
     m_high = (m + COARSE) - COARSE
     r, r_low = two_sum(m_high * inverse - 1.0, (m - m_high) * inverse)
@@ -149,7 +150,7 @@ def logarithm_at(power, m, inverse, high, low):
 
 @apart
 def logarithm_parts(x):
-    """Return log x as two doubles with some 65 bits, of a finite x > 0."""
+    """Return log x as a double-double with about 65 bits, for finite x > 0."""
     e, m = octave(x)
     if m > ROOT_TWO:
         m *= 0.5
@@ -168,14 +169,14 @@ def logarithm(x):
 
 @inline
 def _logarithm_rare(x):
-    """Return the logarithm of what is no finite positive number."""
+    """Return the logarithm of an argument that is not finite and positive."""
     if x == 0.0:
         return -math.inf
     return x if x > 0.0 else math.nan
 
 
 def binary_logarithm(x):
-    """Return the logarithm of x to the base 2; exact for powers of two."""
+    """Return the logarithm of x to the base 2, exact for powers of 2."""
     if not 0.0 < x < math.inf:
         return _logarithm_rare(x)
     high, low = multiply(logarithm_parts(x), (LOG2_E_HIGH, LOG2_E_LOW))
@@ -183,7 +184,7 @@ def binary_logarithm(x):
 
 
 def logarithm_1p(u):
-    """Return log(1 + u), with all digits also where u is small."""
+    """Return log(1 + u), with all digits also for small u."""
     if abs(u) < SMALL_1P:
         return u - 0.5 * u * u if u != 0.0 else u
     if not -1.0 < u < math.inf:
@@ -205,7 +206,7 @@ def _is_odd(y):
 
 @inline
 def _power_rare(size, y):
-    """Return size^y where one of both is 0 or inf, or the result too large or small."""
+    """Return size^y if one of them is 0 or inf, or the result overflows or underflows."""
     if size == 1.0:
         return 1.0
     return math.inf if (size > 1.0) == (y > 0.0) else 0.0
@@ -213,7 +214,7 @@ def _power_rare(size, y):
 
 @apart
 def power(x, y):
-    """Return x^y; with the special values of C's pow. y of 0, 1, 2 and 1/2 is as exact as ×, and √."""
+    """Return x^y, with the special values of C's pow. For y = 0, 1, 2 and 1/2 it is as accurate as × and √."""
     if y == 0.0 or x == 1.0:
         return 1.0
     if x != x or y != y:

@@ -1,8 +1,8 @@
-"""Generate the solver's tables in 60 digits and write `constants.py`: `python -m hophoop.kernel.numerics.generate`.
+"""Generator of `constants.py`, the solver's tables with 60 digits: `python -m hophoop.kernel.numerics.generate`.
 
-Each entry is the double that is nearest to the exact value, so that no table depends on a BLAS, a C library or a processor.
-Only mpmath computes here; it has its own integer arithmetic. Nodes of a quadrature are rounded first, and what is
-tabulated at them belongs to the rounded nodes, at which the kernels evaluate.
+Each entry is the double nearest to the exact value, so that no table depends on a BLAS, a C library or a processor. Only mpmath
+computes here; it has its own integer arithmetic. Quadrature nodes are rounded first, and all tables use the rounded nodes, at
+which the kernels evaluate.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from mpmath import mp
 DIGITS = 60
 ORDER = 16  # Gauss–Legendre nodes of a panel
 WIDEST = "0.9"  # rad, the widest panel
-LEVELS = 96  # widths of panels, each narrower than the one before by √2
+LEVELS = 96  # widths of panels, each narrower than the previous one by √2
 STAGES = 5  # of Radau IIA
-ZERO = "1e-45"  # smaller entries are exactly 0 and only rounded otherwise
+ZERO = "1e-45"  # a smaller entry is rounding of an exact 0
 PER_LINE = 5
 
-Matrix = Any  # mpmath has no types
+Matrix = Any  # mpmath has no type hints
 Table = float | list[Any]
 
 
@@ -73,7 +73,7 @@ def legendre(x: Any) -> Any:
 
 
 def legendre_slope(x: Any) -> Any:
-    """Return its derivative."""
+    """Return the derivative of the Legendre polynomial whose zeros are the nodes."""
     return ORDER * (x * mp.legendre(ORDER, x) - mp.legendre(ORDER - 1, x)) / (x * x - 1)
 
 
@@ -105,7 +105,7 @@ def collocation() -> dict[str, Table]:
 def panels(nodes: Sequence[float]) -> dict[str, Table]:
     """Return the widths of panels, and sine and 1 − cosine of the angles to their nodes and ends."""
     widths = [float(mp.mpf(WIDEST) * mp.mpf(2) ** (-mp.mpf(k) / 2)) for k in range(LEVELS)]
-    # the angles in doubles, as a kernel computes them for a panel that is narrower than these
+    # the angles in double precision, as a kernel computes them for a narrower panel
     offsets = [[mp.mpf(width * (1.0 + node) / 2.0) for node in nodes] for width in widths]
 
     def versine(angle: Any) -> Any:
@@ -131,7 +131,7 @@ def radau_nodes() -> list[Any]:
 
 
 def eigenvectors(matrix: Matrix) -> tuple[list[Any], Matrix]:
-    """Return eigenvalues, and eigenvectors of length 1 with their largest component real and positive."""
+    """Return eigenvalues, and eigenvectors of length 1 whose largest component is real and positive."""
     values, vectors = mp.eig(matrix)
     for k in range(len(values)):
         column = [vectors[i, k] for i in range(len(values))]
@@ -143,14 +143,14 @@ def eigenvectors(matrix: Matrix) -> tuple[list[Any], Matrix]:
 
 
 def radau() -> dict[str, Table]:
-    """Return the constants of Radau IIA with five stages, order 9 (Hairer & Wanner, IV.8)."""
+    """Return the constants of Radau IIA with 5 stages, order 9 (Hairer & Wanner, IV.8)."""
     nodes = radau_nodes()
     stages = range(STAGES)
     powers = mp.matrix([[node**q for node in nodes] for q in stages])
     # Σ_j a_ij c_j^q = c_i^(q+1)/(q+1)
     a = (powers**-1 * mp.matrix([[node ** (q + 1) / (q + 1) for node in nodes] for q in stages])).T
     inverse = a**-1
-    # A⁻¹ has one real eigenvalue and two pairs; one of each pair is enough, the other is its conjugate
+    # A⁻¹ has one real eigenvalue and two conjugate pairs, of which one member each is stored
     values, vectors = eigenvectors(inverse)
     real = min(stages, key=lambda k: abs(mp.im(values[k])))
     upper = sorted((k for k in stages if mp.im(values[k]) > 1e-6), key=lambda k: mp.re(values[k]))

@@ -1,7 +1,7 @@
-"""Generates `elementary_constants.py`: tables of the elementary functions, computed with 60 digits.
+"""Generator of `elementary_constants.py`: tables of the elementary functions, computed with 60 digits.
 
 `python -m hophoop.kernel.numerics.generate_elementary` writes the file. Every number is rounded once, to nearest, so that each
-machine writes the same bytes. mpmath computes them and is needed only here.
+machine writes the same bytes. Only this module needs mpmath.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from typing import Any
 
 FILE = Path(__file__).with_name("elementary_constants.py")
 DIGITS = 60
-STEPS = 128  # of the angle, in a right angle
-PARTS = 64  # of an octave, in the table of powers of two
+STEPS = 128  # steps of the angle in a right angle
+PARTS = 64  # parts of an octave in the table of powers of 2
 SHORT = 26  # bits of a table's high parts: the product with 27 bits is exact
 GRID = 128  # significands of logarithms are near multiples of 1/GRID
 ARCS = 64  # tangents are near multiples of 1/ARCS
-CHUNK = 30  # bits of a digit of 1/2π
+CHUNK = 30  # bits per digit of 1/2π
 
 
 def _fraction(value: Any) -> Fraction:
@@ -30,7 +30,7 @@ def _nearest(value: Any) -> float:
 
 
 def _shortened(value: Any, bits: int) -> float:
-    """The nearest double with so many bits."""
+    """Return the nearest double with this many bits."""
     exact = _fraction(value)
     if exact == 0:
         return 0.0
@@ -43,7 +43,7 @@ def _shortened(value: Any, bits: int) -> float:
 
 
 def _split(value: Any, *bits: int) -> list[float]:
-    """The value as a sum of doubles with so many bits, and a last one with all."""
+    """Return the value as a sum of doubles with this many bits each, and a last one with all bits."""
     from mpmath import mpf
 
     found = []
@@ -54,7 +54,7 @@ def _split(value: Any, *bits: int) -> list[float]:
 
 
 def _coarse(value: Any, unit: float) -> list[float]:
-    """The value as a multiple of a unit and the rest."""
+    """Return the value as a multiple of a unit, and the remainder."""
     from mpmath import mpf
 
     high = float(round(_fraction(value) / Fraction(unit)) * Fraction(unit))
@@ -80,27 +80,27 @@ def constants() -> dict[str, Any]:
         made: dict[str, Any] = {
             "PI_HIGH": _nearest(pi),
             "PI_LOW": _nearest(pi - mpf(_nearest(pi))),
-            # angles: k π/256 and a rest
+            # angles: k π/256 and a remainder
             "ANGLE_INVERSE": _nearest(1 / angle),
             "ANGLE_1": 0.0, "ANGLE_2": 0.0, "ANGLE_3": 0.0,
             "SINES": [_split(value, SHORT) for value in sines],
-            # 1/2π in digits of 30 bits, two zeros first
+            # 1/2π in 30-bit digits, with 2 leading zeros
             "REVOLUTIONS": [0, 0],
-            # exponents: k ln 2/64 and a rest
+            # exponents: k ln 2/64 and a remainder
             "OCTAVE_INVERSE": _nearest(1 / octave),
             "OCTAVE_1": 0.0, "OCTAVE_2": 0.0,
             "POWERS": [_split(mpf(2) ** (mpf(j) / PARTS), SHORT) for j in range(PARTS)],
-            # ln 2 as a multiple of 2⁻⁴² and a rest, so that e ln 2 is exact
+            # ln 2 as a multiple of 2⁻⁴² and a remainder, so that e ln 2 is exact
             "LN2_HIGH": _coarse(ln2, 2.0**-42)[0],
             "LN2_LOW": _coarse(ln2, 2.0**-42)[1],
         }  # fmt: skip
         made["ANGLE_1"], made["ANGLE_2"], made["ANGLE_3"] = _split(angle, 39, 39)
         made["OCTAVE_1"], made["OCTAVE_2"] = _split(octave, 36)
-        # 1100 bits reach the largest double, 53 more its own, 210 more the digits after the point
+        # 1100 bits reach the largest double, plus 53 for its own bits and 210 for the digits after the point
         with mp.workprec(1600):
             bits = int(mp.floor(mp.ldexp(1 / (2 * mp.pi), CHUNK * 46)))
         made["REVOLUTIONS"] += [bits >> CHUNK * (45 - i) & (1 << CHUNK) - 1 for i in range(46)]
-        # for m near j/128 from √½ to √2: c near 1/m with 10 bits, −log c as a multiple of 2⁻⁴² and a rest
+        # for m near j/128 from √½ to √2: c near 1/m with 10 bits, and −log c as a multiple of 2⁻⁴² and a remainder
         first, last = 90, 182
         rows = []
         for j in range(first, last + 1):
@@ -162,7 +162,7 @@ def text() -> str:
 
 
 def main() -> None:
-    """Write the module beside this one."""
+    """Write the module next to this one."""
     FILE.write_text(text(), encoding="utf-8", newline="\n")
 
 

@@ -1,4 +1,4 @@
-"""Hyperbolic functions whose bits are the same on every machine, of the exponentials and logarithms in two doubles.
+"""Hyperbolic functions with the same bits on every machine, from double-double exponentials and logarithms.
 
 Errors stay below 0.55 units in the last place.
 """
@@ -16,10 +16,10 @@ from hophoop.kernel.numerics.words import power_of_two
 
 SMALL_TANGENT = 0.125
 SMALL_SINE = 0.25
-LARGE_TANGENT = 20.0  # from here on tanh is 1
-ALONE = 40.0  # from here on exp(−x) adds nothing to exp x
+LARGE_TANGENT = 20.0  # from here on tanh x = 1 in double precision
+ALONE = 40.0  # from here on exp(−x) does not change exp x
 OVERFLOW = 711.0
-FAR = 268435456.0  # 2^28: from here on arcosh x = log 2x
+FAR = 268435456.0  # 2^28: from here on arcosh x = log 2x in double precision
 
 
 @inline
@@ -88,13 +88,13 @@ def hyperbolic_cosine(x):
 
 @inline
 def square_less_one(x):
-    """Return x² − 1 as two doubles, x > 1."""
+    """Return x² − 1 as a double-double, x > 1."""
     return multiply(two_sum(x, -1.0), two_sum(x, 1.0))
 
 
 @inline
 def grown_by(x, root, root_low):
-    """Return x + root + root_low as two doubles."""
+    """Return x + root + root_low as a double-double."""
     high, low = add(two_sum(x, -1.0), (root, root_low))
     return plus(high, low, 1.0)
 

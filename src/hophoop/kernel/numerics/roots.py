@@ -1,6 +1,6 @@
-"""Certified roots: the first place where a Chebyshev series falls through zero.
+"""Certified roots: the first ξ at which a Chebyshev series falls through zero.
 
-Intervals are thrown away only when the series proves them free of roots, and halved otherwise.
+Intervals are dropped only if the series proves that they contain no root, and are halved otherwise.
 """
 
 from __future__ import annotations
@@ -11,21 +11,21 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, end_values, product, value_slope_bend
 from hophoop.kernel.numerics.constants import LEFT_T, RIGHT_T
 
-MOST_INTERVALS = 4096  # looked at in one search; a polynomial that is more than noise needs some tens
+MOST_INTERVALS = 4096  # maximum per search; a polynomial above rounding needs a few tens
 DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel
 
 
 @apart
 def halves(series, left, right):
-    """The series on the left and on the right half of its interval."""
+    """Compute the series on the left and on the right half of its interval."""
     product(RIGHT_T, series, right)
     product(LEFT_T, series, left)
 
 
 @inline
 def _spread(series):
-    """How far the series can be from its mean, the first coefficient: the sum of the others, four side by side."""
+    """Return the sum of absolute coefficients except the first: the maximum deviation of the series from its mean."""
     r0, r1, r2, r3 = 0.0, abs(series[1]), abs(series[2]), abs(series[3])
     for k in range(4, ORDER, 4):
         r0 += abs(series[k])
@@ -37,7 +37,7 @@ def _spread(series):
 
 @inline
 def _bracketed(series, f_low, f_middle, f_high):
-    """Root of a monotone series with series(−1) > 0 ≥ series(1): steps of third order kept inside the bracket."""
+    """Return the root of a monotone series with series(−1) > 0 ≥ series(1), by Halley's method in a bracket."""
     low = -1.0
     high = 1.0
     # from the parabola through both ends and the middle
@@ -60,8 +60,8 @@ def _bracketed(series, f_low, f_middle, f_high):
             better = 0.5 * (low + high)
         moved = abs(better - xi)
         cube = before * before * before
-        # to rounding; or so near that the next step, which is smaller by moved³ / before³, would be less than that;
-        # or as near as the rounding of the series lets the steps come
+        # converged: the step is rounding; or the next step, smaller by moved³ / before³, would be; or the series' own rounding
+        # limits the steps
         if (
             moved <= 2e-16
             or (moved <= 1e-4 and moved * moved * moved * moved <= 1e-17 * cube)
@@ -75,9 +75,9 @@ def _bracketed(series, f_low, f_middle, f_high):
 
 @apart
 def first_downcrossing(series, floor, stack):
-    """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
+    """Return the first ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
 
-    Roots where it rises, and falls after which it rises again before it comes to −`floor`, are passed over. `stack` is
+    Upcrossings are ignored, and so are downcrossings after which the series rises again before it reaches −`floor`. `stack` is
     scratch of shape (DEPTH + 3, ORDER + 2).
     """
     return first_downcrossing_after(series, -2.0, floor, stack)
@@ -85,21 +85,22 @@ def first_downcrossing(series, floor, stack):
 
 @apart
 def first_downcrossing_after(series, begin, floor, stack):
-    """`first_fall`, of those beyond ξ = `begin`.
+    """Return the first downcrossing beyond ξ = `begin`; see `first_downcrossing`.
 
-    Intervals are looked at from left to right. A root at the end that two of them share may be in neither: rounding may
-    leave the left one above zero there and the right one not. So what counts is that the series has been above zero.
+    Intervals are searched from left to right. Rounding may hide a root at the common end of two intervals from both: the series
+    is above zero at the end of the left one and below at the start of the right one. So the search remembers whether the series
+    has been above zero.
     """
     spread = _spread(series)
     if abs(series[0]) > spread or spread == 0.0 or not spread < math.inf:
-        return NOT_FOUND  # also of nan, which no halving would get rid of
+        return NOT_FOUND  # also for nan, which halving would never resolve
     for k in range(ORDER):
         stack[0, k] = series[k]
     stack[0, ORDER] = -1.0
     stack[0, ORDER + 1] = 1.0
     top = 0
     above = False  # the series is above zero left of the interval
-    fallen = NOT_FOUND  # where it has come to zero, as long as it has not risen again
+    fallen = NOT_FOUND  # ξ of the last downcrossing, until the series rises again
     for looked in range(MOST_INTERVALS):
         if top < 0:
             break
@@ -107,7 +108,7 @@ def first_downcrossing_after(series, begin, floor, stack):
         low = row[ORDER]
         high = row[ORDER + 1]
         one_sign = False
-        if top > 0 or looked > 0:  # of the whole series it is known
+        if top > 0 or looked > 0:  # for the whole series it is known already
             spread = _spread(row)
             one_sign = abs(row[0]) > spread or spread == 0.0
             if one_sign and row[0] > 0.0:
@@ -122,7 +123,7 @@ def first_downcrossing_after(series, begin, floor, stack):
         first = 0.0
         slope = 0.0
         if not one_sign:
-            # the series of the derivative, from the top coefficient down, the odd and the even ones side by side
+            # the series of the derivative, from the top coefficient down, odd and even coefficients in parallel
             even = 0.0
             odd = 0.0
             even_slope = 0.0

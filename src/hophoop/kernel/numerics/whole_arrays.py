@@ -1,6 +1,6 @@
-"""The elementary functions' formulas for whole arrays of common arguments; `elementwise` chooses these.
+"""Formulas of the elementary functions for whole arrays of common arguments, as selected by `elementwise`.
 
-They use the kernels' own formulas and nothing of NumPy but + − × ÷ √ and integer operations.
+They use the kernels' own formulas, and of NumPy only + − × ÷ √ and integer operations.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def placed(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def placed_far(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """`circular.reduced_far` for arrays."""
+    """Reduce angles as `circular.reduced_far` does, for arrays."""
     words = x.view(np.int64)
     exponents = (words >> 52) - 1015
     first = exponents // 30
@@ -67,7 +67,7 @@ def placed_far(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def turned(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return (sine, rest, cosine, rest) of finite angles that are 0 or not tiny."""
+    """Return (sine, its low half, cosine, its low half) of finite angles that are 0 or not tiny."""
     size = np.abs(x)
     far = np.flatnonzero(~(size < circular.NEAR))
     k, r, low = placed(np.where(size < circular.NEAR, x, 0.0) if far.size else x)
@@ -107,7 +107,7 @@ def tangents(x: np.ndarray) -> np.ndarray:
 
 
 def grown(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """`exponentials.growth` for arrays."""
+    """Return `exponentials.growth` for arrays."""
     count = x * OCTAVE_INVERSE + circular.INTEGER
     whole = count.view(np.int64) - circular.INTEGER_WORD
     powers = POWERS[whole & 63]
@@ -115,7 +115,7 @@ def grown(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def grow(x: np.ndarray) -> np.ndarray:
-    """Where the exponential is a normal number."""
+    """Return where the exponential is a normal number."""
     return (x > exponentials.LEAST) & (x < exponentials.MOST)
 
 
@@ -125,7 +125,7 @@ def growths(x: np.ndarray) -> np.ndarray:
 
 
 def logarithm_parts(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """`exponentials.logarithm_parts` for arrays."""
+    """Return `exponentials.logarithm_parts` for arrays."""
     small = x < SMALLEST_NORMAL
     words = np.where(small, x * np.where(small, TWO_54, 1.0), x).view(np.int64)
     e = (words >> 52) - np.where(small, 1077, 1023)
@@ -152,7 +152,7 @@ def binary_logarithms(x: np.ndarray) -> np.ndarray:
 
 
 def above_minus_one(u: np.ndarray) -> np.ndarray:
-    """Where `logarithm_1p` is finite and not nearly u."""
+    """Return where `logarithm_1p` is finite and not nearly u."""
     return (np.abs(u) >= exponentials.SMALL_1P) & (u > -1.0) & (u < np.inf)
 
 
@@ -180,7 +180,7 @@ def plain_powers(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def angles(y: np.ndarray, y_low: Any, x: np.ndarray, x_low: Any) -> tuple[np.ndarray, np.ndarray]:
-    """`arcs._first_quadrant` for arrays."""
+    """Return `arcs._first_quadrant` for arrays."""
     steep = ~(y <= x)
     y_low, x_low = np.broadcast_to(y_low, y.shape), np.broadcast_to(x_low, x.shape)
     short, short_low = np.where(steep, x, y), np.where(steep, x_low, y_low)
@@ -198,7 +198,7 @@ def root_of(high: np.ndarray, low: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def inside(x: np.ndarray) -> np.ndarray:
-    """Where `arcsine` is neither x nor ±π/2 nor nan."""
+    """Return where `arcsine` is neither x nor ±π/2 nor nan."""
     return (np.abs(x) >= arcs.SMALL_SINE) & (np.abs(x) < 1.0)
 
 
@@ -216,7 +216,7 @@ def arccosines(x: np.ndarray) -> np.ndarray:
 
 
 def points(y: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Where `arctangent2` is computed without a scale."""
+    """Return where `arctangent2` needs no scaling."""
     high, width = np.abs(y), np.abs(x)
     longest = np.maximum(high, width)
     behind = np.copysign(1.0, x) < 0.0

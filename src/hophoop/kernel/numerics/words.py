@@ -1,4 +1,4 @@
-"""Doubles as 64-bit words: exponents and powers of two without the C library."""
+"""Doubles as 64-bit words: exponents and powers of 2 without the C library."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import numpy as np
 from hophoop.kernel.native import inline, interpreted_as
 
 _DOUBLE, _WORD = struct.Struct("<d"), struct.Struct("<q")
-FRACTION = 0xFFFFFFFFFFFFF  # the bits of a double after its first one
-HIDDEN = 0x10000000000000  # the first one
+FRACTION = 0xFFFFFFFFFFFFF  # bits of a double after its leading bit
+HIDDEN = 0x10000000000000  # the leading bit
 SMALLEST_NORMAL = 2.2250738585072014e-308
 TWO_54 = 18014398509481984.0
 
@@ -34,7 +34,7 @@ def word_of(x):
 @interpreted_as(_float_of_word)
 @inline
 def double_of(word):
-    """Return the double with such bits."""
+    """Return the double with these bits."""
     return float(np.int64(word).view(np.float64))
 
 
@@ -56,7 +56,7 @@ def _scaled_by_floats(x, exponent):
 @interpreted_as(_scaled_by_floats)
 @inline
 def scaled(x, exponent):
-    """Return x 2^exponent, exponent from −2044 to 2046, where that is exact."""
+    """Return x 2^exponent for exponents from −2044 to 2046, if that is exact."""
     first = exponent >> 1
     return x * power_of_two(first) * power_of_two(exponent - first)
 
@@ -69,7 +69,7 @@ def _octave_by_floats(x):
 @interpreted_as(_octave_by_floats)
 @inline
 def octave(x):
-    """Return (e, m), x = 2^e m with 1 ≤ m < 2, of a finite x > 0."""
+    """Return (e, m) with x = 2^e m and 1 ≤ m < 2, for finite x > 0."""
     shift = 1023
     if x < SMALLEST_NORMAL:
         x *= TWO_54
