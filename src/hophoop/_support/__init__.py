@@ -1,1 +1,1 @@
-"""Files, checksums, extras, processes and signals: what every package may use."""
+"""Files, checksums, extras, processes and signals, for use by every package."""

@@ -1,4 +1,4 @@
-"""Checksums: of datasets, by what they say and not by how a format writes it, and of the bytes of a file."""
+"""Checksums: of datasets, by content and independent of the format, and of a file's bytes."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from typing import Any
 
 import numpy as np
 
-CHECKSUM = "checksum"  # the attribute that holds it
-# Attributes that xarray or a format adds by itself.
+CHECKSUM = "checksum"  # name of the attribute
+# Attributes that xarray or a format adds itself.
 _OF_FORMATS = {CHECKSUM, "_FillValue", "_ARRAY_DIMENSIONS", "coordinates"}
 
 
 def checksum(groups: Mapping[str, Any], without: Collection[str] = ()) -> str:
-    """SHA-256 of every name, attribute and number.
+    """Return the SHA-256 of every name, attribute and number.
 
     Parameters
     ----------
     groups : mapping of str to xarray.Dataset
-        Read without decoding.
+        Datasets read without decoding.
     without : collection of str
-        Variables whose numbers do not count, but for how many there are and of which type.
+        Variables of which only number and type of the values count.
 
     Returns
     -------
@@ -48,17 +48,17 @@ def checksum(groups: Mapping[str, Any], without: Collection[str] = ()) -> str:
 
 
 def _attributes(thing: Any) -> list[Any]:
-    # a format may give a list of one number back as the number
+    # a format may return a list of one number as a number
     return [(name, np.ravel(np.asarray(thing.attrs[name])).tolist()) for name in sorted(thing.attrs) if name not in _OF_FORMATS]
 
 
-# A line at the end of a file, behind what HDF5 reads: its library can crash on bytes that are not its own.
+# A line at the end of a file, after the part that HDF5 reads: its library can crash on damaged bytes.
 _SEAL, _DIGITS = b"\nhophoop sha256 ", 64
 _LENGTH = len(_SEAL) + _DIGITS + 1
 
 
 def seal(file: Path) -> None:
-    """Write the checksum of a file's bytes behind them.
+    """Append the checksum of a file's bytes to the file.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def seal(file: Path) -> None:
 
 
 def is_broken(file: Path) -> bool:
-    """Whether a file has a seal that is not that of its bytes.
+    """Return True if a file has a seal that does not match its bytes.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def is_broken(file: Path) -> bool:
     Returns
     -------
     broken : bool
-        False also for a file that has no seal.
+        False also for a file without a seal.
     """
     with file.open("rb") as stream:
         length = stream.seek(0, 2) - _LENGTH

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from typing import Any
 
-# Longer than the name of a file may be: a word, or a value in quotation marks, which may have spaces.
+# A very long word or quoted value; the maximum length of a file name is 255.
 _LONG = re.compile(r"""(?<== )(['"]).{256,}?\1(?=[\s:.,])|\S{257,}[^\s:.,]""")
 
 
 def plain(text: str) -> str:
-    """A text that is safe to print: escapes in place of characters that are not printable, the start of what is very long.
+    """Return a text that is safe to print: escapes for unprintable characters, and only the start of very long words.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def plain(text: str) -> str:
 
 
 def shortened(text: str) -> str:
-    """At most sixty characters of a text.
+    """Return a text shortened to at most 60 characters.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def shortened(text: str) -> str:
     Returns
     -------
     text : str
-        With three dots where something is left out.
+        With three dots for the part left out.
     """
     return text if len(text) <= 60 else text[:57] + "..."
 
@@ -50,15 +50,15 @@ class InputError(ValueError):
     Parameters
     ----------
     message : str
-        The sentence: field, value, what is allowed.
+        The sentence: field, value, allowed values.
     errors : list of dict, optional
-        Everything that pydantic found, as its ``ValidationError.errors()`` gives it.
+        All findings of pydantic, as its ``ValidationError.errors()`` returns them.
     field : str, optional
-        The argument or the scenario's path at fault, where it is a single one.
+        The argument or the scenario's path at fault, if it is a single one.
     value : object, optional
-        The value that was given for it.
+        The given value.
     allowed : str, optional
-        The values that are allowed.
+        The allowed values.
 
     Examples
     --------
@@ -87,14 +87,14 @@ class InputError(ValueError):
 
     @classmethod
     def of_field(cls, field: str, value: Any, allowed: str, rule: str = "must be") -> InputError:
-        """Error for the value of one field, with the sentence "field = value must be allowed".
+        """Return an error for the value of one field, with the sentence "field = value must be allowed".
 
         Parameters
         ----------
         field : str
         value : object
         allowed : str
-            The end of the sentence, without its stop.
+            The end of the sentence, without the full stop.
         rule : str, optional
             The words before it, such as "must end in".
 
@@ -105,7 +105,7 @@ class InputError(ValueError):
         return cls(f"{field} = {_shown(value)} {rule} {allowed}.", field=field, value=value, allowed=allowed)
 
     def renamed(self, name: str) -> InputError:
-        """The same error with another name of its field, such as an option of the command line.
+        """Return the same error with another name of its field, such as an option of the command line.
 
         Parameters
         ----------
@@ -122,5 +122,5 @@ class InputError(ValueError):
 
 
 def _shown(value: Any) -> str:
-    # the repr of a NumPy scalar has the name of its type
+    # the repr of a NumPy scalar contains the name of its type
     return repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)

@@ -1,4 +1,4 @@
-"""Modules of optional extras: imported where they are used, with an error that says what to install."""
+"""Modules of optional extras: imported on use, with an error that names the extra to install."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def need(module: str, extra: str) -> Any:
         return import_module(module)
     except ModuleNotFoundError as error:
         top = module.partition(".")[0]
-        # A broken installation, where the module is there but something under it is not, must not be hidden.
+        # A broken installation, in which a dependency of the module is missing, must not be hidden.
         if error.name is not None and error.name.partition(".")[0] != top:
             raise
         raise MissingExtra(

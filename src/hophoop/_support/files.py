@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all."""
+"""Files that are written completely or not at all."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ from hophoop._support.stopping import temporary, temporary_folder
 
 @contextmanager
 def strangers_unsaid() -> Iterator[None]:
-    """Without the warnings of Zarr about what stands in a store and is not its own: a damaged name, a note of the system."""
+    """Silence Zarr's warnings about foreign files in a store, such as notes of the system."""
     with warnings.catch_warnings():
-        # no more than these: filters are of the whole process, also of its other threads
+        # only these: filters are global and affect other threads too
         warnings.filterwarnings("ignore", "Object at .* is not recognized as a component of a Zarr hierarchy", UserWarning)
         yield
 
 
 @contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """A path beside the target to write to; it takes the target's place when all went well.
+    """Context with a temporary path next to the target, which replaces the target at the end if no error occurred.
 
-    So a file, or a folder that is a Zarr store, is there whole or not at all, and what was there before stays until
-    the new one is whole. A link stays, and the file that it names is replaced, or made. A file keeps its mode, and its
-    owner where that is allowed. Its other names (hard links) keep the old content: writing in place could stop half way.
-    A device or a pipe is never replaced; it gets the bytes once they are complete. Disks and sockets are refused.
+    So a file, or a folder that is a Zarr store, is never incomplete, and an earlier one remains until the new one is complete.
+    A link remains, and the file that it points to is replaced or created. A file keeps its mode, and its owner if permitted.
+    Its other names (hard links) keep the old content, because writing in place could be interrupted. A device or a pipe is
+    never replaced; it receives the bytes once they are complete. Disks and sockets are refused.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def replacing(target: Path) -> Iterator[Path]:
     Yields
     ------
     path : Path
-        With the target's ending, since libraries choose the format by it; its name begins with a dot.
+        With the target's ending, because libraries choose the format by it; its name starts with a dot.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def replacing(target: Path) -> Iterator[Path]:
         If the target is a folder of another kind, a disk or a socket, or cannot be written.
     """
     if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
-        # someone's folder, which only an older Zarr store is not
+        # a user's folder; an existing Zarr store may be replaced
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
     there = _status(target)
     through = there is not None and (_descriptor(target) is not None or _is_stream(there, target))
@@ -76,13 +76,13 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def require_folder_of(place: Path, target: Path) -> None:
-    """Refuse a file in a folder that is missing: only folders for output are made, never the folder of a file."""
-    if not place.absolute().parent.is_dir():  # netCDF would say 'Permission denied'
+    """Refuse a file in a missing folder: only output folders are created, never the folder of a file."""
+    if not place.absolute().parent.is_dir():  # otherwise netCDF would report 'Permission denied'
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
 
 
 def _status(target: Path) -> os.stat_result | None:
-    """The status of what is there, behind all links."""
+    """Return the status of the target, after following links; None if it does not exist."""
     try:
         return target.stat()
     except (FileNotFoundError, NotADirectoryError):
@@ -90,14 +90,14 @@ def _status(target: Path) -> os.stat_result | None:
 
 
 def _is_stream(there: os.stat_result, target: Path) -> bool:
-    """Whether it is a device or a pipe, which takes bytes but is no file to replace."""
+    """Return True for a device or a pipe, which accepts bytes but cannot be replaced."""
     if stat.S_ISBLK(there.st_mode) or stat.S_ISSOCK(there.st_mode):
         raise PermissionError(errno.EPERM, os.strerror(errno.EPERM), str(target))
     return not stat.S_ISREG(there.st_mode) and not stat.S_ISDIR(there.st_mode)
 
 
 def _descriptor(target: Path) -> Path | None:
-    """The entry of an open file that a path such as /dev/stdout names, since replacing that file would cut it off."""
+    """Return the entry of an open file that a path such as /dev/stdout names; replacing that file would truncate it."""
     path = target.absolute()
     for _ in range(40):  # as many links as Linux follows
         path = Path(os.path.realpath(path.parent)) / path.name
@@ -110,14 +110,14 @@ def _descriptor(target: Path) -> Path | None:
 
 
 def _pour(fresh: Path, target: Path) -> None:
-    """Write all bytes of a file into a device, a pipe or an open file."""
+    """Write all bytes of a file to a device, a pipe or an open file."""
     if fresh.is_dir():
         raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), str(target))
     entry = _descriptor(target)
     if entry is not None and str(entry).startswith(("/dev/fd/", f"/proc/{os.getpid()}/")):
-        number = os.dup(int(entry.name))  # opened anew, a file would be written over from its start
+        number = os.dup(int(entry.name))  # a file opened again would be overwritten from its start
     else:
-        number = os.open(target, os.O_WRONLY | os.O_APPEND | getattr(os, "O_BINARY", 0))  # never made anew
+        number = os.open(target, os.O_WRONLY | os.O_APPEND | getattr(os, "O_BINARY", 0))  # without creating it
     with fresh.open("rb") as source, open(number, "wb") as sink:
         shutil.copyfileobj(source, sink)
 
@@ -132,14 +132,14 @@ def _keep(there: os.stat_result, fresh: Path) -> None:
         with contextlib.suppress(OSError):
             os.chown(fresh, -1, there.st_gid)
         if fresh.stat().st_gid != there.st_gid:
-            # another group gets no more than all others had
+            # another group gets no more permissions than everybody had
             mode = mode & ~0o070 | (mode & 0o070) & (mode & 0o007) << 3
     with contextlib.suppress(OSError):  # a file system without modes
         fresh.chmod(mode)
 
 
 def _named(error: OSError, fresh: Path, target: Path) -> OSError:
-    """The error with the path that the caller gave."""
+    """Return the error with the path that the caller gave."""
     if error.errno is None:
         return OSError(str(error).replace(str(fresh), str(target)))
     ours = error.filename is None or fresh.name.removesuffix(target.name) in str(error.filename)
@@ -147,7 +147,7 @@ def _named(error: OSError, fresh: Path, target: Path) -> OSError:
 
 
 def _put_folder(fresh: Path, target: Path) -> None:
-    """Put a folder in the place of another, which then goes; others may do the same at once."""
+    """Replace a folder by another one and delete it; other processes may do the same at once."""
     for _ in range(1000):
         if _exchange(fresh, target):
             shutil.rmtree(fresh, ignore_errors=True)
@@ -159,17 +159,17 @@ def _put_folder(fresh: Path, target: Path) -> None:
             fresh.rename(target)
             return
         except OSError as error:
-            # another process was there first
+            # another process was faster
             if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
                 raise
         finally:
-            if old.exists() and not target.exists():  # it was stopped between the two
+            if old.exists() and not target.exists():  # stopped between the two renames
                 old.rename(target)
             shutil.rmtree(old, ignore_errors=True)
 
 
 def _exchange(one: Path, other: Path) -> bool:
-    """Let two folders change names in one step, where the system can."""
+    """Exchange the names of two folders in one step, if the system can."""
     if not sys.platform.startswith("linux"):
         return False
     import ctypes

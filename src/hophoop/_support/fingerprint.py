@@ -9,8 +9,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-STATE = ("t", "x", "height", "angle", "vx", "vy", "omega", "slip")  # what counts of an event, in this order
-DIGITS = 16  # hexadecimal: chance makes two of 10⁸ motions alike with a probability of 3e-4
+STATE = ("t", "x", "height", "angle", "vx", "vy", "omega", "slip")  # fields of an event that are hashed, in this order
+DIGITS = 16  # hexadecimal: among 10⁸ motions two have the same fingerprint by chance with a probability of 3e-4
 _NAN = 0x7FF8_0000_0000_0000
 
 

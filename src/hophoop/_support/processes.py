@@ -1,4 +1,4 @@
-"""Another Python process beside this one, with the same packages; it needs no `if __name__ == "__main__"` in a script."""
+"""Another Python process with the same packages; a script needs no `if __name__ == "__main__"` for it."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import Any
 
 
 def python_beside(code: str, **options: Any) -> subprocess.Popen[bytes]:
-    """Start Python on some code, with this process's import path.
+    """Start a Python process that runs some code, with this process's import path.
 
     Parameters
     ----------
     code : str
     **options
-        Of `subprocess.Popen`.
+        Options of `subprocess.Popen`.
 
     Returns
     -------
@@ -26,7 +26,7 @@ def python_beside(code: str, **options: Any) -> subprocess.Popen[bytes]:
         If no process can be started.
     """
     if not sys.executable:
-        raise FileNotFoundError("It is not known where Python is.")
-    # warnings are for the person whose process this is
+        raise FileNotFoundError("The path of the Python executable is unknown.")
+    # warnings would go to the terminal of this process
     whole = f"import sys; sys.path[:] = {sys.path!r}\n{code}"
     return subprocess.Popen([sys.executable, "-W", "ignore", "-c", whole], **options)

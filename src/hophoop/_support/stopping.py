@@ -1,8 +1,8 @@
-"""Ctrl-C and SIGTERM: a command ends soon, by one sentence and the right status, and leaves nothing half-done behind.
+"""Ctrl-C and SIGTERM: a command ends soon, with one message and the right status, and leaves nothing unfinished behind.
 
-A signal is raised where the command is, as KeyboardInterrupt. What is raised can be lost: in a callback that Python calls
-from C, in a library that makes another error of it, or in a compiled kernel that listens to nothing. So a thread waits
-beside, and ends a process that is still there after `PATIENCE`.
+A signal raises KeyboardInterrupt wherever the command is. The exception can be lost: in a callback that Python calls from C, in
+a library that converts it, or in a compiled kernel. So a background thread waits, and ends the process if it still runs after
+`PATIENCE`.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from typing import Any, TypeVar
 
 Child = TypeVar("Child", str, bytes)
 
-PATIENCE = 1.0  # seconds from the signal until the process is ended at once
+PATIENCE = 1.0  # seconds from the signal until the process is ended
 GRACE = 0.5  # seconds for a child process to end by itself
-LOOKS = 0.02  # seconds between two looks whether an interrupt was lost
-TRIES = 20  # to remove a folder into which another thread still writes
+LOOKS = 0.02  # seconds between checks for a lost interrupt
+TRIES = 20  # attempts to remove a folder into which another thread still writes
 STOPS = (signal.SIGINT, signal.SIGTERM)
 
 _undo: dict[object, Callable[[], object]] = {}
@@ -38,7 +38,7 @@ _undo: dict[object, Callable[[], object]] = {}
 
 @contextlib.contextmanager
 def when_stopped(undo: Callable[[], object]) -> Iterator[None]:
-    """Call `undo`, perhaps twice, where the process is stopped within the block."""
+    """Call `undo`, perhaps twice, if the process is stopped within the block."""
     key = object()
     _undo[key] = undo
     try:
@@ -49,26 +49,26 @@ def when_stopped(undo: Callable[[], object]) -> Iterator[None]:
 
 @contextlib.contextmanager
 def undoing(undo: Callable[[], object]) -> Iterator[None]:
-    """Call `undo` at the end of the block, or of the process where it is stopped."""
+    """Call `undo` at the end of the block, or at the end of the process if it is stopped."""
     key = object()
     _undo[key] = undo
     try:
         yield
     finally:
         undo()
-        del _undo[key]  # where that was interrupted, it is done again
+        del _undo[key]  # kept until `undo` has succeeded, so that an interrupted one is repeated
 
 
 @contextlib.contextmanager
 def temporary(path: Path) -> Iterator[Path]:
-    """A path for a file or a folder that is removed at the end."""
+    """Context with a path for a file or a folder that is removed at the end."""
     with undoing(partial(remove, path)):
         yield path
 
 
 @contextlib.contextmanager
 def temporary_folder(prefix: str = "hophoop-", home: Path | None = None) -> Iterator[Path]:
-    """A folder for this user alone that is removed at the end, in that for temporary files unless told otherwise."""
+    """Context with a folder, readable by this user only, that is removed at the end; by default in the temporary folder."""
     if home is None:
         from tempfile import gettempdir
 
@@ -80,13 +80,13 @@ def temporary_folder(prefix: str = "hophoop-", home: Path | None = None) -> Iter
 
 @contextlib.contextmanager
 def child(process: subprocess.Popen[Child]) -> Iterator[subprocess.Popen[Child]]:
-    """A process that is ended at the end, where it has not ended itself."""
+    """Context that ends a process at its end, unless it has ended itself."""
     with undoing(partial(_end, process)):
         yield process
 
 
 def remove(path: Path) -> None:
-    """Remove a file or a folder that may be there."""
+    """Remove a file or a folder if it exists."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:
@@ -95,7 +95,7 @@ def remove(path: Path) -> None:
 
 def _end(process: subprocess.Popen[Any]) -> None:
     if process.poll() is None:
-        process.terminate()  # so that it can remove what it has made
+        process.terminate()  # not killed, so that it can remove its files
         try:
             process.wait(GRACE)
         except subprocess.TimeoutExpired:
@@ -104,7 +104,7 @@ def _end(process: subprocess.Popen[Any]) -> None:
 
 
 def _undo_all() -> None:
-    """Undo the last first: a process ends before the folder goes that it writes to."""
+    """Undo in reverse order: a process ends before the folder that it writes to is removed."""
     for _ in range(TRIES):
         failed = False
         for undo in reversed(list(_undo.values())):
@@ -119,13 +119,13 @@ def _undo_all() -> None:
 
 @contextlib.contextmanager
 def ignored_by_children() -> Iterator[None]:
-    """Processes and threads that are started within, and what these start, hear no stop: this process kills them."""
+    """Context in which started processes and threads, and their children, ignore signals: this process ends them."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
     from multiprocessing import resource_tracker
 
-    resource_tracker.ensure_running()  # started later, it would unblock them
+    resource_tracker.ensure_running()  # if started later, it would unblock the signals
     before = signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
     try:
         yield
@@ -134,19 +134,19 @@ def ignored_by_children() -> Iterator[None]:
 
 
 class Stopping:
-    """Within, a command heeds Ctrl-C and SIGTERM; a stop is its last word, whatever else went wrong because of it.
+    """Context in which a command reacts to Ctrl-C and SIGTERM; it reports the stop last, and no errors caused by it.
 
     Parameters
     ----------
     alone : bool
-        Whether the process is there for the command, so that it can be ended.
+        True if the process only runs the command, and may be ended.
 
     Attributes
     ----------
     heard : int
-        The signal that came; 0 for none.
+        The signal received; 0 for none.
     words : callable
-        What is said of the stop.
+        Returns the message about the stop.
     """
 
     def __init__(self, alone: bool) -> None:
@@ -171,7 +171,7 @@ class Stopping:
             self._watch()
             atexit.register(self._ignore)
         for number in STOPS:
-            # a shell leaves SIGINT ignored for what it runs in the background
+            # a shell makes background jobs ignore SIGINT
             if callable(signal.getsignal(number)) or signal.getsignal(number) is signal.SIG_DFL:
                 self._handlers[number] = signal.signal(number, self._handle)
         return self
@@ -181,7 +181,7 @@ class Stopping:
         self._running = False
         if self.heard and self.alone:
             _undo_all()
-            warnings.simplefilter("ignore")  # of what was begun and not ended
+            warnings.simplefilter("ignore")  # about unfinished resources
             self.say()
             with contextlib.suppress(OSError, ValueError, AttributeError):
                 sys.stdout.flush()
@@ -189,24 +189,24 @@ class Stopping:
             os._exit(128 + self.heard)  # without waiting for threads that still compute
         if self.heard:
             self.say()
-        if not self.alone:  # else the thread waits until the process has ended
+        if not self.alone:  # otherwise the thread waits until the process has ended
             for number, handler in self._handlers.items():
                 signal.signal(number, handler)
             sys.unraisablehook, threading.excepthook = self._hooks
             _now = None
         if self.heard:
-            raise SystemExit(128 + self.heard) from None  # as shells count
+            raise SystemExit(128 + self.heard) from None  # the exit status by the convention of shells
 
     def say(self) -> None:
-        """Say, once, that it is stopped."""
+        """Print the message about the stop, once."""
         if self._said or sys.stderr is None:
             return
         self._said = True
-        with contextlib.suppress(OSError, ValueError):  # nobody reads it
+        with contextlib.suppress(OSError, ValueError):  # nobody reads stderr
             print(self.words(), file=sys.stderr, flush=True)
 
     def forget(self) -> None:
-        """Go on as if no signal had come: it was for somebody else, such as a server, which has ended."""
+        """Continue as if no signal had come: it was meant for something else, such as a server, which has ended."""
         self.heard, self._raised = 0, False
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
@@ -214,12 +214,12 @@ class Stopping:
         if self._pipe:
             with contextlib.suppress(OSError):
                 os.write(self._pipe, bytes([number]))
-        if self._running and not (self._watched and self._raised):  # what is tidied up after the first is not interrupted
+        if self._running and not (self._watched and self._raised):  # cleaning up after the first signal is not interrupted
             self._raised = True
             raise KeyboardInterrupt
 
     def _ignore(self) -> None:
-        """Let a command that has ended exit with its own status: from here on Python heeds no signal itself."""
+        """Let a command that has ended exit with its own status: Python ignores signals from here on."""
         for number in self._handlers:
             signal.signal(number, signal.SIG_IGN)
 
@@ -230,14 +230,14 @@ class Stopping:
             self._hooks[0](found)
 
     def _in_thread(self, found: Any) -> None:
-        if not self.heard:  # what a thread misses then has gone with the command
+        if not self.heard:  # errors in threads after a stop are not shown
             self._hooks[1](found)
 
     def _watch(self) -> None:
-        with contextlib.suppress(OSError, ValueError, RuntimeError, AttributeError):  # not on every system
+        with contextlib.suppress(OSError, ValueError, RuntimeError, AttributeError):  # not available on every system
             reading, self._pipe = os.pipe()
             os.set_blocking(self._pipe, False)
-            # Python writes there at once, also where it comes to no handler
+            # Python writes to the pipe at once, even if it cannot run a handler
             signal.set_wakeup_fd(self._pipe, warn_on_full_buffer=False)
             threading.Thread(target=self._wait, args=(reading,), name="stopping", daemon=True).start()
             self._watched = True
@@ -258,14 +258,14 @@ class Stopping:
                 self.end_now()
 
     def end_now(self) -> None:
-        """Undo, say so and end the process."""
+        """Clean up, print the message and end the process."""
         self._running = False
         try:
             _undo_all()
             if not self._said:
-                # a bar of progress has hidden the cursor
+                # a progress bar may have hidden the cursor
                 shown = "\r\x1b[K\x1b[?25h" if os.isatty(2) and os.environ.get("TERM", "dumb") != "dumb" else ""
-                # what waits for a reader that reads no more would wait for ever
+                # skip the message if nobody reads stderr, since writing would block forever
                 if select.select([], [2], [], 0.0)[1]:
                     os.write(2, f"{shown}{self.words()}\n".encode())
         finally:
@@ -273,7 +273,7 @@ class Stopping:
 
 
 def _is_ours(number: int) -> bool:
-    """Whether a signal comes to a handler of this package; a server that has taken its place ends by itself."""
+    """Return True if a handler of this package gets a signal; a server that has replaced it ends by itself."""
     return str(getattr(signal.getsignal(number), "__module__", "")).startswith("hophoop.")
 
 
@@ -281,23 +281,23 @@ _now: Stopping | None = None
 
 
 def heeded(alone: bool) -> contextlib.AbstractContextManager[Stopping]:
-    """`Stopping`, or the one that there is already."""
+    """Return a `Stopping` context, or the current one."""
     return Stopping(alone) if _now is None else contextlib.nullcontext(_now)
 
 
 def say_when_stopped(words: Callable[[], str]) -> None:
-    """What a stop is told by from now on, instead of 'Stopped.'."""
+    """Set the message about a stop, instead of 'Stopped.'."""
     if _now is not None:
         _now.words = words
 
 
 def end_now() -> None:
-    """End the process after a stop, where it is there for the command alone."""
+    """End the process after a stop, if it only runs the command."""
     if _now is not None and _now.alone and _now.heard:
         _now.end_now()
 
 
 def forget() -> None:
-    """Go on as if no signal had come."""
+    """Continue as if no signal had come."""
     if _now is not None:
         _now.forget()

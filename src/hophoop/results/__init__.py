@@ -1,4 +1,4 @@
-"""What a motion is read as: records in SI units, poses, saved files, a picture in notebooks."""
+"""Results of a motion: records in SI units, poses, saved files, and a picture for notebooks."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-def __getattr__(name: str) -> Any:  # `hophoop --help` prints no motion, and loads none of this
+def __getattr__(name: str) -> Any:  # imported on first use, so that `hophoop --help` starts quickly
     if name not in __all__:
         raise AttributeError(f"module 'hophoop.results' has no attribute {name!r}")
     from hophoop.results import records

@@ -12,14 +12,14 @@ if TYPE_CHECKING:
     from hophoop.results.records import EventRecord
 
 TITLES = ("t (s)", "event", "mode", "θ (°)", "x (m)", "height (m)", "v (m/s)", "θ̇ (rad/s)", "slip (m/s)")
-WORDS = ("event", "mode")  # columns of words, not of numbers
-SPARE = ("slip (m/s)", "x (m)", "height (m)", "θ̇ (rad/s)", "v (m/s)", "mode", "θ (°)")  # left out where there is no room
-FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
+WORDS = ("event", "mode")  # text columns; all others are numbers
+SPARE = ("slip (m/s)", "x (m)", "height (m)", "θ̇ (rad/s)", "v (m/s)", "mode", "θ (°)")  # left out in this order if too wide
+FIRST_ROWS, LAST_ROWS = 60, 20  # rows shown of a long table
 WIDTH = 100  # of the text [characters]
 
 
 def cells(event: EventRecord) -> list[str]:
-    """A row of the table, in the order of `TITLES`.
+    """Return a row of the table, in the order of `TITLES`.
 
     Parameters
     ----------
@@ -29,14 +29,14 @@ def cells(event: EventRecord) -> list[str]:
     -------
     cells : list of str
     """
-    from hophoop.vocabulary.words import plain  # loads NumPy, which --help does without
+    from hophoop.vocabulary.words import plain  # imports NumPy, which --help does not need
 
     numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
     return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
 
 
 def change_of(event: EventRecord | PreciseEvent) -> str:
-    """The mode before and after an event, in letters.
+    """Return the letters of the mode before and after an event.
 
     Parameters
     ----------
@@ -50,13 +50,13 @@ def change_of(event: EventRecord | PreciseEvent) -> str:
 
 
 def text_table(events: Sequence[EventRecord], width: int = WIDTH) -> str:
-    """The table as plain text.
+    """Return the table as plain text.
 
     Parameters
     ----------
     events : sequence of EventRecord
     width : int, default 100
-        Columns are left out until it fits [characters].
+        Maximum width; columns are left out until the table fits [characters].
 
     Returns
     -------
@@ -92,7 +92,7 @@ def _padded(title: str, column: Sequence[str]) -> list[str]:
 
 
 def _length(text: str) -> int:
-    """Places that a text takes: the dot over θ̇ takes none."""
+    """Return the width of a text; the dot over θ̇ has no width."""
     return sum(not unicodedata.combining(character) for character in text)
 
 

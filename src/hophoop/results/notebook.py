@@ -1,4 +1,4 @@
-"""What a notebook shows of a motion: a small picture and a short table, as HTML with nothing else to install."""
+"""A motion in notebooks: a small picture and a short table, as HTML without dependencies."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from hophoop.vocabulary.words import plain
 
 MOST_ROWS = 12
 MOST_HOOPS = 10
-POINTS = 600  # of a trace
-WIDTH, HIGHEST = 760.0, 300.0  # of the picture [pixels]
-EDGE = 8.0  # around what is drawn [pixels]
+POINTS = 600  # points of a trace
+WIDTH, HIGHEST = 760.0, 300.0  # size of the picture [pixels]
+EDGE = 8.0  # margin around the drawing [pixels]
 
 
 def html(motion: Motion) -> str:
-    """A small picture and a short table, for a notebook.
+    """Return a small picture and a short table of a motion as HTML.
 
     Parameters
     ----------
@@ -53,13 +53,13 @@ def html(motion: Motion) -> str:
 
 
 def shortened(sequence: str, most: int = 24) -> str:
-    """A sequence as far as there is room.
+    """Return a sequence, shortened to a maximum length.
 
     Parameters
     ----------
     sequence : str
     most : int, default 24
-        Most letters [1].
+        Maximum number of letters [1].
 
     Returns
     -------
@@ -69,7 +69,7 @@ def shortened(sequence: str, most: int = 24) -> str:
 
 
 def picture(motion: Motion) -> str:
-    """The way of the hoop as SVG: traces of load and centre of gravity, the hoop at events in its mode's colour.
+    """Return the path of the hoop as SVG: traces of load and centre of gravity, and the hoop at events in its mode's colour.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def picture(motion: Motion) -> str:
             ink = colors.GRAVITY_CENTER_AIRBORNE if airborne[a] else colors.GRAVITY_CENTER
             shapes.append(f"<path d='{path(way.gravity_center[a : b + 1])}' stroke='{ink}' stroke-width='2'/>")
     return (
-        f"<svg xmlns='http://www.w3.org/2000/svg' role='img' aria-label='The way of the hoop' width='{wide:.0f}' "
+        f"<svg xmlns='http://www.w3.org/2000/svg' role='img' aria-label='Path of the hoop' width='{wide:.0f}' "
         f"height='{tall:.0f}' viewBox='0 0 {wide:.1f} {tall:.1f}' fill='none' style='background:white;max-width:100%;"
         f"height:auto'>{''.join(shapes)}</svg>"
     )

@@ -1,4 +1,4 @@
-"""Where the hoop's points are at a time, in world coordinates: X level, Y up, slopes drawn as slopes."""
+"""Positions of the hoop's points in world coordinates: X level, Y up, slopes drawn as slopes."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from hophoop.scenario.scenario import time_unit
 from hophoop.vocabulary.words import coming_rotation, mode_words
 
 Floats = NDArray[np.float64]
-GRID = 200_000  # times at most, where a motion is searched
+GRID = 200_000  # maximum number of times at which a motion is sampled for a search
 
 
 @dataclass(frozen=True)
 class Poses:
-    """A motion at n times, as points and arrows in world coordinates.
+    """A motion at n times, as points and vectors in world coordinates.
 
     Attributes
     ----------
@@ -34,11 +34,11 @@ class Poses:
     center, load, gravity_center, contact : ndarray, shape (n, 2)
         Centre of the rim, load, centre of gravity, and the rim's point nearest to the plane [m].
     velocity : ndarray, shape (n, 2)
-        Of the centre, along the plane and away from it [m/s].
+        Velocity of the centre, along the plane and away from it [m/s].
     normal_force, friction_force : ndarray, shape (n, 2)
-        On the hoop [N].
+        Forces on the hoop [N].
     sample : Sample
-        All else about these times.
+        All other quantities at these times.
     """
 
     t: Floats
@@ -57,7 +57,7 @@ class Poses:
 
 
 def to_world(along: ArrayLike, above: ArrayLike, slope: float) -> Floats:
-    """World coordinates of points, or vectors, given along and above the plane.
+    """Convert points or vectors from plane coordinates to world coordinates.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def to_world(along: ArrayLike, above: ArrayLike, slope: float) -> Floats:
 
 
 def load_distance(hoop: Hoop) -> float:
-    """Distance of what is drawn as the load from the rim's centre.
+    """Return the distance from the rim's centre to the part that is drawn as the load.
 
     Parameters
     ----------
@@ -86,14 +86,14 @@ def load_distance(hoop: Hoop) -> float:
     Returns
     -------
     distance : float
-        That of the heaviest part off the centre on the side of the centre of gravity; the rim's radius for a
-        hoop without such a part [m].
+        Distance of the heaviest off-centre part on the side of the centre of gravity; the rim's radius for a hoop without such
+        a part [m].
     """
     if hoop.parts is None:
         return hoop.radius
     side = part_side(hoop)
     off = [part for part in hoop.parts if not isinstance(part, Ring) and part.at * side > 0.0]
-    # a mere point first: it is what people call the load, however light
+    # a point mass first, however light: it is usually called the load
     points = [part for part in off if isinstance(part, PointMass)] or off
     if not points:
         return hoop.radius
@@ -101,7 +101,7 @@ def load_distance(hoop: Hoop) -> float:
 
 
 def part_side(hoop: Hoop) -> float:
-    """Sign that a part's signed distance takes on the line from C to G.
+    """Return the sign of a part's signed distance on the line from C to G.
 
     Parameters
     ----------
@@ -110,14 +110,14 @@ def part_side(hoop: Hoop) -> float:
     Returns
     -------
     side : float
-        1, or −1 where the centre of gravity lies on the negative side of the parts' own line [1].
+        1, or −1 if the centre of gravity is on the negative side of the parts' own line [1].
     """
     moment = math.fsum(part.mass * part.at for part in hoop.parts or ())
     return -1.0 if moment < 0.0 else 1.0
 
 
 def poses_of(motion: Motion, times: ArrayLike) -> Poses:
-    """A motion at many times, as points in world coordinates.
+    """Return the points of a motion at many times, in world coordinates.
 
     Parameters
     ----------
@@ -163,21 +163,20 @@ def poses_of(motion: Motion, times: ArrayLike) -> Poses:
 
 
 def rim_speeds(poses: Poses, angles: ArrayLike, radius: float) -> Floats:
-    """Speed of the rim's points.
+    """Return the speed of points on the rim.
 
     Parameters
     ----------
     poses : Poses
     angles : array_like, shape (k,)
-        Where on the rim, from the plane's outward normal, clockwise, as seen in space and not on the hoop
-        [rad].
+        Positions on the rim, from the plane's outward normal, clockwise, fixed in space and not on the hoop [rad].
     radius : float
         Rim radius [m].
 
     Returns
     -------
     speeds : ndarray, shape (n, k)
-        Speed of the hoop's point that passes there [m/s].
+        Speed of the hoop's point at that position [m/s].
     """
     phi = np.asarray(angles, dtype=float)[None, :]
     turning = radius * _finite(poses.omega)[:, None]
@@ -188,7 +187,7 @@ def rim_speeds(poses: Poses, angles: ArrayLike, radius: float) -> Floats:
 
 
 def event_times(motion: Motion) -> Floats:
-    """Times of all events of a motion, each once.
+    """Return the times of all events of a motion, without repetitions.
 
     Parameters
     ----------
@@ -204,7 +203,7 @@ def event_times(motion: Motion) -> Floats:
 
 
 def turned_at(motion: Motion, times: ArrayLike) -> Floats:
-    """How far a motion has turned at most, up to each of some times.
+    """Return the maximum rotation of a motion up to each of some times.
 
     Parameters
     ----------
@@ -215,7 +214,7 @@ def turned_at(motion: Motion, times: ArrayLike) -> Floats:
     Returns
     -------
     turned : ndarray, shape (n,)
-        Greatest angle away from the start's so far [rad].
+        Maximum angle from the start's so far [rad].
     """
     wanted = np.asarray(times, dtype=float)
     grid = np.unique(np.concatenate([_grid(motion), wanted]))
@@ -224,13 +223,13 @@ def turned_at(motion: Motion, times: ArrayLike) -> Floats:
 
 
 def times_at_turn(motion: Motion, turned: ArrayLike) -> Floats:
-    """First times at which a motion has turned so far; its end where it never does.
+    """Return the first times at which a motion has rotated by given angles; its end if it never does.
 
     Parameters
     ----------
     motion : Trajectory
     turned : array_like, shape (n,)
-        Angles away from the start's, at least 0 [rad].
+        Angles from the start's, at least 0 [rad].
 
     Returns
     -------
@@ -257,5 +256,5 @@ def _grid(motion: Motion) -> Floats:
 
 
 def _finite(values: Any) -> Floats:
-    # the ring of a massless hoop has no finite rotation as its load strikes the plane
+    # θ̇ of a massless ring is infinite when its load strikes the plane
     return np.asarray(np.nan_to_num(np.asarray(values, dtype=float), nan=0.0, posinf=0.0, neginf=0.0))

@@ -1,4 +1,4 @@
-"""What a motion is read as: events, samples and the energy ledger, in SI units."""
+"""Records of a motion: events, samples and the energy ledger, in SI units."""
 
 from __future__ import annotations
 
@@ -48,24 +48,24 @@ class Velocity:
 
 @dataclass(frozen=True)
 class EventRecord:
-    """One event; the state is the one just after it.
+    """An event, with the state just after it.
 
     Attributes
     ----------
     t : float
         Time [s].
     kind : EventKind
-        What happened, such as 'slip_start'.
+        Kind of event, such as 'slip_start'.
     from_mode : ModeLetter or None
         Letter of the mode before; None at the start.
     to_mode : ModeLetter
         Letter of the mode after.
     x : float
-        Place of the centre along the plane [m].
+        Position of the centre along the plane [m].
     height : float
         Gap between rim and plane [m].
     angle : float
-        θ, from the plane's outward normal to C→G, clockwise; it counts whole turns [rad].
+        θ, from the plane's outward normal to C→G, clockwise; it counts whole revolutions [rad].
     vx : float
         Velocity of the centre along the plane [m/s].
     vy : float
@@ -89,11 +89,11 @@ class EventRecord:
     rolling_resistance : float
         Energy lost so far to rolling resistance [J].
     collision : bool or None
-        Of an impact: whether the rim approached the plane (False: impact without collision).
+        For an impact: True if the rim approached the plane, False for an impact without collision.
     gain : float
         Energy created by Newton's law in a `kane_gain`, else 0 [J].
     stable : bool or None
-        Of a `rest`: whether the equilibrium is stable.
+        For a `rest`: True if the equilibrium is stable.
     """
 
     t: float
@@ -119,17 +119,17 @@ class EventRecord:
     stable: bool | None
 
     def state_to_dict(self) -> dict[str, float | None]:
-        """State just after the event as JSON has it.
+        """Return the state just after the event for JSON.
 
         Returns
         -------
         state : dict of float
-            x, height [m], angle [rad], vx, vy [m/s] and omega [rad/s]; None where one is not finite.
+            x, height [m], angle [rad], vx, vy [m/s] and omega [rad/s]; None for a value that is not finite.
         """
         return {name: _finite(getattr(self, name)) for name in _STATE}
 
     def to_dict(self) -> dict[str, Any]:
-        """The event as the JSON of the file format.
+        """Return the event as the JSON of the file format.
 
         Returns
         -------
@@ -158,7 +158,7 @@ _STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
 class Events(tuple[EventRecord, ...]):
-    """Events of a motion in order, a tuple; printed as a table."""
+    """Events of a motion in order: a tuple that prints as a table."""
 
     __slots__ = ()
 
@@ -167,13 +167,13 @@ class Events(tuple[EventRecord, ...]):
 
 
 def _finite(value: float) -> float | None:
-    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
+    # θ̇ of a massless ring is unbounded as its load strikes; JSON has no infinity
     return value if math.isfinite(value) else None
 
 
 @dataclass(frozen=True)
 class Sample(Generic[Numbers, Letters]):
-    """The motion at one time or many; every field is a scalar or an array of the shape of t.
+    """The state at one time or many; every field is a scalar or an array of the shape of t.
 
     Attributes
     ----------
@@ -182,11 +182,11 @@ class Sample(Generic[Numbers, Letters]):
     mode : str or ndarray of str
         Letter of the mode: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
     x : float or ndarray
-        Place of the centre along the plane [m].
+        Position of the centre along the plane [m].
     height : float or ndarray
         Gap between rim and plane [m].
     angle : float or ndarray
-        θ, from the plane's outward normal to C→G, clockwise; it counts whole turns [rad].
+        θ, from the plane's outward normal to C→G, clockwise; it counts whole revolutions [rad].
     vx : float or ndarray
         Velocity of the centre along the plane [m/s].
     vy : float or ndarray
@@ -253,14 +253,14 @@ class Sample(Generic[Numbers, Letters]):
         return self.impact_normal + self.damping
 
     def utilization(self, plane: Plane, signed: bool = False) -> Numbers:
-        """Share of the friction that is possible, abs(F)/(μ N) with μk in slip and μs else.
+        """Return the friction utilization: abs(F)/(μ N) with μk in slip, else μs.
 
         Parameters
         ----------
         plane : Plane
-            Whose friction it is.
+            The plane, with the friction coefficients.
         signed : bool, default False
-            With the sign of F, as some plots want it.
+            True for the sign of F.
 
         Returns
         -------
@@ -271,7 +271,7 @@ class Sample(Generic[Numbers, Letters]):
             np.isin(self.mode, ("S", "K")), self.friction_force, self.normal_force, plane.mu_static, plane.mu_kinetic
         )
         if signed:
-            # in slip the letter is the sign, also where F vanishes with N
+            # in slip the mode gives the sign, even if F vanishes with N
             sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
             share = share * sign
         return cast("Numbers", share if share.ndim else float(share))
@@ -283,26 +283,26 @@ ArraySample: TypeAlias = Sample[NDArray[np.float64], NDArray[np.str_]]
 
 @dataclass(frozen=True)
 class EventErrors:
-    """Estimated errors of the events of a motion, one number an event; inf where rounding may change what follows.
+    """Estimated errors of the events of a motion, one value per event; inf if rounding may change what follows.
 
     Attributes
     ----------
     t : ndarray, shape (n,)
-        Of the time [s].
+        Error of the time [s].
     x : ndarray, shape (n,)
-        Of the place of the centre along the plane [m].
+        Error of the position of the centre along the plane [m].
     height : ndarray, shape (n,)
-        Of the gap between rim and plane [m].
+        Error of the gap between rim and plane [m].
     angle : ndarray, shape (n,)
-        Of θ [rad].
+        Error of θ [rad].
     vx : ndarray, shape (n,)
-        Of the velocity of the centre along the plane [m/s].
+        Error of the velocity of the centre along the plane [m/s].
     vy : ndarray, shape (n,)
-        Of the velocity of the centre away from the plane [m/s].
+        Error of the velocity of the centre away from the plane [m/s].
     omega : ndarray, shape (n,)
-        Of θ̇ [rad/s].
+        Error of θ̇ [rad/s].
     slip : ndarray, shape (n,)
-        Of the slip velocity [m/s].
+        Error of the slip velocity [m/s].
     """
 
     t: NDArray[np.float64]
@@ -316,18 +316,18 @@ class EventErrors:
 
 
 class Motion(Protocol):
-    """What a computed motion offers to those that show it or write it: the public face of `hophoop.Trajectory`."""
+    """Protocol of a computed motion for code that shows or writes it: the public members of `hophoop.Trajectory`."""
 
     scenario: Scenario
     version: str
 
     @property
     def status(self) -> MotionStatus:
-        """How it ended."""
+        """How the motion ended."""
 
     @property
     def sequence(self) -> str:
-        """One letter a phase."""
+        """One letter per phase."""
 
     @property
     def fingerprint(self) -> str:
@@ -335,7 +335,7 @@ class Motion(Protocol):
 
     @property
     def duration(self) -> float:
-        """How long it lasts [s]."""
+        """Duration of the motion [s]."""
 
     @property
     def events(self) -> tuple[EventRecord, ...]:
@@ -343,15 +343,15 @@ class Motion(Protocol):
 
     @property
     def tables(self) -> dict[str, np.ndarray]:
-        """What the kernel wrote: events and segments, in its own units."""
+        """Events and segments as the kernel wrote them, in its own units."""
 
     @property
     def units(self) -> Units:
-        """Those units."""
+        """SI values of the kernel units."""
 
     @property
     def kernel_doubt(self) -> float:
-        """Time from which on doubles cannot decide what follows, in those units; inf where everything is certain."""
+        """Time from which double precision cannot decide the motion, in kernel units; inf if everything is certain."""
 
     @overload
     def at(self, t: float, side: Side = ...) -> ScalarSample: ...
@@ -363,19 +363,19 @@ class Motion(Protocol):
     def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
 
     def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
-        """The motion at any time."""
+        """Return the state at any time."""
 
     def times(self, n: int = 1000) -> NDArray[np.float64]:
-        """Equally spaced times over it [s]."""
+        """Return equally spaced times over the motion [s]."""
 
     def to_dict(self) -> dict[str, Any]:
-        """The motion as JSON."""
+        """Return the motion as JSON."""
 
 
 def utilization_of(
     slips: ArrayLike, friction: ArrayLike, normal: ArrayLike, mu_static: ArrayLike, mu_kinetic: ArrayLike
 ) -> NDArray[np.float64]:
-    """Share of the friction that is possible, in slip or not: see `Sample.utilization`.
+    """Return the friction utilization, in slip or not; see `Sample.utilization`.
 
     Parameters
     ----------
@@ -400,7 +400,7 @@ def utilization_of(
 
 @dataclass(frozen=True)
 class Ledger:
-    """Where the energy went, from the start to the end.
+    """Energy balance of a motion, from its start to its end.
 
     Attributes
     ----------
@@ -421,9 +421,9 @@ class Ledger:
     damping : float
         Lost in the damper of a compliant contact; 0 in rigid contact [J].
     residual : float
-        What does not add up: kinetic + potential + spring + losses now, less kinetic + potential at the start [J].
+        Residual: kinetic + potential + spring + losses at the end, minus kinetic + potential at the start [J].
     range : float
-        Size of the energies that took part, to judge the residual by [J].
+        Scale of the energies that took part, for comparison with the residual [J].
     """
 
     kinetic: float

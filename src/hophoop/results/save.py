@@ -1,8 +1,8 @@
-"""A motion written to files: netCDF and Zarr that load to the same bits, CSV and JSON for others.
+"""Writing of motions to files: netCDF and Zarr, which load to the same bits, and CSV and JSON for other programs.
 
-A saved motion holds three tables. The group ``/`` is the motion sampled over time, for any reader of netCDF
-or Zarr. The groups ``/events`` and ``/segments`` are what the simulation wrote, in its own units, from which
-a loaded motion samples alike to the last bit. Each group has the checksum of all three.
+A saved motion holds three tables. The group ``/`` is the motion sampled over time, for any reader of netCDF or Zarr. The groups
+``/events`` and ``/segments`` hold the kernel's tables in its own units, from which a loaded motion gives the same samples to
+the last bit. Each group has the checksum of all three.
 """
 
 from __future__ import annotations
@@ -32,19 +32,19 @@ if TYPE_CHECKING:
     import xarray
 
 SCHEMA = "hophoop/1"
-FINGERPRINT = "fingerprint"  # the attribute that holds it
+FINGERPRINT = "fingerprint"  # name of the attribute
 TABLES = ("events", "segments")
 _ENDINGS = "must end in .nc (netCDF), .zarr or .zarr.zip (Zarr)"
 
 
 def to_xarray(motion: Motion, times: ArrayLike | None = None) -> xarray.Dataset:
-    """A motion as an xarray.Dataset over time.
+    """Return a motion as an xarray.Dataset over time.
 
     Parameters
     ----------
     motion : Trajectory
     times : array_like, optional
-        Times within the motion; a thousand equally spaced ones by default [s].
+        Times within the motion; 1000 equally spaced ones by default [s].
 
     Returns
     -------
@@ -81,21 +81,20 @@ def to_xarray(motion: Motion, times: ArrayLike | None = None) -> xarray.Dataset:
 
 
 def save(motion: Motion, path: str | Path, n: int = 1000) -> None:
-    """Write a motion to a file that `load` reads back, sampling alike to the last bit.
+    """Write a motion to a file that `load` reads back, with the same samples to the last bit.
 
     Parameters
     ----------
     motion : Trajectory
     path : str or Path
-        Ends in .nc (netCDF), .zarr (a folder) or .zarr.zip. What was there is replaced only when the new file
-        is whole.
+        Ends in .nc (netCDF), .zarr (a folder) or .zarr.zip. An existing file is replaced only when the new one is complete.
     n : int, default 1000
-        How many equally spaced times the table for other readers has, at least 2.
+        Number of equally spaced times in the table for other readers, at least 2.
 
     Raises
     ------
     ValueError
-        If the path ends otherwise or n is below 2.
+        If the path has another ending or n is below 2.
     OSError
         If the file cannot be written.
     ImportError
@@ -129,14 +128,14 @@ def save(motion: Motion, path: str | Path, n: int = 1000) -> None:
 
 
 def write_csv(motion: Motion, path: str | Path, times: ArrayLike | None = None) -> None:
-    """Write the motion over time as CSV, one row for each time.
+    """Write the motion over time as CSV, one row per time.
 
     Parameters
     ----------
     motion : Trajectory
     path : str or Path
     times : array_like, optional
-        Times within the motion; a thousand equally spaced ones by default [s].
+        Times within the motion; 1000 equally spaced ones by default [s].
 
     Raises
     ------
@@ -153,7 +152,7 @@ def write_csv(motion: Motion, path: str | Path, times: ArrayLike | None = None) 
 
 
 def write_events_csv(motion: Motion, path: str | Path) -> None:
-    """Write the events as CSV, one row for each.
+    """Write the events as CSV, one row per event.
 
     Parameters
     ----------
@@ -199,7 +198,7 @@ def write_json(motion: Motion, path: str | Path, more: Mapping[str, Any] | None 
         temporary.write_text(text + "\n", encoding="utf-8")
 
 
-# --- inside ----------------------------------------------------------------------------------------
+# --- internal ---------------------------------------------------------------------------------------
 
 
 def _write_netcdf(groups: dict[str, Any], file: Path) -> None:
@@ -208,7 +207,7 @@ def _write_netcdf(groups: dict[str, Any], file: Path) -> None:
         for name, group in groups.items():
             exact = {key: {"_FillValue": None} for key in group.variables}
             group.to_netcdf(file, mode="w" if name == "/" else "a", group=name, engine="netcdf4", encoding=exact)
-    except RuntimeError as error:  # what netCDF raises where the disk is full
+    except RuntimeError as error:  # netCDF's error when the disk is full
         raise OSError(f"{file} cannot be written, perhaps because the disk is full: {error}.") from None
     seal(file)
 
@@ -226,7 +225,7 @@ def _grid(motion: Motion, times: ArrayLike | None) -> NDArray[np.float64]:
 
 
 def format_of(path: Path) -> str:
-    """The format of a saved motion, by the ending of its name.
+    """Return the format of a saved motion, from the ending of its name.
 
     Parameters
     ----------
@@ -239,7 +238,7 @@ def format_of(path: Path) -> str:
     Raises
     ------
     ValueError
-        If it ends otherwise.
+        If the name has another ending.
     """
     name = path.name.lower()
     for ending, kind in ((".nc", "netcdf"), (".zarr", "zarr"), (".zarr.zip", "zip")):
@@ -282,7 +281,7 @@ def _attributes(motion: Motion) -> dict[str, str]:
 
 
 def _packed(xr: Any, table: np.ndarray, dimension: str) -> xarray.Dataset:
-    """A structured array as a Dataset, one variable for each field."""
+    """Return a structured array as a Dataset, one variable per field."""
     names = table.dtype.names or ()
     variables = {}
     for name in names:
@@ -296,7 +295,7 @@ def _packed(xr: Any, table: np.ndarray, dimension: str) -> xarray.Dataset:
 
 
 def _describe_events(dataset: Any, motion: Motion) -> None:
-    """CF attributes with which other readers see events in SI units; the stored bits stay the kernel's."""
+    """Add CF attributes with which other readers see events in SI units; the stored bits stay in kernel units."""
     for name, unit in EVENT_UNITS.items():
         if name in dataset:
             dataset[name].attrs.update(units=unit, scale_factor=motion.units.of(name.removeprefix("before_")))

@@ -1,4 +1,4 @@
-"""SI values of the units in which kernels compute: the hoop's radius and mass, and √(R/g)."""
+"""SI values of the kernel units: the hoop's radius and mass, and √(R/g)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from hophoop.vocabulary.quantities import sizes
 
 @dataclass(frozen=True)
 class Units:
-    """SI values of the kernel's units."""
+    """SI values of the kernel units."""
 
     length: float
     time: float
@@ -26,7 +26,7 @@ class Units:
 
     @classmethod
     def of_scenario(cls, scenario: Scenario) -> Units:
-        """The units of a scenario.
+        """Return the units of a scenario.
 
         Parameters
         ----------
@@ -40,7 +40,7 @@ class Units:
 
     @cached_property
     def scales(self) -> Scales:
-        """All of them, as the kernels have them."""
+        """All units, as the kernels have them."""
         found: Scales = scales_from(self.length, self.time, self.mass)
         return found
 
@@ -50,12 +50,12 @@ class Units:
         return self.scales.energy
 
     def kernel_times(self, segments: np.ndarray, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Times in kernel units, on the same side of each event as they are in seconds.
+        """Convert times to kernel units, on the same side of each event as in seconds.
 
         Parameters
         ----------
         segments : ndarray of records.SEGMENT
-            Of the motion.
+            Segments of the motion.
         times : ndarray
             [s].
 
@@ -69,17 +69,17 @@ class Units:
         return found
 
     def of(self, name: str) -> float:
-        """Unit of a quantity by its name.
+        """Return the unit of a quantity by its name.
 
         Parameters
         ----------
         name : str
-            Of a column or an event's number, such as 'vx'.
+            Name of a column or of an event's field, such as 'vx'.
 
         Returns
         -------
         unit : float
-            How much of the SI unit [1] a kernel unit is.
+            Size of a kernel unit in the SI unit [1].
 
         Raises
         ------

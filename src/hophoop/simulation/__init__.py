@@ -1,1 +1,1 @@
-"""From a Scenario to a Trajectory."""
+"""Computation of motions: from a Scenario to a Trajectory."""

@@ -1,4 +1,4 @@
-"""A motion with compliant contact: from a scenario to the kernel's tables, and its state at any time."""
+"""Motions with compliant contact: from a scenario to the kernel's tables, and states at any time."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from hophoop.scenario.scenario import time_unit, to_body
 
 EVENT_LIMIT = int(Status.EVENT_LIMIT)
 FIRST_EVENTS = 256
-FIRST_ROWS = 20_000  # 9 MB, of which only what is written is taken from the system
+FIRST_ROWS = 20_000  # 9 MB, of which the system only provides the part that is written
 
 
 def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) -> tuple[int, np.ndarray, np.ndarray]:
@@ -49,7 +49,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
     scenario : Scenario
         Its contact is Compliant.
     reached : ndarray, shape (1,), optional
-        Is given the share of the duration that is computed, again and again [1].
+        Progress: the computed fraction of the duration is written here repeatedly [1].
 
     Returns
     -------
@@ -77,7 +77,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
         if status != EVENT_LIMIT or count < size or size == limit:
             break
         size = min(8 * size, limit)
-    if pieces == 0:  # no time has passed before the limit: a piece of no length holds the start
+    if pieces == 0:  # the limit was reached before any time passed: a segment of zero length holds the start
         pieces = 1
         rows[0] = 0.0
         rows[0, KIND] = HOLD if touching else FLY
@@ -92,7 +92,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
 
 
 def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
-    """The numbers that the kernel takes.
+    """Return the kernel's parameters of a scenario with compliant contact.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
     -------
     body : Body
     compliance : Compliance
-        With every default filled in.
+        With all defaults filled in.
     duration : float
     rtol : float
         All in units of R, m and √(R/g).
@@ -124,7 +124,7 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
 
 
 def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarray, bool]:
-    """The start of the kernel, and whether the contact acts there.
+    """Return the start in kernel units, and whether the contact acts there.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
-    """`sample` into a fresh array, for a scenario."""
+    """Sample the motion of a scenario into a new array."""
     body, comp, _, _ = to_compliance(scenario)
     rows = np.ascontiguousarray(segments).view(np.float64).reshape(len(segments), WIDTH)
     out = np.empty((times.size, len(COLUMNS)))

@@ -1,4 +1,4 @@
-"""Estimated errors of the events of a motion."""
+"""Error estimates of the events of a motion."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def event_errors_watched(motion: Motion, reached: np.ndarray | None = None) -> E
     ----------
     motion : Motion
     reached : ndarray, shape (1,), optional
-        Takes the share that is computed [1].
+        Progress: receives the computed fraction [1].
 
     Returns
     -------
@@ -27,7 +27,7 @@ def event_errors_watched(motion: Motion, reached: np.ndarray | None = None) -> E
         If the contact is compliant.
     """
     if motion.scenario.contact.model != "rigid":
-        raise InputError("motion.errors needs rigid contact; a compliant contact keeps to contact.rtol.")
+        raise InputError("motion.errors needs rigid contact; in compliant contact contact.rtol controls the error.")
     from hophoop.kernel.rigid.errors import FIELDS, event_errors
 
     unit = motion.units

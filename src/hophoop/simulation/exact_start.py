@@ -1,7 +1,7 @@
-"""Decisions that double precision cannot take: the first events of a motion in more digits, as a script for the kernel.
+"""Decisions beyond double precision: the first events of a motion in extended precision, as a script for the kernel.
 
-Where a margin is zero but for rounding, `hophoop.precise` solves the motion from its start, with the given doubles as
-exact numbers, until all margins are clear again. The kernel repeats these events and goes on by itself.
+If a deciding margin is zero within rounding, `hophoop.precise` solves the motion from its start, with the given doubles as
+exact numbers, until all margins are clear of zero. The kernel then repeats these events and continues on its own.
 """
 
 from __future__ import annotations
@@ -17,28 +17,27 @@ from hophoop.kernel.records.layout import EVENT
 from hophoop.scenario import Scenario, time_unit
 
 DIGITS = 20
-MOST = 12  # decisions of one motion that are taken so
-# Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
+MOST = 12  # maximum of such decisions per motion
+# Later than this, in units of √(R/g), double precision decides: extended precision would take minutes.
 LATEST = 100.0
-FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
-# A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
+FAST = 30.0  # √(g R): for a faster start extended precision is used for a shorter time, over as many revolutions
+# A lighter ring rotates fast at the bottom, where extended precision takes short time steps.
 LIGHT = 1e-3
-# Steps of all longer computations of one motion, some 1 ms each, so that it ends within 5 s; one with more bits counts for
-# several. What needs more is left as the doubles have it.
+# Maximum of steps in extended precision per motion, about 1 ms each, so that they end within 5 s. A step with more bits counts
+# as several. Doubts beyond it are left to double precision.
 ALL_STEPS = 3500
-MOST_BITS = 100  # below 1: a scenario with smaller numbers, below 1e-30, is left as the doubles have it
-CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
-# Where more events than so many come in less, going on until there are none may never end: so small a part of that time
-# between two of them does.
+MOST_BITS = 100  # with smaller numbers, below 1e-30, double precision decides
+CLEAR = 0.05  # in √(R/g): time without an event after which margins count as clear of zero
+# Beyond FEW events within CLEAR, waiting for a gap of CLEAR might never end: a gap of BETWEEN · CLEAR suffices.
 FEW, BETWEEN = 4, 1.0 / 16.0
-MOST_TURNED = 10.0  # rad: by so much at most does a fast start turn in this time
+MOST_TURNED = 10.0  # rad: maximum rotation of a fast start within this time
 NO_SCRIPT = np.empty(0, EVENT)
 
 _LAST = (Event.REST, Event.JAM, Event.END)
 
 
 def exact_horizon(scenario: Scenario) -> float:
-    """Until when the doubts of a motion are decided in more digits.
+    """Return the time until which doubts of a motion are decided in extended precision.
 
     Parameters
     ----------
@@ -47,7 +46,7 @@ def exact_horizon(scenario: Scenario) -> float:
     Returns
     -------
     t : float
-        −1 without friction, with infinite friction and for a ring without mass [√(R/g)].
+        −1 without friction, with infinite friction and for a massless ring [√(R/g)].
     """
     light = scenario.hoop.inertia_ratio
     if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
@@ -56,7 +55,7 @@ def exact_horizon(scenario: Scenario) -> float:
 
 
 def initial_speed(scenario: Scenario) -> float:
-    """How fast a motion begins.
+    """Return the speed at the start of a motion.
 
     Parameters
     ----------
@@ -73,7 +72,7 @@ def initial_speed(scenario: Scenario) -> float:
 
 
 def steps_allowed(scenario: Scenario) -> int:
-    """How many steps of the longer computation a motion may take.
+    """Return the steps in extended precision that a motion may take.
 
     Parameters
     ----------
@@ -83,7 +82,8 @@ def steps_allowed(scenario: Scenario) -> int:
     Returns
     -------
     steps : int
-        Of 106 bits, at both precisions together; one with more counts for several. 0 with numbers below 1e-30 [1].
+        Steps with 106 bits, in both precisions together; a step with more bits counts as several. 0 with numbers below 1e-30
+        [1].
     """
     from hophoop.precise.problem import Problem
 
@@ -92,16 +92,16 @@ def steps_allowed(scenario: Scenario) -> int:
 
 @dataclass
 class Budget:
-    """What a motion's decisions may still take.
+    """Remaining steps for the decisions of a motion.
 
     Attributes
     ----------
     steps : float
-        Of the longer computation [1].
+        Remaining steps in extended precision [1].
     least : float
-        What the farthest of them took; who goes farther makes all of its steps again [1].
+        Steps of the farthest solution so far; a farther one has to repeat all of them [1].
     reached : float
-        How far it went [√(R/g)].
+        Time that it reached [√(R/g)].
     """
 
     steps: float
@@ -110,19 +110,19 @@ class Budget:
 
 
 def first_quiet_gap(times: list[float], least: float) -> float | None:
-    """Where events that come one after another leave a time between two of them.
+    """Find the first gap of a minimum length between successive events.
 
     Parameters
     ----------
     times : list of float
-        Of the events, in order.
+        Times of the events, in order.
     least : float
-        How long the time must be, in their unit.
+        Minimum length of the gap, in the same unit.
 
     Returns
     -------
     t : float or None
-        The middle of the first time that is as long; None where there is none, or where the events are few.
+        The middle of the first such gap; None if there is none, or if there are few events.
     """
     if len(times) > FEW:
         for before, after in pairwise(times):
@@ -132,7 +132,7 @@ def first_quiet_gap(times: list[float], least: float) -> float | None:
 
 
 def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -> np.ndarray:
-    """The events of a motion until it is clear of a doubt.
+    """Return the events of a motion until it is clear of a doubt.
 
     Parameters
     ----------
@@ -141,12 +141,12 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
     end : float
         Time at which the doubt ends [√(R/g)].
     budget : Budget, optional
-        Of the motion, from which the steps are taken; its whole one by default.
+        Remaining steps of the motion, reduced here; by default the full budget.
 
     Returns
     -------
     script : ndarray of records.EVENT, shape (n,)
-        The last one, of kind END, is the state from which the kernel goes on; of length 0 where no more digits help.
+        The last one, of kind END, is the state from which the kernel continues. Length 0 if extended precision does not help.
     """
     from hophoop.precise import solve
     from hophoop.precise.series import TooManySteps
@@ -180,7 +180,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         between = first_quiet_gap([t for t in before if t >= end], BETWEEN * clear)
         until = before[-1] + clear if between is None else between
     if solution.status != Status.COMPLETED:
-        # what ends the motion is for the kernel to say: it goes on from the last event before
+        # the kernel decides how the motion ends: it continues from the last event before the end
         while records and records[-1].kind in _LAST:
             records.pop()
         if not records:
@@ -210,13 +210,13 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         row["after_mode"] = record.after_mode
         row["collision"] = -1 if record.collision is None else int(record.collision)
         row["stable"] = -1 if record.stable is None else int(record.stable)
-    late = script["t"] > last  # by the rounding of the duration in these units
+    late = script["t"] > last  # rounding of the duration in these units
     script["t"][late], script["t_low"][late] = last, 0.0
     return script
 
 
 class Decisions:
-    """The doubts of a motion that are decided in extended precision, one after the other.
+    """Decisions in extended precision about the doubts of a motion, one after the other.
 
     Parameters
     ----------
@@ -230,24 +230,24 @@ class Decisions:
         self._taken = 0
 
     def script(self, until: float) -> np.ndarray | None:
-        """The first events of the motion, which decide a doubt.
+        """Return the first events of the motion, which decide a doubt.
 
         Parameters
         ----------
         until : float
-            When the doubt ends, nan where there is none [√(R/g)].
+            End of the doubt, nan if there is none [√(R/g)].
 
         Returns
         -------
         script : ndarray of records.EVENT or None
-            None where nothing is to be decided, or cannot be.
+            None if nothing is to be decided, or it cannot be decided.
         """
         last = exact_horizon(self._scenario)
         if self._taken == MOST or not until <= last:
             return None
         if self._budget is None:
             self._budget = Budget(steps_allowed(self._scenario))
-        # later doubts are decided together, so that each is not solved for from the start anew
+        # decide later doubts together, because each solution starts from t = 0
         end = min(until * (1.5 if self._taken else 1.0), last)
         self._taken += 1
         found = script_until(self._scenario, end, self._budget)

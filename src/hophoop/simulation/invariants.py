@@ -1,6 +1,7 @@
-"""Invariants: what every computed motion keeps, whatever its numbers (docs/limits.md#what-is-tried).
+"""Invariants: laws that every computed motion obeys, checked independently (docs/limits.md#what-is-tried).
 
-The environment variable `HOPHOOP_CHECK=1`, read when hophoop is imported, makes `simulate` check each motion that it returns.
+With the environment variable `HOPHOOP_CHECK=1`, read when hophoop is imported, `simulate` checks each motion before it returns
+it.
 """
 
 from __future__ import annotations
@@ -23,17 +24,17 @@ INVARIANTS = (
     "time", "finite numbers", "modes", "sequence", "rolling", "direction of slip", "contact", "gap", "normal force",
     "friction cone", "sliding friction", "losses", "ledger",
 )  # fmt: skip
-SPREAD = 25  # equally spaced times, besides those of events and the middles between them
-IN_FLIGHT = np.array([0.0, 1e-6, 1e-3, 0.03, 0.1, 0.25, 0.5, 0.75, 0.9, 0.97, 0.999, 1.0])  # of the time between two events
+SPREAD = 25  # equally spaced times, in addition to those of events and the middles between them
+IN_FLIGHT = np.array([0.0, 1e-6, 1e-3, 0.03, 0.1, 0.25, 0.5, 0.75, 0.9, 0.97, 0.999, 1.0])  # of the time between events
 EPSILON = float(np.finfo(float).eps)
-TINY = 1e-290  # numbers below it are near those that have fewer digits
-ROUNDED = 1e-12  # of the forces at work: what rounding leaves of them where they cancel
-SLIPPED = 1e-13  # of the velocities on the way: what rounding leaves of slip where it vanishes
-LEDGER = 1e-11  # of the energies at work, with rigid contact
-RESOLVED = 1e-14  # of v_t and θ̇: what the series of a panel leaves out
-LEDGER_OF_SKIM = 1e-9  # ... of a massless hoop, whose load may be taken for being at the top
-LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
-LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is a thousand times less exact
+TINY = 1e-290  # close to subnormal numbers, which have fewer digits
+ROUNDED = 1e-12  # rounding of forces that cancel, relative to the forces that act
+SLIPPED = 1e-13  # rounding of slip near zero, relative to the velocities before
+LEDGER = 1e-11  # of the energies that take part, in rigid contact
+RESOLVED = 1e-14  # of v_t and θ̇: truncation error of a panel's series
+LEDGER_OF_SKIM = 1e-9  # the same for a massless hoop, whose load may round to the top
+LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, in compliant contact: per motion, and per step
+LIGHT, ROUGH = 1e-6, 100.0  # κ and friction beyond which a compliant contact is 1000 times less accurate
 STATE = ("x", "height", "angle", "vx", "vy", "omega", "slip")
 IMPULSES = ("impulse_normal", "impulse_tangential")
 
@@ -46,13 +47,13 @@ class Finding(NamedTuple):
     invariant : str
         One of `INVARIANTS`, 'mirror' or 'units'.
     value : float
-        The deviation, relative to the size of what is compared; 1 where something is as it must not be [1].
+        The deviation, relative to the size of the compared quantity; 1 for a yes-or-no violation [1].
     allowed : float
-        What rounding explains, or the tolerance of a compliant contact [1].
+        Bound from rounding, or the tolerance of a compliant contact [1].
     t : float
-        Where [s].
+        Time [s].
     words : str
-        What is wrong where it is more than that.
+        Description of the violation.
     """
 
     invariant: str
@@ -63,7 +64,7 @@ class Finding(NamedTuple):
 
     @property
     def broken(self) -> bool:
-        """Whether the deviation is more than is allowed."""
+        """Return True if the deviation exceeds the bound."""
         return not self.value <= self.allowed
 
 
@@ -81,7 +82,7 @@ def check(motion: Trajectory) -> None:
     Raises
     ------
     BrokenInvariantError
-        With the name of each broken invariant, where it is broken, by how much, and the scenario.
+        With the name of each broken invariant, the time, the deviation and the scenario.
     """
     broken = [each for each in findings(motion) if each.broken]
     if broken:
@@ -100,7 +101,7 @@ def findings(motion: Trajectory) -> list[Finding]:
     Returns
     -------
     found : list of Finding
-        In the order of `INVARIANTS`; it ends with 'time' or 'finite numbers' where these are broken.
+        In the order of `INVARIANTS`; it ends with 'time' or 'finite numbers' if these are broken.
     """
     found = [_time(motion)]
     if found[0].broken:
@@ -121,30 +122,30 @@ class _Course:
     t: Floats  # of events
     ends: Floats  # of the intervals between events
     letters: list[str]  # of the intervals
-    begins: list[bool]  # whether an event at the start of the interval begins a phase
+    begins: list[bool]  # True if an event at the start of the interval starts a phase
     middles: ArraySample  # of the intervals
     samples: ArraySample  # all
     ledger: Ledger
     contact: str  # rigid, or the friction of a compliant contact
 
     def of(self, *modes: str) -> NDArray[np.bool_]:
-        """Which samples have one of these modes."""
+        """Return which samples have one of these modes."""
         return np.isin(self.samples.mode, modes)
 
     def against_slip(self, sample: ArraySample) -> Floats:
-        """Sign of the friction that the letters of the modes give."""
+        """Return the sign of friction that follows from the modes' letters."""
         return np.select([np.equal(sample.mode, "S"), np.equal(sample.mode, "K")], [1.0, -1.0], 0.0)
 
 
 def _course(motion: Trajectory) -> _Course:
     t = np.array([event.t for event in motion.events])
-    # events that are apart in the kernel's unit may be at one time in seconds
+    # events at different kernel times may have the same time in seconds
     kernel_t = motion.tables["events"]["t"]
     instants, first = np.unique(kernel_t, return_index=True)
     ends = np.minimum(t[first], motion.duration)
     if motion.duration > ends[-1]:
         instants, ends = np.append(instants, math.inf), np.append(ends, motion.duration)
-    # what is shorter has no middle that is on the same side of both ends in both units
+    # a shorter interval has no middle that lies between both ends in both units
     long = np.diff(ends) > 8.0 * EPSILON * ends[1:]
     middles = (ends[:-1] + 0.5 * np.diff(ends))[long]
     spread = np.linspace(0.0, motion.duration, SPREAD)
@@ -164,17 +165,17 @@ def _course(motion: Trajectory) -> _Course:
 
 
 def worst(invariant: str, words: str, t: Any, off: Any, size: Any = 1.0, allowed: Any = 0.0) -> Finding:
-    """Return the deviation that is furthest beyond what is allowed.
+    """Return the deviation that exceeds its bound most.
 
     Parameters
     ----------
     invariant, words : str
     t : float or array_like
-        Where [s].
+        Times [s].
     off, size : float or array_like
-        Deviations, and what they are relative to, in one unit [their units].
+        Deviations and the sizes to which they are relative, in one unit [their units].
     allowed : float or array_like
-        Of the quotient [1].
+        Bound of the quotient [1].
 
     Returns
     -------
@@ -189,7 +190,7 @@ def worst(invariant: str, words: str, t: Any, off: Any, size: Any = 1.0, allowed
 
 
 def _time(motion: Trajectory) -> Finding:
-    """Neither an event nor the end of a piece of motion is before what precedes it."""
+    """No event or end of a segment is earlier than its predecessor."""
     pieces = motion.tables["segments"]
     second = motion.units.time
     ends = np.array([event.t for event in motion.events])
@@ -207,7 +208,7 @@ def _finite(course: _Course) -> Finding:
     for each in fields(Sample):
         if each.name != "mode":
             odd = ~np.isfinite(getattr(samples, each.name))
-            # the ring of a massless hoop turns without bound just before its load strikes the plane
+            # θ̇ of a massless ring is unbounded just before its load strikes the plane
             bad += odd & ~((each.name in ("omega", "vx", "slip")) & course.of("M"))
     names = (*STATE, *IMPULSES, *LOSSES)
     wrong = np.array([sum(not math.isfinite(getattr(event, name)) for name in names) for event in events])
@@ -215,7 +216,7 @@ def _finite(course: _Course) -> Finding:
 
 
 def _modes(course: _Course) -> Finding:
-    """An event begins in the mode in which the one before it ended, and the samples between them are in it."""
+    """An event starts in the mode after the previous event, and the samples between them have that mode."""
     events = course.motion.events
     before = [event.from_mode for event in events[1:]]
     after = [event.to_mode for event in events]
@@ -227,7 +228,7 @@ def _modes(course: _Course) -> Finding:
 
 
 def _sequence(course: _Course) -> Finding:
-    """A letter for each phase that the samples go through: from an event that begins one, or from a change of the mode."""
+    """The sequence has one letter per phase of the samples; phases start at their events and when the mode changes."""
     events, given = course.motion.events, course.motion.sequence
     letters: list[tuple[str, float]] = []
     for t, begins, mode in zip(course.ends.tolist(), course.begins, course.letters, strict=False):
@@ -244,34 +245,34 @@ def _sequence(course: _Course) -> Finding:
 
 
 def _rolling(course: _Course) -> Finding:
-    """Slip is 0 in rolling, in rigid contact; others creep."""
+    """Slip is 0 in rolling with rigid contact; compliant contacts creep."""
     rigid = course.contact == "rigid"
     rolls = [event for event in course.motion.events if event.to_mode == "R" and rigid]
     rolling = course.of("R") & rigid
     t = np.append(course.samples.t[rolling], [event.t for event in rolls])
     slip = np.append(course.samples.slip[rolling], [event.slip for event in rolls])
-    return worst("rolling", "a hoop that rolls slips [m/s]", t, np.abs(slip))
+    return worst("rolling", "v_t is not zero in rolling [m/s]", t, np.abs(slip))
 
 
 def _direction(course: _Course) -> Finding:
-    """S slips backward, K forward; a bristle's letter is the direction of its foot, which may slide against v_t."""
+    """S slips backward, K forward; with a bristle the letter is the direction of its foot, which may differ from v_t's."""
     sample, scenario = course.middles if course.contact != "rigid" else course.samples, course.motion.scenario
     wrong = np.maximum(course.against_slip(sample) * sample.slip, 0.0) * (course.contact != "bristle")
-    # v_t is a difference of velocities as large as this, and where θ is rounded beside an equilibrium a hoop starts to move
+    # v_t is a difference of velocities of this size; near an equilibrium, rounding of θ sets a hoop in motion
     every = course.samples
     speed = np.max(scenario.hoop.radius * np.abs(every.omega) + np.abs(every.vx) + np.abs(every.slip))
     size = speed + math.sqrt(scenario.plane.gravity * scenario.hoop.radius)
     if scenario.plane.mu_kinetic == 0.0 < scenario.hoop.inertia_ratio:
-        # v_t may have the rounding of the speed that the rim has where the load passes its lowest point
+        # v_t may have the rounding of the rim's speed when the load was lowest
         eccentricity, inertia = scenario.hoop.eccentricity, scenario.hoop.inertia_ratio
         size *= 1.0 + (1.0 - eccentricity) * math.sqrt(4.0 * eccentricity / inertia)
     share = _shares(course)
     allowed = SLIPPED + (EPSILON / np.min(share) if share.size else 0.0)
-    return worst("direction of slip", "slip is against its mode", sample.t, wrong, size, allowed)
+    return worst("direction of slip", "the direction of slip contradicts the mode", sample.t, wrong, size, allowed)
 
 
 def _contact(course: _Course) -> Finding:
-    """A rim in rigid contact has no gap and does not leave the plane."""
+    """In rigid contact the rim has no gap and no normal velocity."""
     samples = course.samples
     off = np.where(course.of("R", "S", "K"), np.abs(samples.height) + np.abs(samples.vy), np.maximum(-samples.height, 0.0))
     words = "the rim is not on the plane [m, m/s]"
@@ -279,7 +280,7 @@ def _contact(course: _Course) -> Finding:
 
 
 def _gap(course: _Course) -> Finding:
-    """In flight from event to event the gap, computed here as that of a projectile, is never negative."""
+    """In flight the gap, computed here from the parabola of G, is never negative."""
     scenario, t = course.motion.scenario, np.append(course.t, course.motion.duration)
     rigid = course.contact == "rigid"
     flying = [k for k, event in enumerate(course.motion.events) if rigid and event.to_mode == "H" and t[k + 1] > t[k]]
@@ -295,11 +296,11 @@ def _gap(course: _Course) -> Finding:
     rise = vy - arm * omega * np.sin(angle)
     fall = 0.5 * gravity * tau**2
     gap = height + rise * tau - fall + 2.0 * arm * np.sin(angle + 0.5 * turn) * np.sin(0.5 * turn)
-    # what the last digits of t, of θ and of the velocities move the rim by
+    # effect of rounding of t, θ and the velocities on the rim
     turned = np.minimum(np.abs(angle) + np.abs(omega) * end, 1.0 / EPSILON)
     size = scenario.hoop.radius + height + fall + (np.abs(rise) + np.abs(vy) + gravity * tau) * (tau + end)
     size += arm * (1.0 + np.abs(turn)) * (1.0 + turned)
-    return worst("gap", "the rim is in the plane", begin + tau, np.maximum(-gap, 0.0), size, 16.0 * EPSILON)
+    return worst("gap", "the rim penetrates the plane", begin + tau, np.maximum(-gap, 0.0), size, 16.0 * EPSILON)
 
 
 def _forces(course: _Course) -> list[Finding]:
@@ -311,27 +312,27 @@ def _forces(course: _Course) -> list[Finding]:
     tiny = TINY * max(course.motion.units.of("normal_force"), 1.0)
     size = scenario.hoop.mass * (scenario.plane.gravity + scenario.hoop.radius * samples.omega**2) + np.abs(normal) + tiny
     pull = np.where(touching, np.maximum(-normal, 0.0), np.abs(normal) + np.abs(friction))
-    words = "the plane pulls, or pushes what does not touch it"
+    words = "the plane pulls, or a force acts without contact"
     found = [worst("normal force", words, samples.t, pull, size, ROUNDED + _loss_of_digits(course))]
     limit = static * np.maximum(normal, 0.0) if math.isfinite(static) else math.inf
     excess = np.where(course.of("R") if rigid else touching, np.maximum(np.abs(friction) - limit, 0.0), 0.0)
     reach = size * (max(1.0, static) if math.isfinite(static) else 1.0) + np.abs(friction)
-    # a compliant contact comes to the edge of its cone as exactly as it is solved
+    # a compliant contact reaches the edge of its cone with the accuracy of the solution
     allowed = ROUNDED if scenario.contact.model == "rigid" else 10.0 * (scenario.contact.rtol or 1e-9)
     found.append(worst("friction cone", "friction is beyond its cone", samples.t, excess, reach, allowed))
     if course.contact in ("rigid", "bristle"):
         law = course.against_slip(samples) * kinetic * normal if math.isfinite(kinetic) else friction
         off = np.where(course.of("S", "K"), np.abs(friction - law), 0.0)
         size = np.abs(friction) + tiny if rigid else reach
-        return [*found, worst("sliding friction", "F is not μ N against the slip", samples.t, off, size, 8.0 * EPSILON)]
-    # the sign of a slip velocity that may be rounding is not known
+        return [*found, worst("sliding friction", "F is not μk N against the slip", samples.t, off, size, 8.0 * EPSILON)]
+    # a slip velocity within rounding has no known sign
     known = np.abs(samples.slip) > SLIPPED * _slip_of_step(course)
     along = np.where(touching & known, np.maximum(friction * np.sign(samples.slip), 0.0), 0.0)
     return [*found, worst("sliding friction", "friction drives the slip", samples.t, along, reach, ROUNDED)]
 
 
 def _loss_of_digits(course: _Course) -> Floats:
-    """Rounding of N over the forces at work at each sample: beside p_σ = 0, N = −f_n/p_σ has the last digits of f_n."""
+    """Return the rounding of N relative to the forces at each sample: N = −f_n/p_σ amplifies that of f_n near p_σ = 0."""
     samples, body = course.samples, course.motion.scenario.to_body()
     loss = np.zeros(samples.t.shape)
     slips = course.of("S", "K") & (course.contact == "rigid")
@@ -347,7 +348,7 @@ def _loss_of_digits(course: _Course) -> Floats:
 
 
 def _largest_in_piece(course: _Course, values: Floats) -> Floats:
-    """Of a number per segment, that of the segment which holds each sample; at a border the larger of both."""
+    """Return, for each sample, the value of its segment; at a boundary of two segments the larger one."""
     motion = course.motion
     begins = motion.tables["segments"]["t"]
     t = motion.units.kernel_times(motion.tables["segments"], course.samples.t)
@@ -358,7 +359,7 @@ def _largest_in_piece(course: _Course, values: Floats) -> Floats:
 
 
 def _slip_of_step(course: _Course) -> Floats:
-    """The slip velocities that each sample of a compliant motion is a sum of: the terms of its step's polynomial [m/s]."""
+    """Return the sum of absolute terms of the step's polynomial for v_t at each sample of a compliant motion [m/s]."""
     pieces = course.motion.tables["segments"]
     names = [name for name in pieces.dtype.names or () if name.startswith("slip_")]
     terms = np.sum([np.abs(pieces[name]) for name in names], axis=0) * course.motion.units.of("slip")
@@ -366,9 +367,9 @@ def _slip_of_step(course: _Course) -> Floats:
 
 
 def _unresolved(course: _Course) -> Floats:
-    """The energy that the last digits of v_t and θ̇ are at each sample of slip [J].
+    """Return the energy of the truncation errors of v_t and θ̇ at each sample of slip [J].
 
-    They are not added up, as in `rounded_away`, but are more: each panel is resolved to `RESOLVED`.
+    Unlike in `rounding_energy` they do not accumulate, but they are larger: each panel is resolved to `RESOLVED`.
     """
     samples, pieces, hoop = course.samples, course.motion.tables["segments"], course.motion.scenario.hoop
     energy = np.zeros(samples.t.shape)
@@ -382,7 +383,7 @@ def _unresolved(course: _Course) -> Floats:
 
 
 def _energies(course: _Course) -> list[Finding]:
-    """Nothing gives lost energy back; energy and losses add up to the energy at the start, at every sample and at the end."""
+    """Losses never decrease; energy and losses add up to the energy at the start, at every sample and at the end."""
     samples, ledger = course.samples, course.ledger
     parts = [getattr(samples, name) for name in ("kinetic", "potential", "spring", "damping", *LOSSES)]
     start = sum(getattr(ledger, name) for name in ("kinetic", "potential", "spring", "damping", *LOSSES)) - ledger.residual
@@ -395,8 +396,8 @@ def _energies(course: _Course) -> list[Finding]:
     unresolved = _unresolved(course) / max(size, TINY)
     unresolved = np.append(unresolved, unresolved[np.argmax(samples.t)])
     return [
-        worst("losses", "energy that was lost comes back", course.t[1:], back, size, allowed),
-        worst("ledger", "the ledger of energy does not close", t, off, size, allowed + unresolved),
+        worst("losses", "dissipated energy decreases", course.t[1:], back, size, allowed),
+        worst("ledger", "the energy ledger does not close", t, off, size, allowed + unresolved),
     ]
 
 
@@ -406,7 +407,7 @@ def _ledger_allowed(course: _Course, size: float) -> float:
         rtol = motion.scenario.contact.rtol or 1e-9
         allowed = 1e-8 + (LEDGER_OF_STEPS + LEDGER_OF_STEP * len(motion.tables["segments"])) * rtol
         return allowed * (LEDGER_OF_STEPS if hoop.inertia_ratio < LIGHT or plane.mu_static > ROUGH else 1.0)
-    # the friction in slip is so many times the load, whose last digits it has
+    # friction in slip is μk times the load, and has μk times its rounding
     exact = LEDGER if hoop.inertia_ratio > 0.0 else LEDGER_OF_SKIM
     allowed = exact + EPSILON * (plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else 0.0)
     share = _shares(course)
@@ -415,10 +416,10 @@ def _ledger_allowed(course: _Course, size: float) -> float:
 
 
 def _shares(course: _Course) -> Floats:
-    """Shares of their panels, of a power of ten less than 1, after which slip ends.
+    """Return the fractions, if small, of their panels after which slip ends.
 
-    The work of such a slip, a product of two numbers that grow along the panel, is the last digits of the panel's: of
-    the square of the share.
+    The work of such a slip is a product of two quantities that grow along the panel. Its rounding is that of the whole panel's
+    work, of which it is only the square of the fraction.
     """
     if course.contact != "rigid":
         return np.empty(0)
@@ -429,7 +430,7 @@ def _shares(course: _Course) -> Floats:
 
 
 def rounded_away(motion: Trajectory) -> float:
-    """Return the energy that the last bits of the velocities are, added up over the panels of a rigid motion.
+    """Return the energy of the rounding of the velocities, added up over the panels of a rigid motion.
 
     Parameters
     ----------
@@ -442,13 +443,15 @@ def rounded_away(motion: Trajectory) -> float:
 
     Notes
     -----
-    Every panel ends in v_t and θ̇ as doubles. The rounding of either moves the mass, whose velocity is their sum, and where
+    Every panel ends with v_t and θ̇ rounded to doubles. Either rounding moves the mass, whose velocity is their sum; if they
+    are 10⁶ to 10⁹ times that sum, this is visible. Half a unit in the last place counts for v_t, and a whole one for θ̇, the
+    root of a rounded sum.
     they are 10⁶ to 10⁹ times that sum, it is seen. Half of the last bit is counted of v_t, and a whole one of θ̇, which
     is the root of a sum that was rounded before.
     """
     segments, body = motion.tables["segments"], motion.scenario.to_body()
     slip, omega, theta = (segments[name] for name in ("slip", "omega", "theta"))
-    slips = slip != 0.0  # rolling has no such difference
+    slips = slip != 0.0  # in rolling they do not cancel
     along = slip + omega * (1.0 - body.eps + body.eps * (1.0 + np.cos(theta)))
     moved = np.abs(along) * (0.5 * np.spacing(np.abs(slip)) + np.spacing(np.abs(omega)))
     return float(np.sum(moved[slips])) * motion.units.energy

@@ -1,4 +1,4 @@
-"""Why each phase of a rigid motion begins and ends: the steps of the kernel, one at a time, with their margins."""
+"""Reasons why each phase of a rigid motion starts and ends: the kernel's steps, one at a time, with their margins."""
 
 from __future__ import annotations
 
@@ -32,23 +32,23 @@ from hophoop.vocabulary.words import MODE_LETTERS, VERBS, ModeLetter, mode_word
 
 @dataclass(frozen=True)
 class Margins:
-    """What decides whether a mode lasts.
+    """Quantities that decide whether a mode lasts.
 
     Attributes
     ----------
     normal_force, friction_force : float
-        N and F in the mode; in rolling F is what rolling needs [N].
+        N and F in the mode; in rolling F is the required friction [N].
     friction_limit : float
         μ N with μs in rolling and μk in slip [N].
     free_acceleration : float
-        f_n, at which the lowest point of the rim would move away from the plane without a contact force [m/s²].
+        f_n, the acceleration of the lowest rim point away from the plane without contact force [m/s²].
     slip : float
         v_t [m/s].
     height : float
         Gap between rim and plane [m].
     p_sigma : float
-        Normal acceleration per normal force in slip, times the mass; Painlevé's paradox where it is not positive.
-        nan outside of slip [1].
+        Normal acceleration per normal force in slip, times the mass; Painlevé's paradox occurs if it is not positive. nan
+        outside of slip [1].
     """
 
     normal_force: float
@@ -62,26 +62,26 @@ class Margins:
 
 @dataclass(frozen=True)
 class PhaseRecord:
-    """One phase, or the part of one up to a turning point.
+    """One phase, or the part of a phase up to a turning point.
 
     Attributes
     ----------
     mode : ModeLetter
         R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
     word : str
-        The mode in a word, which follows the rotation: roll, spin, skid, flight or skim.
+        Name of the mode, which depends on the rotation: roll, spin, skid, flight or skim.
     t_begin, t_end : float
-        [s].
+        Start and end [s].
     angle_begin, angle_end : float
         θ [rad].
     begin, end : Margins
-        Where the phase begins, and where it ends before anything has changed.
+        At the start of the phase, and at its end before anything changes.
     ended_by : str
-        Why it ends, in a sentence with numbers.
+        The reason for its end, in a sentence with numbers.
     then : str
-        What follows and why, in a sentence; empty where the motion ends.
+        The next mode and the reason, in a sentence; empty if the motion ends.
     events : tuple of EventRecord
-        What is written at its end, and inside it at an apex.
+        Events at its end, and an apex inside it.
     """
 
     mode: ModeLetter
@@ -98,10 +98,10 @@ class PhaseRecord:
 
 
 def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
-    """The phases of a motion, one after the other, and why each of them ends.
+    """Return the phases of a motion, one after the other, and the reason for the end of each.
 
-    These are the steps of the kernel that `simulate` runs, taken one at a time. Where events need more digits than doubles
-    have, their phases are left out: the next phase then begins later than the one before ends, the first one later than at 0.
+    These are the steps of the kernel that `simulate` runs, one at a time. Phases between events that need extended precision
+    are left out: the next phase then starts later than the previous one ends, and the first one later than at 0.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     Raises
     ------
     ValueError
-        If the contact is compliant, whose phases have no such rules.
+        If the contact is compliant: these rules do not apply to its phases.
 
     Examples
     --------
@@ -132,7 +132,7 @@ def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     """
     contact = scenario.contact
     if not isinstance(contact, Rigid):
-        raise InputError.of_field("contact.model", contact.model, "'rigid': a compliant contact has no such rules")
+        raise InputError.of_field("contact.model", contact.model, "'rigid': these rules do not apply to a compliant contact")
     return _phases(scenario, contact)
 
 
@@ -140,7 +140,7 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
     body = to_body(scenario.hoop, scenario.plane)
     units = Units.of_scenario(scenario)
     scratch = new_scratch()
-    start = start_of(np.array([cell_of(scenario)], dtype=object).T, 0, units.time)  # of floats, not NumPy's
+    start = start_of(np.array([cell_of(scenario)], dtype=object).T, 0, units.time)  # Python floats, not NumPy scalars
     log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
     limits = limits_of(start, scenario.duration / units.time, math.nan, 0)
     with np.errstate(all="ignore"):
@@ -153,7 +153,7 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
         if certain and not math.isnan(scratch.doubt[0]):
             certain = False
             script = script_of(scenario)
-            if len(script) > 1:  # the steps go on after the events that more digits decide
+            if len(script) > 1:  # continue after the events decided in extended precision
                 log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
                 with np.errstate(all="ignore"):
                     phase = repeat(body, script, log, scratch)
@@ -188,14 +188,14 @@ def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[
 
 
 def _before(state: State, events: tuple[EventRecord, ...], units: Units) -> State:
-    """The state with the velocities before the impact."""
+    """Return the state with the velocities before the impact."""
     hit = next(event for event in events if event.kind in ("impact", "bounce_limit"))
     speed = units.length / units.time
     return state._replace(vt=hit.before.slip / speed, vn=hit.before.vy / speed, om=hit.before.omega * units.time)
 
 
 def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
-    """What decides about a mode, in a state.
+    """Return the margins of a mode in a state.
 
     Parameters
     ----------
@@ -231,12 +231,12 @@ _REASONS = {
     Ending.SLIP_END: "Slip ends: v_t = 0.",
     Ending.LANDING: "The gap closes, with v_n = {vn:.6g} m/s.",
     Ending.LOAD_STRIKE: "The load strikes the plane.",
-    Ending.ANGLE_LIMIT: "The span of angle is over.",
+    Ending.ANGLE_LIMIT: "The angle span is reached.",
     Ending.TIME_LIMIT: "The time is over.",
     Ending.TURNING_POINT: "θ̇ = 0: the hoop turns back, in the same mode.",
     Ending.REST: "The hoop rests in {equilibrium} equilibrium.",
-    Ending.SINGULAR: "The motion cannot be followed any further here.",
-    Ending.SEARCH_LIMIT: "The motion cannot be followed any further here.",
+    Ending.SINGULAR: "The motion cannot be computed any further.",
+    Ending.SEARCH_LIMIT: "The motion cannot be computed any further.",
 }
 
 
@@ -244,17 +244,17 @@ def _ended_by(body: Body, phase: Phase, after: Phase, last: Margins, events: tup
     what = Ending(after.what)
     kinds: dict[str, EventRecord] = {event.kind: event for event in events}
     if what in (Ending.CONE_FORWARD, Ending.CONE_BACKWARD) and not last.normal_force > 1e-9 * abs(last.friction_force):
-        return "Rolling would need the plane to pull: N = 0."
+        return "N = 0: to roll on, the plane would have to pull."
     if what == Ending.SLIP_END and "slip_reversal" in kinds:
-        return "Slip turns round: v_t = 0."
+        return "Slip reverses: v_t = 0."
     if what == Ending.TURNING_POINT and after.mode != phase.mode:
-        return "θ̇ = 0: it rolls no further."
+        return "θ̇ = 0: rolling ends."
     if what == Ending.REST and body.resist > 0.0:
         return "θ̇ = 0: rolling resistance holds the hoop."
     if after.status == Status.JAMMED:
-        return "Slip comes to p_σ = 0 with N growing without bound: it jams."
+        return "Slip reaches p_σ = 0 with N → ∞: it jams."
     if what == Ending.SINGULAR and after.status == GOING:
-        return "Slip comes to p_σ = 0, where N grows without bound: an impulse follows."
+        return "Slip reaches p_σ = 0 with N → ∞: an impulse follows."
     hit = kinds.get("impact") or kinds.get("bounce_limit")
     rest = kinds.get("rest")
     return _REASONS[what].format(
@@ -276,8 +276,8 @@ def _then(body: Body, units: Units, after: Phase) -> str:
     if after.mode == Mode.FLIGHT:
         if after.state.vn > 0.0:
             return f"It {verb}: the rim leaves the plane with v_n = {after.state.vn * units.of('vy'):.6g} m/s."
-        opening = 0.0 if after.what == Ending.LIFT_OFF else found.free_acceleration  # 0 but for rounding
-        return f"It {verb}: without contact the rim does not enter the plane, f_n = {opening:.6g} m/s²."
+        opening = 0.0 if after.what == Ending.LIFT_OFF else found.free_acceleration  # 0 within rounding
+        return f"It {verb}: without contact the rim would not penetrate the plane, f_n = {opening:.6g} m/s²."
     if after.mode == Mode.SKIM:
         return f"It {verb}: the load falls freely, and the rim has no mass."
     need = margins(body, units, int(Mode.ROLL), after.state)

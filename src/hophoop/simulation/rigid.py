@@ -1,4 +1,4 @@
-"""A rigid motion: from a scenario to the kernel's tables, and its state at any time."""
+"""Rigid motions: from a scenario to the kernel's tables, and states at any time."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ BUFFER = int(Status.BUFFER)
 
 
 class _Own(threading.local):
-    """The tables that every motion of this thread is first written into, and copied from."""
+    """Tables of this thread into which every motion is written first; the results are copied from them."""
 
     def __init__(self) -> None:
         self.tables = Tables(np.empty((len(CELL), 1)), np.empty(FIRST_EVENTS, EVENT), np.empty(FIRST_SEGMENTS, SEGMENT))
@@ -32,7 +32,7 @@ class _Own(threading.local):
 _own = _Own()
 _run: Callable[[Tables, np.ndarray], Outcome] = compiled("hophoop.kernel.rigid.run.run_cell")
 _sample = compiled("hophoop.kernel.rigid.sampling.sample")
-_fill = struct.Struct(f"{len(CELL)}d").pack_into  # a fifth of the time of an assignment
+_fill = struct.Struct(f"{len(CELL)}d").pack_into  # 5 times as fast as assignment
 
 
 class RigidMotion(NamedTuple):
@@ -41,7 +41,7 @@ class RigidMotion(NamedTuple):
     status: int
     events: np.ndarray
     segments: np.ndarray
-    doubt: float  # from when on doubles alone do not decide what follows; inf where they do
+    doubt: float  # time from which double precision does not suffice; inf if it always does
 
 
 def simulate_rigid(scenario: Scenario) -> RigidMotion:
@@ -62,21 +62,21 @@ def simulate_rigid(scenario: Scenario) -> RigidMotion:
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     if len(script) > 1:
         segments = np.concatenate((segments_of_script(scenario.to_body(), script), segments))
-    if not len(segments):  # the motion ends at its start: a piece of no length holds its state
+    if not len(segments):  # the motion ends at its start: a segment of zero length holds its state
         segments = np.empty(1, SEGMENT)
         _hold_at(events[-1], segments[0])
     return RigidMotion(outcome.status, events, segments, doubt)
 
 
 def _ran(scenario: Scenario, script: np.ndarray) -> tuple[Outcome, Tables, np.ndarray]:
-    """Run the kernel, in tables that grow until they are long enough."""
+    """Run the kernel, with larger tables until they are long enough."""
     tables = _own.tables
     _fill(tables.cell, 0, *cell_of(scenario))
     while True:
         outcome = _run(tables, script)
         if outcome.status == BUFFER:
             tables = tables._replace(segments=np.empty(min(16 * len(tables.segments), MOST_PANELS), SEGMENT))
-        elif outcome.events_full and len(tables.events) < scenario.contact.max_events:  # not where the panels are used up
+        elif outcome.events_full and len(tables.events) < scenario.contact.max_events:  # not if the panels are used up
             tables = tables._replace(events=np.empty(min(4 * len(tables.events), scenario.contact.max_events), EVENT))
         else:
             return outcome, tables, script
@@ -88,13 +88,13 @@ def _decided(scenario: Scenario, outcome: Outcome, tables: Tables) -> tuple[Outc
     decisions = Decisions(scenario)
     while (script := decisions.script(found[0].doubt_until)) is not None:
         found = _ran(scenario, script)
-        if found[0].panels_used:  # the last of its events may lie beyond what the panels reach
+        if found[0].panels_used:  # the last event may be beyond the reach of the panels
             return _ran(scenario, NO_SCRIPT)
     return found
 
 
 def script_of(scenario: Scenario) -> np.ndarray:
-    """The first events of a motion that doubles do not decide.
+    """Return the first events of a motion that double precision does not decide.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def script_of(scenario: Scenario) -> np.ndarray:
     Returns
     -------
     script : ndarray of records.EVENT, shape (n,)
-        In kernel units; of length 0 where doubles decide everything [1].
+        In kernel units; length 0 if double precision decides everything [1].
     """
     outcome, tables, script = _ran(scenario, NO_SCRIPT)
     if math.isnan(outcome.doubt_until) or outcome.panels_used:
@@ -113,7 +113,7 @@ def script_of(scenario: Scenario) -> np.ndarray:
 
 
 def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:
-    """The segments of the phases between the events of a script.
+    """Return the segments of the phases between the events of a script.
 
     Parameters
     ----------
@@ -146,11 +146,11 @@ def _hold_at(event: np.void, segment: np.void) -> None:
         segment[name] = event[name] if name in (event.dtype.names or ()) else 0
     segment["t_end"] = event["t"]
     segment["mode"] = event["after_mode"]
-    segment["kind"] = FLY  # as it is, without forces: what they would be is not known
+    segment["kind"] = FLY  # flight has no contact forces; those of the true mode are not known
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
-    """`sample` into a fresh array, for a scenario."""
+    """Sample the motion of a scenario into a new array."""
     out = np.empty((times.size, len(COLUMNS)))
     _sample(to_body(scenario.hoop, scenario.plane), segments, times, left, out)
     return out

@@ -1,4 +1,4 @@
-"""simulate(hoop, plane, start, …) → Trajectory, with either contact model."""
+"""Simulation of a motion with either contact model: simulate(hoop, plane, start, …) → Trajectory."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from hophoop.derivatives.results.sensitivity import Sensitivity
     from hophoop.precise import PreciseMotion
 
-# Read once: a look at the environment takes a tenth of a motion.
+# Read once, because reading the environment takes 10 % of a short motion.
 CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
 
@@ -77,19 +77,19 @@ def simulate(
     contact : Rigid or Compliant, optional
         Rigid() by default.
     digits : int, optional
-        Solve in so many digits, 15 to 1000, by another method than the kernel's; the given doubles are taken as exact
-        numbers. Takes some tenths of a second [1].
+        Solve with this many digits, 15 to 1000, by a method independent of the kernel's; the given doubles count as exact.
+        Takes a few tenths of a second [1].
 
     Returns
     -------
     motion : Trajectory or PreciseMotion
-        Also where the motion has no answer: see its `status`. With `digits` it is a `PreciseMotion`, with events only.
+        Returned even if the model has no answer: see its `status`. With `digits` it is a `PreciseMotion`, with events only.
 
     Raises
     ------
     ValueError
-        If the duration is not positive, the parts do not go together, a scenario is given with another part, or digits is out
-        of range or asked for with a compliant contact.
+        If the duration is not positive, the parts contradict each other, a scenario is given together with a part, or digits is
+        out of range or given with a compliant contact.
 
     Examples
     --------
@@ -133,13 +133,13 @@ def _refuse_parts(**parts: Any) -> None:
 
 
 def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> Trajectory:
-    """`simulate`, for who shows from another thread how far a compliant motion is.
+    """Compute as `simulate` does, and write the progress of a compliant motion for another thread.
 
     Parameters
     ----------
     scenario : Scenario
     reached : ndarray, shape (1,), optional
-        Is given the share of the duration that is computed, again and again, with a compliant contact [1].
+        Progress: the computed fraction of the duration, in compliant contact [1].
 
     Returns
     -------
@@ -159,19 +159,19 @@ def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> T
 
 
 def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
-    """Derivatives of quantities of a motion with respect to parameters, through all events.
+    """Return derivatives of quantities of a motion with respect to parameters, through all events.
 
     Parameters
     ----------
     scenario : Scenario
         With rigid contact.
     of, wrt : str or sequence of str
-        Quantities such as ``"takeoff.angle"`` and paths such as ``"plane.mu"``, as `Trajectory.sensitivity` takes them.
+        Quantities such as ``"takeoff.angle"`` and paths such as ``"plane.mu"``; see `Trajectory.sensitivity`.
 
     Returns
     -------
     sensitivity : Sensitivity
-        Derivatives in SI units; nan, with the reason, where there is none.
+        Derivatives in SI units; nan, with the reason, if there is none.
 
     Raises
     ------

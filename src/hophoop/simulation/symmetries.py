@@ -1,4 +1,4 @@
-"""Symmetries of the model that its arithmetic keeps: left and right, and units that are powers of two."""
+"""Symmetries of the model that its arithmetic preserves: left and right, and units scaled by powers of 2."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from hophoop.vocabulary.quantities import LOSSES
 
 _SIGNED = {"x", "angle", "speed", "vx", "omega", "slope"}
 _SWAPPED = str.maketrans("SK", "KS")
-# Lengths times 4ᵃ, times 2ᵇ, masses 2ᶜ; speeds and gravity follow. The first that the ranges allow is tried.
+# Lengths are scaled by 4ᵃ, times by 2ᵇ, masses by 2ᶜ; speeds and gravity follow. The first scaling inside the parameters'
+# ranges is used.
 _POWERS = ((1, 1, 1), (-1, -1, -1), (2, 3, -5), (0, 1, 3), (0, -1, 3), (1, 0, 0), (-1, 0, 0), (-3, -4, 2))
 
 
 def mirrored(scenario: Scenario) -> Scenario | None:
-    """The scenario with left and right exchanged, where rounding leaves them alike.
+    """Return the scenario with left and right exchanged, if rounding preserves the symmetry.
 
     Parameters
     ----------
@@ -28,15 +29,15 @@ def mirrored(scenario: Scenario) -> Scenario | None:
     Returns
     -------
     mirrored : Scenario or None
-        None with compliant contact; at starts with the load at the bottom, where −π and π are one angle; and with kinetic
-        friction that is as good as none below some static friction, since rounding decides there whether slip begins.
+        None in three cases: compliant contact; a start with the load at the bottom, where −π and π are the same angle; and
+        nearly zero kinetic friction with static friction, where rounding decides whether slip starts.
     """
     plane, angle = scenario.plane, scenario.start.angle
     bottom = math.cos(angle) < 0.0 and abs(math.sin(angle)) < 1e-6
     if scenario.contact.model != "rigid" or bottom or (plane.mu_kinetic < 1e-12 and plane.mu_static > 0.0):
         return None
     keys = scenario.to_dict()
-    for section in ("plane", "start"):  # 0 stays 0, not −0
+    for section in ("plane", "start"):  # keep 0, not −0
         keys[section] = {name: 0.0 - value if name in _SIGNED else value for name, value in keys[section].items()}
     return Scenario.from_dict(keys)
 
@@ -54,7 +55,8 @@ def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
 
     Notes
     -----
-    Rounding is allowed in angle and place where the hoop is massless, since its angle is computed within one turn whose halves
+    Two cases allow rounding in angle and position: a massless hoop, whose angle is computed within one revolution that is not
+    symmetric in its last bits; and events from extended precision.
     have other last bits, and where more digits decided and gave the place of an event.
     """
     odd = ("x", "angle", "vx", "omega", "slip", "impulse_tangential")
@@ -64,7 +66,7 @@ def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
 
 
 def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | None:
-    """The scenario in units that are powers of two of its own.
+    """Return the scenario in units scaled by powers of 2.
 
     Parameters
     ----------
@@ -74,15 +76,15 @@ def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | 
     -------
     scaled : Scenario
     factors : tuple of float
-        Of lengths, times and masses [1].
-    None instead, if the ranges allow none, or a number is so small that it has fewer digits.
+        Factors of lengths, times and masses [1].
+    None instead, if the ranges allow no scaling, or a number is almost subnormal.
     """
     keys = scenario.to_dict()
     if _smallest(keys) < TINY:
         return None
     for powers in _POWERS:
         length, time, mass = 4.0 ** powers[0], 2.0 ** powers[1], 2.0 ** powers[2]
-        if scenario.plane.gravity == 0.0:  # 1 m/s² gives the unit of time
+        if scenario.plane.gravity == 0.0:  # the unit of time follows from 1 m/s²
             time = math.sqrt(length)
         try:
             return Scenario.from_dict(_in_other_units(keys, length, time, mass)), (length, time, mass)
@@ -98,7 +100,7 @@ def units_finding(motion: Trajectory, other: Trajectory, factors: tuple[float, f
     ----------
     motion, other : Trajectory
     factors : tuple of float
-        Of lengths, times and masses [1].
+        Factors of lengths, times and masses [1].
 
     Returns
     -------
@@ -112,7 +114,7 @@ def units_finding(motion: Trajectory, other: Trajectory, factors: tuple[float, f
 
 
 def _smallest(value: Any) -> float:
-    """The smallest magnitude of the numbers of a scenario, 0 left out."""
+    """Return the smallest nonzero magnitude of the numbers of a scenario."""
     if isinstance(value, dict | list):
         return min(map(_smallest, value.values() if isinstance(value, dict) else value), default=math.inf)
     return abs(value) if isinstance(value, float) and value != 0.0 else math.inf

@@ -33,8 +33,7 @@ Floats = NDArray[np.float64]
 class Trajectory:
     """A computed motion: exact events, and the state at any time between them.
 
-    Made by `hophoop.simulate`. Nothing is interpolated from a table: sampling solves the piece of motion
-    that holds the time again.
+    Returned by `hophoop.simulate`. Nothing is interpolated from a table: to sample a time, its segment is solved again.
     """
 
     def __init__(
@@ -53,7 +52,7 @@ class Trajectory:
         self._segments = segments
         self._doubt = doubt
 
-    # --- what happened -------------------------------------------------------------------------
+    # --- events ------------------------------------------------------------------------------------
 
     @property
     def status(self) -> MotionStatus:
@@ -62,12 +61,12 @@ class Trajectory:
 
     @property
     def ok(self) -> bool:
-        """Whether the motion reached its end: completed or at rest."""
+        """True if the motion reached its end: completed or at rest."""
         return STATUSES[self.status].ok
 
     @cached_property
     def sequence(self) -> str:
-        """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
+        """One letter per phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
         return sequence_of(*(self._events[name].tolist() for name in ("kind", "after_mode", "t")))
 
     @cached_property
@@ -76,12 +75,12 @@ class Trajectory:
         return Events(self._event_record(row) for row in self._events)
 
     def find(self, kind: str) -> Events:
-        """The events of one kind.
+        """Return the events of one kind.
 
         Parameters
         ----------
         kind : str
-            Such as 'takeoff'.
+            For example 'takeoff'.
 
         Returns
         -------
@@ -104,7 +103,7 @@ class Trajectory:
 
     @cached_property
     def fingerprint(self) -> str:
-        """Hash of the bits of all events; equal on every machine, and in the browser, with one version of hophoop.
+        """Hash of the bits of all events; the same on every machine and in the browser for one version of hophoop.
 
         Notes
         -----
@@ -124,7 +123,7 @@ class Trajectory:
         columns = [times, *(events[name] * unit.of(name) for name in STATE[1:])]
         return fingerprint((EVENT_NAMES[kind] for kind in events["kind"]), np.column_stack(columns))
 
-    # --- the motion ----------------------------------------------------------------------------
+    # --- states ------------------------------------------------------------------------------------
 
     @overload
     def at(self, t: float, side: Side = ...) -> ScalarSample: ...
@@ -136,7 +135,7 @@ class Trajectory:
     def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
 
     def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
-        """The motion at any time.
+        """Return the state at any time.
 
         Parameters
         ----------
@@ -156,7 +155,10 @@ class Trajectory:
 
         Notes
         -----
-        A time belongs to an event if it equals the event's `t`. At an event that begins a phase the sample is the event's
+        A time belongs to an event if it equals the event's `t`. At an event that starts a phase the sample is the event's own
+        state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite,
+        because θ̇ of the rim is unbounded. The energy is then that of the load. After the last event both sides are the state
+        at the end.
         own state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite:
         the rim turns without bound. The energy is then that of the load. Where nothing follows an event, both sides are the
         state at the end.
@@ -185,12 +187,12 @@ class Trajectory:
         return Sample(**values)
 
     def times(self, n: int = 1000) -> Floats:
-        """Equally spaced times over the motion, both ends included.
+        """Return equally spaced times over the motion, both ends included.
 
         Parameters
         ----------
         n : int, default 1000
-            How many, at least 2.
+            Number of times, at least 2.
 
         Returns
         -------
@@ -208,12 +210,12 @@ class Trajectory:
 
     @cached_property
     def errors(self) -> EventErrors:
-        """Estimated error of each event: rounding times what the motion makes of it, good to a factor of ten.
+        """Estimated error of each event, correct to a factor of 10: rounding amplified by the sensitivity of the motion.
 
         Raises
         ------
         ValueError
-            If the contact is compliant, whose errors follow from its rtol.
+            If the contact is compliant: its errors follow from its rtol.
         """
         from hophoop.simulation.event_errors import event_errors_watched
 
@@ -221,7 +223,7 @@ class Trajectory:
 
     @cached_property
     def ledger(self) -> Ledger:
-        """Energies at the end, all that was lost on the way, and what does not add up."""
+        """Energies at the end, the losses so far, and the residual of the balance."""
         unit = self.units
         first, last = self._events[0], self._events[-1]
         begin_kinetic, begin_potential = self._energies(first)
@@ -230,11 +232,11 @@ class Trajectory:
         begin_spring, spring, damping = 0.0, 0.0, 0.0
         if self.scenario.contact.model != "rigid":
             begin_spring = self._stored(0.0, True)["spring"]
-            # many steps may share the last digit of a late time: all of one of them
+            # many steps may share the last digit of a late time: take the state after all of them
             end = self._stored(float(last["t"]), False)
             spring, damping, kinetic, potential = (end[name] for name in ("spring", "damping", "kinetic", "potential"))
             friction, rolling = end["friction"], end["rolling_resistance"]
-        # in the order of operations of `module.motions.write_energies`
+        # in the order of operations of `lab.wasm.motions.write_energies`
         residual = (kinetic + potential + spring + damping + friction + normal + tangential + rolling) - (
             begin_kinetic + begin_potential + begin_spring
         )
@@ -245,34 +247,34 @@ class Trajectory:
 
     @property
     def tables(self) -> dict[str, np.ndarray]:
-        """What the simulation wrote: structured arrays of events and segments, in the units of `units` [1]."""
+        """Structured arrays of events and segments as the kernel wrote them, in the units of `units` [1]."""
         return {"events": self._events, "segments": self._segments}
 
     @cached_property
     def units(self) -> Units:
-        """SI values of the units in which the kernels compute."""
+        """SI values of the kernel units."""
         return Units.of_scenario(self.scenario)
 
     @property
     def doubt(self) -> float:
-        """Time from which on double precision cannot decide what follows; inf where everything is certain [s].
+        """Time from which double precision cannot decide the motion; inf if everything is certain [s].
 
-        There a quantity only touches the value that would cause an event, or the motion is on the boundary of two classes.
-        With rigid contact.
+        There a quantity only touches the value that would cause an event, or the motion is on the boundary of two classes. Only
+        with rigid contact.
         """
         return self._seconds(self.kernel_doubt)
 
     @property
     def kernel_doubt(self) -> float:
-        """`doubt` in the kernels' unit of time, to compare with `tables` [`units`]."""
-        if self._doubt is None:  # of a motion that was loaded
+        """`doubt` in the kernel's unit of time, to compare with `tables` [`units`]."""
+        if self._doubt is None:  # for a loaded motion
             from hophoop.derivatives.results.propagation import doubtful_from
 
             self._doubt = doubtful_from(self)
         return self._doubt
 
     def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
-        """Derivatives of quantities of the motion with respect to parameters, through all events.
+        """Return derivatives of quantities of the motion with respect to parameters, through all events.
 
         Parameters
         ----------
@@ -286,7 +288,7 @@ class Trajectory:
         Returns
         -------
         sensitivity : Sensitivity
-            Derivatives in SI units; nan, with the reason, where there is none.
+            Derivatives in SI units; nan, with the reason, if there is none.
 
         Raises
         ------
@@ -308,7 +310,7 @@ class Trajectory:
     def uncertainty(
         self, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
     ) -> Uncertainty:
-        """How uncertain the motion is whose parameters are, to first order.
+        """Return the uncertainty of the motion from uncertain parameters, to first order.
 
         Parameters
         ----------
@@ -324,7 +326,8 @@ class Trajectory:
         Raises
         ------
         ValueError
-            If a deviation is negative, a path no parameter, a correlation not possible, or the contact compliant.
+            If a standard deviation is negative, a path is not a parameter, the correlations are impossible, or the contact is
+            compliant.
 
         Examples
         --------
@@ -338,10 +341,10 @@ class Trajectory:
 
         return uncertainty_of(self, spread, correlations)
 
-    # --- other forms ---------------------------------------------------------------------------
+    # --- export ------------------------------------------------------------------------------------
 
     def to_dict(self) -> dict[str, Any]:
-        """The motion as the JSON of the file format: scenario, status, sequence, fingerprint, events, final state, energy.
+        """Return the motion as JSON: scenario, status, sequence, fingerprint, events, final state and energies.
 
         Returns
         -------
@@ -366,7 +369,7 @@ class Trajectory:
         }
 
     def to_xarray(self, n: int = 1000, t: ArrayLike | None = None) -> xarray.Dataset:
-        """The motion as an xarray.Dataset over time.
+        """Return the motion as an xarray.Dataset over time.
 
         Parameters
         ----------
@@ -392,7 +395,7 @@ class Trajectory:
         return export.to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
 
     def save(self, path: str | Path) -> None:
-        """Write the motion to a file that `hophoop.load` reads back, sampling alike to the last bit.
+        """Write the motion to a file that `hophoop.load` reads back, with the same samples to the last bit.
 
         Parameters
         ----------
@@ -402,7 +405,7 @@ class Trajectory:
         Raises
         ------
         ValueError
-            If it ends otherwise.
+            If it has another ending.
         ImportError
             If the library that writes it is missing.
         """
@@ -424,7 +427,7 @@ class Trajectory:
     def __repr__(self) -> str:
         return f"<Trajectory {self.sequence} {self.status}: {len(self._events)} events in {self.duration:.6g} s>"
 
-    # --- inside --------------------------------------------------------------------------------
+    # --- internal ----------------------------------------------------------------------------------
 
     @cached_property
     def _model(self) -> Any:
@@ -438,7 +441,7 @@ class Trajectory:
 
     @cached_property
     def _sampled(self) -> tuple[tuple[str, ...], Floats]:
-        """Names of what a sample has of its model, and their units [SI]; the modes come first."""
+        """Return names and SI units of a sample's fields in this contact model, the mode first."""
         names = self._model.COLUMNS
         return names, np.array([1.0 if name in ("mode", *_INTERNAL) else self.units.of(name) for name in names])
 
@@ -447,18 +450,18 @@ class Trajectory:
         return result
 
     def _seconds(self, t: float) -> float:
-        # the end of the motion is the duration asked for, not its rounding through kernel units
+        # the end of the motion is the given duration, without its rounding through kernel units
         if t == self.scenario.duration / self.units.time:
             return self.scenario.duration
         return t * self.units.time
 
     def _energies(self, row: np.void) -> tuple[float, float]:
-        """Kinetic and potential energy just after an event."""
+        """Return kinetic and potential energy just after an event."""
         kinetic, potential = energies_after(self.scenario.to_body(), row)
         return float(kinetic) * self.units.energy, float(potential) * self.units.energy
 
     def _stored(self, t: float, left: bool) -> dict[str, float]:
-        """Energies of the state at a time in kernel units."""
+        """Return the energies of the state at a time in kernel units."""
         (raw,) = self._sample(np.array([t]), left).tolist()
         return {name: value * self.units.energy for name, value in zip(self._model.COLUMNS, raw, strict=True)}
 
@@ -479,5 +482,5 @@ class Trajectory:
         )
 
 
-_INTERNAL = ("theta", "theta_low")  # columns that a sample does not have
+_INTERNAL = ("theta", "theta_low")  # columns that a sample does not contain
 _LETTERS = np.array(list(MODE_LETTERS))
