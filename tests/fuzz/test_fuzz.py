@@ -23,7 +23,7 @@ import hophoop as hh
 from fuzz.checks import PATIENCE, digest, outcome, warm_up
 from fuzz.draws import EXTREME, USUAL, Seeded, scenario
 from hophoop.kernel.native import forced
-from hophoop.simulation.invariants import rounded_away
+from hophoop.simulation.invariants import rounding_energy
 
 TURNS = 200.0  # so short that thousands of them take half a minute
 ONE_IN = 8  # is compliant
@@ -185,7 +185,7 @@ def test_what_rounds_away_where_velocities_nearly_cancel(compiled_before, index)
 def test_what_may_round_away_is_nothing_in_an_ordinary_motion():
     motion = hh.simulate(hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), duration=2.0)
     assert (motion.tables["segments"]["slip"] != 0.0).any()
-    assert 0.0 < rounded_away(motion) < 1e-13 * motion.ledger.range
+    assert 0.0 < rounding_energy(motion) < 1e-13 * motion.ledger.range
 
 
 def kept(index: int) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from hophoop._support.stopping import temporary, temporary_folder
 
 
 @contextmanager
-def strangers_unsaid() -> Iterator[None]:
+def ignore_foreign_zarr_files() -> Iterator[None]:
     """Silence Zarr's warnings about foreign files in a store, such as notes of the system."""
     with warnings.catch_warnings():
         # only these: filters are global and affect other threads too

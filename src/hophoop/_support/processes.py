@@ -7,7 +7,7 @@ import sys
 from typing import Any
 
 
-def python_beside(code: str, **options: Any) -> subprocess.Popen[bytes]:
+def start_python(code: str, **options: Any) -> subprocess.Popen[bytes]:
     """Start a Python process that runs some code, with this process's import path.
 
     Parameters

@@ -280,7 +280,7 @@ def _is_ours(number: int) -> bool:
 _now: Stopping | None = None
 
 
-def heeded(alone: bool) -> contextlib.AbstractContextManager[Stopping]:
+def stop_on_signals(alone: bool) -> contextlib.AbstractContextManager[Stopping]:
     """Return a `Stopping` context, or the current one."""
     return Stopping(alone) if _now is None else contextlib.nullcontext(_now)
 

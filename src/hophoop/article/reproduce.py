@@ -14,8 +14,8 @@ from typing import Any
 
 from hophoop._support.extras import MissingExtra, need
 from hophoop._support.files import replacing
-from hophoop._support.processes import python_beside
-from hophoop._support.stopping import heeded, remove, temporary, undoing
+from hophoop._support.processes import start_python
+from hophoop._support.stopping import remove, stop_on_signals, temporary, undoing
 from hophoop._version import __version__
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, drawn
@@ -185,7 +185,7 @@ class _Beside:
 @contextmanager
 def _films_beside(out: Path) -> Iterator[_Beside | None]:
     try:
-        process = python_beside(
+        process = start_python(
             f"from hophoop.article.reproduce import films_for_another; films_for_another({str(out)!r})",
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -205,7 +205,7 @@ def films_for_another(out: str) -> None:
     def say(_: str, done: int, total: int) -> None:
         print(json.dumps({"done": done, "total": total}), flush=True)
 
-    with heeded(alone=True):
+    with stop_on_signals(alone=True):
         made = films(Path(out), say)
         print(json.dumps({"made": [str(path) for path in made]}), flush=True)
 

@@ -18,7 +18,7 @@ from typer.core import TyperGroup
 
 from hophoop._support.errors import InputError, plain
 from hophoop._support.extras import MissingExtra
-from hophoop._support.stopping import Stopping, heeded
+from hophoop._support.stopping import Stopping, stop_on_signals
 
 # In the order in which --help shows them.
 COMMANDS = (
@@ -123,7 +123,7 @@ class Commands(TyperGroup):
             # a letter that a terminal does not know is no reason to end
             if hasattr(stream, "reconfigure") and (stream.encoding or "").lower().replace("-", "") != "utf8":
                 stream.reconfigure(errors="replace")
-        with heeded(alone=args is None) as stopping:
+        with stop_on_signals(alone=args is None) as stopping:
             try:
                 status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
             except BaseException as error:

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any, BinaryIO
 
-from hophoop._support.processes import python_beside
+from hophoop._support.processes import start_python
 
 ANSWER, ERROR, FAILED, STOPPED, BEGINNING = "answer", "error", "failed", "stopped", "beginning"
 BEGINS = 4.0  # seconds that a process may need until it can report
@@ -59,7 +59,7 @@ class Worker:
 
     def __init__(self) -> None:
         # in a session of its own: Ctrl-C is for the server, which ends it, and whatever it has started ends with it
-        self._process = python_beside(
+        self._process = start_python(
             # an interrupt may come before there is somebody to hear it
             "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); from hophoop.lab.worker import main; main()",
             stdin=subprocess.PIPE,

@@ -412,7 +412,7 @@ def _ledger_allowed(course: _Course, size: float) -> float:
     allowed = exact + EPSILON * (plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else 0.0)
     share = _shares(course)
     lost = float(np.max(course.samples.friction)) / size if size > 0.0 else 0.0
-    return allowed + (rounded_away(motion) / size if size > 0.0 else 0.0) + lost * float(np.sum(EPSILON / share**2))
+    return allowed + (rounding_energy(motion) / size if size > 0.0 else 0.0) + lost * float(np.sum(EPSILON / share**2))
 
 
 def _shares(course: _Course) -> Floats:
@@ -429,7 +429,7 @@ def _shares(course: _Course) -> Floats:
     return found
 
 
-def rounded_away(motion: Trajectory) -> float:
+def rounding_energy(motion: Trajectory) -> float:
     """Return the energy of the rounding of the velocities, added up over the panels of a rigid motion.
 
     Parameters
@@ -446,8 +446,6 @@ def rounded_away(motion: Trajectory) -> float:
     Every panel ends with v_t and θ̇ rounded to doubles. Either rounding moves the mass, whose velocity is their sum; if they
     are 10⁶ to 10⁹ times that sum, this is visible. Half a unit in the last place counts for v_t, and a whole one for θ̇, the
     root of a rounded sum.
-    they are 10⁶ to 10⁹ times that sum, it is seen. Half of the last bit is counted of v_t, and a whole one of θ̇, which
-    is the root of a sum that was rounded before.
     """
     segments, body = motion.tables["segments"], motion.scenario.to_body()
     slip, omega, theta = (segments[name] for name in ("slip", "omega", "theta"))

@@ -57,7 +57,6 @@ def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
     -----
     Two cases allow rounding in angle and position: a massless hoop, whose angle is computed within one revolution that is not
     symmetric in its last bits; and events from extended precision.
-    have other last bits, and where more digits decided and gave the place of an event.
     """
     odd = ("x", "angle", "vx", "omega", "slip", "impulse_tangential")
     factors = dict.fromkeys(("t", "height", "vy", "impulse_normal", *LOSSES), 1.0) | dict.fromkeys(odd, -1.0)

@@ -157,11 +157,8 @@ class Trajectory:
         -----
         A time belongs to an event if it equals the event's `t`. At an event that starts a phase the sample is the event's own
         state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite,
-        because θ̇ of the rim is unbounded. The energy is then that of the load. After the last event both sides are the state
-        at the end.
-        own state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite:
-        the rim turns without bound. The energy is then that of the load. Where nothing follows an event, both sides are the
-        state at the end.
+        because θ̇ of the rim is unbounded. The energy is then that of the load. If the motion ends with an event, both
+        sides are the state at the end.
         """
         if side not in ("left", "right"):
             raise InputError.of_field("side", side, "'left' or 'right'")
