@@ -1,4 +1,4 @@
-"""The lab: an interactive page, its programming interface over HTTP, the same player as a notebook widget."""
+"""The lab: an interactive page, its programming interface over HTTP, and the same player as a notebook widget."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ __all__ = ["show"]
 
 
 def __getattr__(name: str) -> Any:
-    # the widget brings its own libraries; the server does without them
+    # the widget imports its own libraries, which the server does not need
     if name == "show":
         from hophoop.lab.widget import show
 

@@ -1,8 +1,7 @@
-"""The lab over HTTP: the programming interface under /api/v1, the page's own calls, the page itself.
+"""The lab over HTTP: the programming interface under /api/v1, the page's own calls, and the page itself.
 
-Stateless: every answer follows from its request alone, so that any number of workers can serve it and any
-cache may keep it. That is also why the page is plain modules on FastAPI and not a NiceGUI page, which keeps a
-session for each visitor in one process.
+Stateless: every answer follows from its request alone, so any number of workers can serve requests, and any cache may keep
+answers. A NiceGUI page would keep a session per visitor in one process, so the page consists of plain modules on FastAPI.
 """
 
 from __future__ import annotations
@@ -35,32 +34,32 @@ from hophoop.scenario.sentences import findings_sentence, parse_reason
 if TYPE_CHECKING:
     from hophoop.fitting import Backdrop
 
-WAIT = 0.5  # seconds between two looks whether the kernel of maps is compiled
-PACK = 1000  # bytes from which on an answer is compressed
-GONE = 499  # what nginx writes down where the asker has gone; nobody reads it
+WAIT = 0.5  # seconds between checks whether the kernel of maps is compiled
+PACK = 1000  # bytes; larger answers are compressed
+GONE = 499  # nginx's status for a client that has disconnected; nobody reads it
 
 
 def create_app(
     limits: Limits = USUAL, names: Iterable[str] = (), workers: Workers | None = None, backdrop: Backdrop | None = None
 ) -> FastAPI:
-    """The whole lab as an ASGI application.
+    """Return the whole lab as an ASGI application.
 
     Parameters
     ----------
     limits : Limits, optional
-        Bounds of one request, and how many processes compute.
+        Bounds of one request, and the number of processes.
     names : iterable of str, optional
-        Names under which it is reached, besides addresses, localhost and this machine's own.
+        Names under which the lab is reached, besides addresses, localhost and this machine's own.
     workers : Workers, optional
-        What computes; processes of its own by default.
+        Processes that compute; new ones by default.
     backdrop : Backdrop, optional
-        A film to lay under the hoop.
+        A film to show under the hoop.
 
     Returns
     -------
     app : FastAPI
     """
-    # The usual documentation pages load scripts from elsewhere; /openapi.json is enough for any tool.
+    # The usual documentation pages load scripts from other sites; /openapi.json is enough for any tool.
     computing = Workers(limits) if workers is None else workers
 
     @contextlib.asynccontextmanager
@@ -87,7 +86,7 @@ def create_app(
 
     @app.exception_handler(RequestValidationError)
     async def _not_valid(request: Request, error: RequestValidationError) -> JSONResponse:
-        # the first step says where a value stood: in the body, the address or the query
+        # the first element says where a value was: body, path or query
         found = [{**finding, "loc": finding["loc"][1:]} for finding in error.errors()]
         return JSONResponse({"detail": findings_sentence(found)}, 422)
 
@@ -106,10 +105,10 @@ def create_app(
 
 
 class LabRequest(Request):
-    """A request whose body is JSON, no longer than allowed, and refused before it is read whole if it is."""
+    """A request with a JSON body of limited size, refused before it is read completely if it is too long."""
 
     async def body(self) -> bytes:
-        """The body; an empty one is an empty object, so that the reference case needs none.
+        """Return the body; an empty one counts as an empty object, so that the reference case needs no body.
 
         Raises
         ------
@@ -121,7 +120,7 @@ class LabRequest(Request):
                 async with asyncio.timeout(self.app.state.limits.reading):
                     self._body = await self._whole() or b"{}"
             except TimeoutError:
-                raise HTTPException(408, "The body of the request did not come.") from None
+                raise HTTPException(408, "The body of the request did not arrive.") from None
         return self._body
 
     async def _whole(self) -> bytes:
@@ -134,24 +133,24 @@ class LabRequest(Request):
             pieces.append(piece)
         body = b"".join(pieces)
         kind = self.scope.get(WRITTEN, "").partition(";")[0].strip().lower()
-        # a form elsewhere can send anything but this
+        # a form on another site can send any type but this one
         if body and kind != JSON:
             raise HTTPException(415, f"Content-Type = {kind[:60]!r} must be {JSON}.")
         return body
 
     async def json(self) -> Any:
-        """The body as JSON.
+        """Return the body as JSON.
 
         Raises
         ------
         HTTPException
-            If it is not valid.
+            If it is not valid JSON.
         """
         try:
             body = await self.body()
             found = json.loads(body, parse_constant=_no_constant)
             if re.search(rb"\\u[dD][89a-fA-F]", body):
-                json.dumps(found, ensure_ascii=False).encode()  # half a character cannot be written again
+                json.dumps(found, ensure_ascii=False).encode()  # an unpaired surrogate cannot be encoded again
             return found
         except (ValueError, RecursionError) as error:
             raise HTTPException(422, f"The body is not valid JSON: {parse_reason(error)}.") from None
@@ -161,24 +160,24 @@ class LabRoute(APIRoute):
     """A route whose requests are `LabRequest`."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """What FastAPI calls, with the request read our way."""
+        """Return FastAPI's handler, with requests read as `LabRequest`."""
         following = super().get_route_handler()
 
         async def handle(request: Request) -> Response:
-            # FastAPI would take a body of another type for bytes, and not read it our way
+            # FastAPI would pass a body of another type on as bytes, without our checks
             scope = {**request.scope, WRITTEN: request.headers.get("content-type", "")}
             others = [(name, value) for name, value in scope["headers"] if name != b"content-type"]
             scope["headers"] = [*others, (b"content-type", JSON.encode())]
             try:
                 return await following(LabRequest(scope, request.receive))
-            except (ClientDisconnect, asyncio.CancelledError):  # the asker has gone, or the server stops
+            except (ClientDisconnect, asyncio.CancelledError):  # the client has disconnected, or the server stops
                 return Response(status_code=GONE)
 
         return handle
 
 
 JSON = "application/json"
-WRITTEN = "hophoop.content-type"  # as the request has it
+WRITTEN = "hophoop.content-type"  # content type of the request, before it was replaced
 router = APIRouter(route_class=LabRoute)
 
 
@@ -196,7 +195,7 @@ async def _reply(request: Request, call: str, body: Any, packed: bool = False) -
 
 
 async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
-    """What a process computes; None where the asker has gone, who takes it along."""
+    """Compute a job in a process; None if the client disconnects, which also stops the job."""
 
     async def work() -> bytes:
         content: bytes = await request.app.state.workers.run(job, cost)
@@ -210,13 +209,13 @@ async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
 
 
 def answered(request: Request, content: bytes | None, kind: str, headers: dict[str, str]) -> Response:
-    """An answer, compressed where that is worth while and the asker takes it.
+    """Return a response, compressed if that is worthwhile and the client accepts it.
 
     Parameters
     ----------
     request : Request
     content : bytes or None
-        None where the asker has gone.
+        None if the client has disconnected.
     kind : str
         Its media type.
     headers : dict
@@ -227,12 +226,12 @@ def answered(request: Request, content: bytes | None, kind: str, headers: dict[s
     """
     if content is None:
         return Response(status_code=GONE)
-    # arrays hold hardly anything that can be left out
+    # packed arrays hardly compress
     if len(content) < PACK or kind == "application/octet-stream" or not page.takes_gzip(request.headers):
         return Response(content, media_type=kind, headers=headers)
     headers = {**headers, "Content-Encoding": "gzip", "Vary": f"{headers.get('Vary', '')}, Accept-Encoding".lstrip(", ")}
     if "ETag" in headers:
-        headers["ETag"] = f"W/{headers['ETag']}"  # the same, in other bytes
+        headers["ETag"] = f"W/{headers['ETag']}"  # a weak tag: same content in other bytes
     return Response(gzip.compress(content, 5, mtime=0), media_type=kind, headers=headers)
 
 
@@ -251,7 +250,7 @@ async def simulate(
         AfterValidator(requests.not_one),
     ] = 0,
 ) -> Response:
-    """Events, final state and energies of the motion of a scenario."""
+    """Return events, final state and energies of the motion of a scenario."""
     return await _reply(request, "simulate", requests.SimulateRequest(scenario=scenario, samples=samples))
 
 
@@ -262,7 +261,7 @@ async def simulate(
     responses=replies.responses(413, 415, 422, 503),
 )
 async def theory(request: Request, scenario: Annotated[Scenario, Body()]) -> Response:
-    """What theory says about the hoop of a scenario."""
+    """Return the thresholds of theory for the hoop of a scenario."""
     return await _reply(request, "theory", requests.ScenarioRequest(scenario=scenario))
 
 
@@ -273,13 +272,13 @@ async def theory(request: Request, scenario: Annotated[Scenario, Body()]) -> Res
     responses=replies.responses(413, 415, 422, 503),
 )
 async def map_of_motions(request: Request, body: Annotated[requests.MapRequest, Body()]) -> Response:
-    """One quantity of the motion in the middle of each cell; packed as bytes if `Accept` asks for them."""
+    """Return one quantity of the motion at the middle of each cell, packed as bytes if `Accept` asks for them."""
     return await _reply(request, "map", body, packed=_wants_bytes(request))
 
 
 @router.post("/lab/{call}", include_in_schema=False)
 async def page_call(request: Request, call: str, body: Annotated[Any, Body()]) -> Response:
-    """The page's own calls."""
+    """Answer the page's own calls."""
     if call not in calls.CALLS:
         raise HTTPException(404, f"There is no call {call!r}.")
     asked = calls.read(call, body, request.app.state.limits)
@@ -308,7 +307,7 @@ async def download(
         ),
     ],
 ) -> Response:
-    """The scenario, the motion or a film of it."""
+    """Return the scenario, the motion or a film of it as a file."""
     limits = request.app.state.limits
     if name not in files.KINDS:
         raise HTTPException(404, f"file = {name!r} must be one of {', '.join(files.KINDS)}.")
@@ -318,7 +317,7 @@ async def download(
     if tag in _tags(request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=headers)
     kind = files.KINDS[name]
-    if HEAD in request.scope:  # nobody makes a film for its headers
+    if HEAD in request.scope:  # no film is rendered for a HEAD request
         return Response(media_type=kind.media_type, headers=headers)
     content = await _computed(request, Job(asked, limits, name), FILM if kind.slow else HEAVY)
     return answered(request, content, kind.media_type, headers)
@@ -326,7 +325,7 @@ async def download(
 
 @router.get("/healthz", summary="Whether the server answers")
 async def health() -> replies.Health:
-    """The version that answers."""
+    """Return the version of the server."""
     return replies.Health(status="ok", version=__version__)
 
 

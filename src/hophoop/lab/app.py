@@ -1,4 +1,4 @@
-"""Serving the lab: one process that answers, others that compute; on loopback unless told otherwise."""
+"""The lab's server: one process answers, others compute; on loopback by default."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-CONNECTIONS = 1000  # at the same time; who comes then is told that the server is busy
+CONNECTIONS = 1000  # maximum of simultaneous connections; further ones get the answer that the server is busy
 
 
 def warm_up() -> None:
-    """Compile all that a visitor may ask for; other processes find the result on disk."""
+    """Compile all kernels that a visitor may need; other processes find the result on disk."""
     from hophoop import theory
     from hophoop.lab import calls
 
     scenario = Scenario()
     simulate(scenario).at(0.5)
-    # a request that waited for this to compile would be past its limit of time
+    # a request that waited for this compilation would exceed its time limit
     simulate(scenario.replace("contact", Compliant())).at(0.5)
     theory.critical_speeds(scenario.hoop, scenario.plane)
     axes = {
@@ -58,24 +58,24 @@ def serve(
     Parameters
     ----------
     host : str, default '127.0.0.1'
-        Address to listen on; the default answers this machine only.
+        Address to listen on; the default only answers this machine.
     port : int, default 8765
-        0 takes a free one [1].
+        Port; 0 selects a free one [1].
     workers : int, default 2
-        Processes that compute, besides one for films; every request stands alone, so that any of them can take it [1].
+        Processes that compute, besides one for films; requests are independent, so any process can take any request [1].
     browser : bool, default False
         Open the page in a browser.
     query : str, default ''
         A scenario's link that the browser opens with.
     names : sequence of str, optional
-        Names under which it is reached, such as that of a proxy in front of it; addresses and this machine's own name
-        are known. Under any other name it refuses to answer.
+        Names under which the lab is reached, such as that of a proxy in front of it; addresses and this machine's own name are
+        known. Requests under any other name are refused.
     backdrop : Backdrop, optional
-        A film to lay under the hoop.
+        A film to show under the hoop.
 
     Raises
     ------
-    ValueError
+    If the port is in use or a number is not allowed.
         If the port is taken or a number is not allowed.
     ImportError
         If FastAPI or Uvicorn is missing.
@@ -118,7 +118,7 @@ def serve(
         limit_concurrency=CONNECTIONS,
         h11_max_incomplete_event_size=32768,
     )
-    forget()  # Ctrl-C is how a server ends
+    forget()  # Ctrl-C is the normal end of a server
 
 
 def _free_port(host: str) -> int:
@@ -142,7 +142,7 @@ def _family(host: str) -> socket.AddressFamily:
 
 
 def _open(address: str, query: str) -> None:
-    """Open the browser as soon as the page is there."""
+    """Open the browser once the page answers."""
     for _ in range(100):
         try:
             with urlopen(address + "healthz", timeout=1):

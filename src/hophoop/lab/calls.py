@@ -1,4 +1,4 @@
-"""What the page and the widget ask for, without a browser: each call takes JSON and gives a reply."""
+"""Calls of page and widget, independent of a browser: each takes JSON and returns a reply."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from hophoop.scenario.base import Frozen
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 
-LIGHT_SAMPLES, LIGHT_TURNS = 2000, 2000.0  # more than these is not answered at once
+LIGHT_SAMPLES, LIGHT_TURNS = 2000, 2000.0  # beyond these a request counts as heavy
 
 
 @dataclass(frozen=True)
 class Reply:
-    """An answer: JSON, and for some calls arrays that are packed behind it."""
+    """A reply: JSON, and for some calls arrays that are packed after it."""
 
     header: dict[str, Any]
     arrays: dict[str, Any] | None = None
 
     def packed(self) -> bytes:
-        """As one block of bytes."""
+        """Return the reply as one block of bytes."""
         return pack(finite(self.header), self.arrays or {})
 
     def json(self) -> bytes:
-        """As JSON; what is not finite becomes null."""
+        """Return the reply as JSON; values that are not finite become null."""
         content = {**self.header, **{name: array.tolist() for name, array in (self.arrays or {}).items()}}
         content = finite(content)
         return json.dumps(content, allow_nan=False, ensure_ascii=False, separators=(",", ":")).encode()
@@ -46,26 +46,26 @@ class Reply:
 
 @dataclass(frozen=True)
 class Request:
-    """A checked request: which call, with what; its scenario is the default one where the call takes none."""
+    """A checked request: its call and options; its scenario is the default one if the call takes none."""
 
     call: str
     body: Any
 
     @cached_property
     def scenario(self) -> Scenario:
-        """The scenario that is asked about."""
+        """The scenario of the request."""
         asked = isinstance(self.body, requests.ScenarioRequest)
         return self.body.asked() if asked else Scenario()
 
     @property
     def tag(self) -> str:
-        """Equal for equal requests to equal versions, whatever way their scenario was written."""
+        """Return a tag that is equal for equal requests to equal versions, however their scenario was written."""
         asked = isinstance(self.body, requests.ScenarioRequest)
         return requests.tag_of(self.call, self.scenario, self.body.options() if asked else {})
 
 
 def finite(value: Any) -> Any:
-    """JSON has no infinity and no nan: both become null."""
+    """Replace infinity and nan by None, because JSON has neither."""
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if isinstance(value, dict):
@@ -76,7 +76,7 @@ def finite(value: Any) -> Any:
 
 
 def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
-    """The motion, within the limits of a request; too many events end it early with status 'event_limit'.
+    """Compute a motion within the limits of a request; too many events end it early with status 'event_limit'.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
 
 
 def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
-    """A motion that is there already, for the player; `scenario` is what it is shown as."""
+    """Return the reply for the player of a computed motion; `scenario` is the one shown with it."""
     return Reply(film.header(motion, scenario), film.columns(motion))
 
 
@@ -96,7 +96,7 @@ def _film(request: Request, limits: Limits) -> Reply:
 
 
 def _samples(request: Request, limits: Limits) -> Reply:
-    """A part of a motion, for a film that is too long to be sent as densely as it is seen."""
+    """Return a part of a motion, for a film too long to be sent in full density."""
     window = request.body.window
     return Reply({"window": list(window)}, film.columns(computed(request.scenario, limits), window=window))
 
@@ -110,7 +110,7 @@ def _code(request: Request, limits: Limits) -> Reply:
 
 
 def _simulate(request: Request, limits: Limits) -> Reply:
-    """The motion in the format of result files, with `samples` equally spaced states."""
+    """Return the motion in the format of result files, with `samples` equally spaced states."""
     motion = computed(request.scenario, limits)
     if motion.status == "event_limit" and request.scenario.contact.max_events > limits.events:
         raise TooMuch(
@@ -140,13 +140,13 @@ def _map(request: Request, limits: Limits) -> Reply:
 
 
 def _file(request: Request, limits: Limits) -> Reply:
-    """A file for download, for the widget; the page has an address for each."""
+    """Return a file for download, for the widget; the page has a URL for each."""
     content = files.KINDS[request.body.name].make(request.scenario, limits)
     return Reply({"name": request.body.name}, {"content": np.frombuffer(content, np.uint8)})
 
 
 class Call(NamedTuple):
-    """What a call takes, and how it is answered."""
+    """Arguments of a call, and the function that answers it."""
 
     takes: type[Frozen]
     answer: Callable[[Request, Limits], Reply]
@@ -173,8 +173,8 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
     call : str
         A key of `CALLS`.
     body : dict or Frozen
-        JSON: `scenario` or `query`, optional `changes` to it (pairs of path and value), and its options; or a
-        request that has been checked already.
+        JSON: `scenario` or `query`, optional `changes` to it (pairs of path and value), and the call's options; or a request
+        that has been checked already.
     limits : Limits, optional
 
     Returns
@@ -183,7 +183,7 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
 
     Raises
     ------
-    ValueError
+    If there is no such call, or its arguments are wrong.
         If there is no such call, or the body is not what it takes.
     """
     if call not in CALLS:
@@ -197,7 +197,7 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
 
 
 def bounded(request: Request, limits: Limits = USUAL) -> None:
-    """Refuse what is more than the lab computes, before it waits for anything.
+    """Refuse a request beyond the limits, before it is queued.
 
     Parameters
     ----------
@@ -207,7 +207,7 @@ def bounded(request: Request, limits: Limits = USUAL) -> None:
     Raises
     ------
     TooMuch
-        If it is.
+        If it exceeds the limits.
     """
     if request.call == "map":
         motion_map.bounded(request.scenario, request.body.x, request.body.y, request.body.what, limits)
@@ -216,7 +216,7 @@ def bounded(request: Request, limits: Limits = USUAL) -> None:
 
 
 def cost(request: Request, limits: Limits = USUAL) -> str:
-    """Which lane of the server a request belongs to.
+    """Return the lane of the server for a request.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def cost(request: Request, limits: Limits = USUAL) -> str:
     Returns
     -------
     lane : {'light', 'heavy'}
-        Light is what is answered at once, as the page's sliders ask it.
+        Light requests, such as those of the page's sliders, are answered at once.
     """
     scenario = request.scenario
     many = request.call == "map" or getattr(request.body, "samples", 0) > LIGHT_SAMPLES
@@ -249,6 +249,6 @@ def answer(request: Request, limits: Limits = USUAL) -> Reply:
     Raises
     ------
     TooMuch
-        If it is more than the limits allow.
+        If it exceeds the limits.
     """
     return CALLS[request.call].answer(request, limits)

@@ -1,4 +1,4 @@
-"""Connections that ask nothing are closed: half-open ones, those that send half a request, those whose machine is gone."""
+"""Timeouts for connections: close idle, half-open and stalled ones."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ SECONDS = 15.0  # for the head of a request
 
 
 class Connection(H11Protocol):
-    """Uvicorn's protocol, which waits without end for the head of a request, with an end."""
+    """Uvicorn's protocol with a time limit for the head of a request, which Uvicorn lacks."""
 
     _waiting: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: Any) -> None:
-        """Begin to wait for the first request."""
+        """Start waiting for the first request."""
         super().connection_made(transport)
         found = transport.get_extra_info("socket")
         if found is not None:
-            with contextlib.suppress(OSError):  # the system asks whether the other side is there
+            with contextlib.suppress(OSError):  # TCP keep-alive detects a dead peer
                 found.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
         self._wait()
 
     def data_received(self, data: bytes) -> None:
-        """Go on waiting for the same head, or stop when it is there."""
-        # uvicorn's own limit between two requests ends with their first byte
+        """Continue to wait for the same head, or stop when it is complete."""
+        # uvicorn's own timeout between two requests ends with their first byte
         if self._waiting is None and (self.cycle is None or self.cycle.response_complete):
             self._wait()
         super().data_received(data)
@@ -37,7 +37,7 @@ class Connection(H11Protocol):
             self._cease()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait no more."""
+        """Stop waiting."""
         self._cease()
         super().connection_lost(exc)
 

@@ -1,4 +1,4 @@
-"""What the page lets one change: sliders with their ranges, and choices; the units are the scenario's own."""
+"""Controls of the page: sliders with their ranges, and choices; units are the scenario's own."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hophoop.vocabulary.laws import LATEST_FIRST, LAWS
 
 DEGREES = {"plane.slope", "start.angle"}
 
-# path, label, symbol, least, most, step; beyond the range of a slider any value may still be typed
+# path, label, symbol, minimum, maximum, step; values beyond a slider's range can be typed
 _SLIDERS: dict[str, list[tuple[str, str, str, float, float, float]]] = {
     "hoop": [
         ("hoop.load_fraction", "Load fraction", "γ", 0.0, 1.0, 0.01),
@@ -68,7 +68,7 @@ GRAVITIES = [
     ("Weightless", 0.0),
 ]
 
-# path, label, least and most in SI units: what a map's axis may be, with the range it starts from
+# path, label, minimum and maximum in SI units: the possible axes of a map, with their initial range
 MAP_AXES = [
     ("start.speed", "Speed v₀", 0.0, 5.0),
     ("start.angle", "Angle of the load θ₀", -3.141592653589793, 3.141592653589793),
@@ -88,17 +88,17 @@ MAP_AXES = [
 
 
 def range_of(path: str) -> Range:
-    """What a number of a scenario may be.
+    """Return the allowed range of a number of a scenario.
 
     Parameters
     ----------
     path : str
-        Such as ``"plane.mu_static"``.
+        For example ``"plane.mu_static"``.
 
     Returns
     -------
     range : Range
-        In its SI unit.
+        In the number's SI unit.
     """
     return RANGES["plane.mu" if path.startswith("plane.mu") else path]
 
@@ -109,7 +109,7 @@ def _allowed(allowed: Range) -> dict[str, Any]:
 
 
 def controls() -> dict[str, Any]:
-    """All that the page needs to know to offer its controls.
+    """Return everything that the page needs to show its controls.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Files of a motion for download, made in memory or in a folder of their own that is gone afterwards."""
+"""Files of a motion for download, made in memory or in a temporary folder."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FILM_SIZE, FILM_RATE = (960, 540), 25
 
 
 class Kind(NamedTuple):
-    """How a file is made, and what it is; a slow one takes many seconds."""
+    """How a file is made, and its media type; a slow one takes many seconds."""
 
     make: Callable[[Scenario, Limits], bytes]
     media_type: str
@@ -26,34 +26,34 @@ class Kind(NamedTuple):
 
 
 def toml(scenario: Scenario, limits: Limits) -> bytes:
-    """The scenario file."""
+    """Return the scenario file."""
     return scenario.to_toml().encode()
 
 
 def result(scenario: Scenario, limits: Limits) -> bytes:
-    """The result file in JSON."""
+    """Return the result file in JSON."""
     return json.dumps(simulate(within(scenario, limits)).to_dict(), indent=1, ensure_ascii=False).encode()
 
 
 def table(scenario: Scenario, limits: Limits) -> bytes:
-    """Sampled states as CSV; the unit stands in each column's heading."""
+    """Return sampled states as CSV; each column's heading contains the unit."""
     motion = simulate(within(scenario, limits))
     count = min(max(int(motion.duration * SAMPLES_PER_SECOND) + 1, 2), limits.samples)
     return _through_file(lambda path: write_csv(motion, path, motion.times(count)), "motion.csv")
 
 
 def netcdf(scenario: Scenario, limits: Limits) -> bytes:
-    """The motion as netCDF, as `hophoop.load` reads it."""
+    """Return the motion as netCDF for `hophoop.load`."""
     return _through_file(simulate(within(scenario, limits)).save, "motion.nc")
 
 
 def mp4(scenario: Scenario, limits: Limits) -> bytes:
-    """A film."""
+    """Return a film."""
     return _film(scenario, limits, "motion.mp4")
 
 
 def gif(scenario: Scenario, limits: Limits) -> bytes:
-    """A film as GIF."""
+    """Return a film as GIF."""
     return _film(scenario, limits, "motion.gif")
 
 

@@ -1,4 +1,4 @@
-"""A motion as the player takes it: what it is told with, and states at enough times, both sides of every event."""
+"""A motion for the player: a header, and states at sufficiently many times, on both sides of every event."""
 
 from __future__ import annotations
 
@@ -24,34 +24,34 @@ SHOWN = (
     "plane.mu", "plane.rolling_resistance", "plane.mu_static", "plane.mu_kinetic",
     "start.speed", "start.height", "start.vx", "start.vy", "start.omega",
 )  # fmt: skip
-"""Paths of what a slider shows that need not stand in the scenario itself."""
+"""Paths of sliders that need not be keys of the scenario."""
 
 
 def columns(
     motion: Trajectory, rate: float = 150.0, most: int = 6000, window: tuple[float, float] | None = None
 ) -> dict[str, Floats]:
-    """The motion at a steady rate and at both sides of each event, in order of time.
+    """Sample the motion at a steady rate and on both sides of each event, in order of time.
 
     Parameters
     ----------
     motion : Trajectory
     rate : float, default 150
-        Samples a second of motion [1/s].
+        Samples per second of motion [1/s].
     most : int, default 6000
-        Most samples between events [1].
+        Maximum number of samples between events [1].
     window : (float, float), optional
-        From when to when; the whole motion by default [s].
+        Start and end; the whole motion by default [s].
 
     Returns
     -------
     columns : dict of ndarray
-        Equal lengths; `mode` is the code of the mode's word, see `codes_of`: words and colours follow it.
+        Arrays of equal lengths; `mode` is the code of the mode's word (see `codes_of`), which also selects the colour.
     """
     duration = motion.duration
     begin, end = (0.0, duration) if window is None else (min(max(t, 0.0), duration) for t in window)
     count = min(max(math.ceil((end - begin) * rate), 240), most)
     steady = np.linspace(begin, end, count + 1) if end > begin else np.array([begin])
-    # the end of the last piece can lie a rounding beyond the duration
+    # rounding may put the end of the last segment beyond the duration
     marks = np.unique(np.minimum([event.t for event in motion.events], duration))
     marks = marks[(marks >= begin) & (marks <= end)]
     times = np.union1d(steady, marks)
@@ -74,7 +74,7 @@ def columns(
 
 
 def codes_of(words: np.ndarray) -> Floats:
-    """The code of each mode's word: its place in `vocabulary.words.MODES`, or their number for another word.
+    """Return the code of each mode's word: its index in `vocabulary.words.MODES`, or their number for another word.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def codes_of(words: np.ndarray) -> Floats:
     Returns
     -------
     codes : ndarray
-        [1].
+        Codes [1].
     """
     codes = np.full(words.shape, float(len(MODES)))
     for code, word in enumerate(MODES):
@@ -92,18 +92,18 @@ def codes_of(words: np.ndarray) -> Floats:
 
 
 def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, Any]:
-    """What the player knows of a motion besides its frames.
+    """Return what the player needs besides the samples.
 
     Parameters
     ----------
     motion : Trajectory
     scenario : Scenario, optional
-        What it is shown as; the motion's own by default.
+        The scenario shown with the motion; the motion's own by default.
 
     Returns
     -------
     header : dict
-        Its result, scenario, link, the values of the sliders, and the motion in words.
+        Result, scenario, link, values of the sliders, and the motion in words.
     """
     scenario = motion.scenario if scenario is None else scenario
     result = motion.to_dict()
@@ -117,7 +117,7 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
         "query": scenario.to_query(),
         "duration": motion.duration,
         "values": _values(scenario),
-        # what is chosen by itself where the scenario leaves it open
+        # values chosen automatically for what the scenario leaves open
         "automatic": _automatic(scenario),
         "massless": scenario.hoop.massless,
         "summary": words.summary(motion),
@@ -128,7 +128,7 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
 
 
 def _values(scenario: Scenario) -> dict[str, Any]:
-    """Numbers as the sliders show them, whichever way the scenario is given."""
+    """Return the values of the sliders, however the scenario is written."""
     state = scenario.start.state(scenario.hoop)
     found: dict[str, Any] = {}
     for path in SHOWN:

@@ -1,4 +1,4 @@
-"""Who may ask the lab: those who use its own name and come from its own page. And HEAD, and headers of security."""
+"""Access to the lab: requests must use one of its names and come from its own page. Also HEAD, and security headers."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from starlette.responses import JSONResponse
 
 from hophoop.lab.page import SECURITY_HEADERS
 
-HEAD = "hophoop.head"  # set in the scope of a request for the headers alone
+HEAD = "hophoop.head"  # set in the scope of a HEAD request
 
 
 def host_name(header: str) -> str:
-    """The name in a Host header, without its port.
+    """Return the name in a Host header, without its port.
 
     Parameters
     ----------
     header : str
-        Such as ``localhost:8765`` or ``[::1]:8765``.
+        For example ``localhost:8765`` or ``[::1]:8765``.
 
     Returns
     -------
     name : str
-        In small letters; empty where the header is none.
+        In lower case; empty if the header is invalid.
     """
     name = header.strip().lower()
     if name.startswith("["):
@@ -35,10 +35,10 @@ def host_name(header: str) -> str:
 
 
 class Guard:
-    """Refuses requests under foreign names and from foreign pages.
+    """Middleware that refuses requests under foreign names and from foreign pages.
 
-    A page elsewhere can make a browser ask this machine: under a name of its own that it lets point here (DNS
-    rebinding), or by a form. Names that are addresses cannot be rebound; others must be known.
+    A page on another site can make a browser send requests to this machine: under its own name, which it lets resolve to this
+    machine (DNS rebinding), or by a form. Addresses cannot be rebound; other names must be known.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class Guard:
         self.names = {"localhost", socket.gethostname().lower(), *(name.lower() for name in names)}
 
     async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
-        """Pass on what is allowed."""
+        """Pass a request on if it is allowed."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
@@ -68,7 +68,7 @@ class Guard:
         await self.app(scope, receive, send)
 
     def refusal(self, headers: Headers, path: str) -> str:
-        """Why a request is refused; empty where it is not. Pages and scripts are for everybody, calls for its own page."""
+        """Return why a request is refused, or ''. Pages and scripts are public; calls must come from the lab's own page."""
         host = headers.get("host", "")
         if not self._known(host_name(host)):
             return f"Host = {host[:80]!r} is not a name of this lab; `hophoop lab --name` says under which it is reached."

@@ -1,4 +1,4 @@
-"""What one request to the lab may cost, and two answers that are no errors of input: too much, too busy."""
+"""Bounds of one request to the lab, and two refusals of valid requests: too much, too busy."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from hophoop.vocabulary.sentences import LAB
 
 
 class TooMuch(InputError):
-    """The request is valid, but asks for more than the lab computes at a time (HTTP 413)."""
+    """The request is valid but exceeds the lab's limits (HTTP 413)."""
 
 
 class TooBusy(RuntimeError):
-    """The lab has as much to do as it takes on (HTTP 503)."""
+    """The lab is fully loaded (HTTP 503)."""
 
     seconds = 1
 
     @classmethod
     def after(cls, seconds: float) -> TooBusy:
-        """Say when it is worth while to ask again.
+        """Return an error that tells when to try again.
 
         Parameters
         ----------
         seconds : float
-            How long a request that comes now would have to wait [s].
+            Waiting time of a request that arrives now [s].
 
         Returns
         -------
@@ -48,41 +48,41 @@ class Limits:
     Attributes
     ----------
     body : int
-        Bytes of a request's body [1].
+        Maximum size of a request's body in bytes [1].
     duration : float
-        Of a motion [s].
+        Maximum duration of a motion [s].
     events : int
-        Of a motion [1].
+        Maximum number of events of a motion [1].
     parts : int
-        Of a hoop [1].
+        Maximum number of parts of a hoop [1].
     samples : int
-        Of a motion [1].
+        Maximum number of samples of a motion [1].
     cells : int
-        Of a map [1].
+        Maximum number of cells of a map [1].
     map_seconds : float
-        Duration of a motion times the cells of a map [s].
+        Maximum of the duration of a motion times the cells of a map [s].
     steps : float
-        Estimated steps of the compliant contact's integration [1].
+        Maximum of the estimated steps of a compliant contact's integration [1].
     film : float
-        Length of a film [s].
+        Maximum length of a film [s].
     film_patience : float
-        Time after which a request for a film is answered at the latest [s].
+        Maximum time to compute a film [s].
     waiting : int
-        Requests that wait at the same time [1].
+        Maximum number of waiting requests [1].
     queue, film_queue : float
-        Longest time that a request waits, and one for a film; who would wait longer is told at once [s].
+        Maximum waiting time of a request, and of one for a film; a request that would wait longer is refused at once [s].
     patience : float
-        Longest time that a request is computed [s].
+        Maximum time to compute a request [s].
     processes : int
-        That compute, besides one for films [1].
+        Processes that compute, besides one for films [1].
     turns : float
-        Estimated revolutions of a motion [1].
+        Maximum of the estimated revolutions of a motion [1].
     map_turns : float
-        Estimated revolutions in all cells of a map [1].
+        Maximum of the estimated revolutions in all cells of a map [1].
     changes : int
-        To a scenario, in one request [1].
+        Maximum number of changes to a scenario in one request [1].
     reading : float
-        Time in which the body of a request must be there [s].
+        Maximum time for the body of a request to arrive [s].
     """
 
     body: int = 65_536
@@ -110,7 +110,7 @@ USUAL = Limits()
 
 
 def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
-    """The scenario with its events bounded; refuse what would take too long.
+    """Return the scenario with its number of events limited; refuse a motion that would take too long.
 
     Raises
     ------
@@ -135,18 +135,18 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
 
 
 def turns_of(scenario: Scenario, **values: Any) -> Any:
-    """About how often the hoop turns, or would turn if all its energy went into rolling: what computing it costs.
+    """Estimate the revolutions of the hoop if all its energy went into rolling: the cost of a motion.
 
     Parameters
     ----------
     scenario : Scenario
     **values : array_like
-        Other values of its duration, radius, gravity, slope, vx, vy and omega [SI].
+        Other values of duration, radius, gravity, slope, vx, vy and omega of the scenario [SI].
 
     Returns
     -------
     turns : float or ndarray
-        An estimate from above, good to a factor of a few [1].
+        Upper bound, correct to a factor of a few [1].
     """
     hoop, plane = scenario.hoop, scenario.plane
     state = scenario.start.state(hoop)
@@ -155,14 +155,14 @@ def turns_of(scenario: Scenario, **values: Any) -> Any:
         "vx": state.vx, "vy": state.vy, "omega": state.omega,
     }  # fmt: skip
     duration, radius, gravity, slope, vx, vy, omega = (np.asarray(values.get(name, value)) for name, value in given.items())
-    # twice what the start has and the fall of the load gives, and what the slope adds on the way: its sine is at most that
+    # twice the energy of the start and of the load's fall, plus that of the slope, whose sine is at most that
     start = np.abs(vx) + np.abs(vy) + radius * np.abs(omega) + 2.0 * np.sqrt(gravity * (radius + state.height))
     speed = 2.0 * start + 0.5 * gravity * np.minimum(np.abs(slope), 1.0) * duration
     return speed * duration / (2.0 * math.pi * radius)
 
 
 def _steps(scenario: Scenario, contact: Compliant) -> float:
-    """Rough count of steps: a few for each oscillation of the contact; a small slip speed costs an implicit method none."""
+    """Estimate the steps: a few per oscillation of the contact, whatever the slip speed, since the method is implicit."""
     mass = scenario.hoop.mass
     rate = 10.0 / time_unit(scenario.hoop, scenario.plane)
     if contact.stiffness is not None:

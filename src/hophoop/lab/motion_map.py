@@ -1,4 +1,4 @@
-"""Maps of motions over two parameters, as the page shows them."""
+"""Maps of motions over two parameters for the page."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from hophoop.scenario.paths import contradiction
 from hophoop.vocabulary.classes import class_color, class_text
 from hophoop.vocabulary.sentences import LAB
 
-# name, words, span; what a map in the lab can show
+# name, words, span of the quantities that a map in the lab can show
 MAP_QUANTITIES: dict[str, tuple[str, str]] = {
     "sequence": ("what happens in the first turn", "first_revolution"),
     "hop_height": ("height of the first hop", "takeoff"),
@@ -33,16 +33,16 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
     "ending": ("how it ends", "duration"),
 }
 
-# A map has all cores: two at a time would only make both late.
+# A map uses all cores: two at a time would only delay both.
 _one_at_a_time = threading.Lock()
 
 MAP_EVENTS = 2000
-COSTLY = ("duration", "radius", "gravity", "slope", "vx", "vy", "omega")  # what `turns_of` takes other values of
-FLIGHT_TURNS = 2000.0  # a longer flight costs no more: it is looked at near the plane only
+COSTLY = ("duration", "radius", "gravity", "slope", "vx", "vy", "omega")  # parameters of which `turns_of` takes other values
+FLIGHT_TURNS = 2000.0  # a longer flight costs no more: it is only searched near the plane
 
 
 def number_path(path: str) -> str:
-    """Refuse a path that is none of a number."""
+    """Refuse a path that does not name a number."""
     try:
         known = parameter(path)
     except InputError as error:
@@ -61,28 +61,28 @@ class Axis(Frozen):
     cells: Annotated[Count, Field(ge=1, le=4096)] = Field(48, description="How many cells")
 
     def middles(self) -> np.ndarray:
-        """The middle of each cell."""
+        """Return the middle of each cell."""
         middles: np.ndarray = self.low + (np.arange(self.cells) + 0.5) * ((self.high - self.low) / self.cells)
         return middles
 
     def to_dict(self) -> dict[str, Any]:
-        """As it was asked for."""
+        """Return the axis as it was requested."""
         return self.model_dump(by_alias=True)
 
 
 def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) -> tuple[dict[str, Any], np.ndarray]:
-    """A map over two parameters; each value is that of a cell's middle.
+    """Return a map over two parameters; each value belongs to the middle of a cell.
 
     Raises
     ------
     ValueError
-        If the axes do not go with the scenario.
+        If the axes contradict the scenario.
     TooMuch
         If it would take too long.
 
     Notes
     -----
-    A cell with a value that no scenario may have is nan.
+    A cell with a value that no scenario allows is nan.
     """
     words, span = MAP_QUANTITIES[what]
     base, inside, values = bounded(scenario, x, y, what, limits)
@@ -114,7 +114,7 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
 def bounded(
     scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits
 ) -> tuple[Scenario, dict[str, np.ndarray], dict[str, np.ndarray]]:
-    """What a map is computed from; one that would take too long is refused before anything is computed.
+    """Return the inputs of a map; refuse one that would take too long before anything is computed.
 
     Parameters
     ----------
@@ -126,14 +126,14 @@ def bounded(
     Returns
     -------
     base : Scenario
-        With its events bounded.
+        With its number of events limited.
     inside, values : dict of str to ndarray
-        By path: which cells have a value that a scenario may have, and those values.
+        By path: a mask of the cells with an allowed value, and these values.
 
     Raises
     ------
     ValueError
-        If its contact is compliant, or its axes say one thing in two ways.
+        If its contact is compliant, or both axes set the same quantity.
     TooMuch
         If it would take too long.
     """
@@ -152,7 +152,7 @@ def bounded(
 
 
 def _allowed(axis: Axis) -> np.ndarray:
-    """Which cells of an axis have a value that a scenario may have."""
+    """Return a mask of the cells of an axis with an allowed value."""
     try:
         allowed = range_of(axis.path)
     except KeyError:
@@ -167,7 +167,7 @@ def _bounded(base: Scenario, x: Axis, y: Axis, values: dict[str, np.ndarray], sp
     Raises
     ------
     TooMuch
-        If it would.
+        If it would take too long.
     """
     down, across = np.meshgrid(values[y.path], values[x.path], indexing="ij")
     given: dict[str, Any] = {}
@@ -176,9 +176,9 @@ def _bounded(base: Scenario, x: Axis, y: Axis, values: dict[str, np.ndarray], sp
             given.update(vx=cells, vy=0.0, omega=0.0)  # the rim's own speed is part of the estimate
         else:
             given[path.rpartition(".")[2]] = cells
-    if span == "first_revolution":  # a turn, and the flight after it
+    if span == "first_revolution":  # one revolution, and the flight after it
         speed = np.abs(given.get("vx", base.start.state(base.hoop).vx))
-        with np.errstate(over="ignore"):  # a flight without gravity has no end
+        with np.errstate(over="ignore"):  # a flight without gravity never ends
             flight = speed**2 / (10.0 * base.plane.gravity * base.hoop.radius + 1e-300)
         turns = 1.0 + np.minimum(flight, FLIGHT_TURNS)
         total = float(np.sum(np.broadcast_to(turns, down.shape)))

@@ -1,4 +1,4 @@
-"""JSON and arrays in one block of bytes, as page and widget take them."""
+"""JSON and arrays in one block of bytes, for page and widget."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from typing import Any
 
 import numpy as np
 
-# Positions and times need all digits where a motion is long; the rest is drawn only.
+# Positions and times need all digits in a long motion; other columns are only drawn, as f4.
 PRECISE = ("t", "x", "height", "angle")
 
 
 def pack(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> bytes:
-    """One block of bytes: length of the header, header in JSON, arrays.
+    """Return one block of bytes: length of the header, header in JSON, arrays.
 
     Parameters
     ----------
     header : dict
-        Anything JSON holds; under `arrays` the names, types, shapes and places of the arrays are added.
+        Any JSON object; the names, types, shapes and offsets of the arrays are added under `arrays`.
     arrays : dict of ndarray
-        Of numbers.
+        Numeric arrays.
 
     Returns
     -------
@@ -32,7 +32,7 @@ def pack(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> bytes:
     listing, blocks, place = [], [], 0
     for name, array in arrays.items():
         kind = "f8" if name in PRECISE else "u1" if array.dtype == np.uint8 else "f4"
-        with np.errstate(over="ignore"):  # beyond the range of f4 is infinite, and not drawn
+        with np.errstate(over="ignore"):  # values beyond the range of f4 become infinite, and are not drawn
             block = np.ascontiguousarray(array, "<" + kind).tobytes()
         listing.append({"name": name, "type": kind, "shape": list(array.shape), "place": place})
         block += bytes(-len(block) % 8)
@@ -44,7 +44,7 @@ def pack(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> bytes:
 
 
 def unpack(block: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """The header and the arrays that `pack` wrote.
+    """Return the header and the arrays of a block made by `pack`.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """The page: one HTML document, one style sheet and one script, read once and served from memory.
 
-The script is the same for the page and the notebook widget, which takes a single file. It is built from the modules
-in the repository's web/lab and web/space, see CONTRIBUTING.md.
+Page and notebook widget share the script, because a widget takes a single file. It is built from the repository's web/lab and
+web/space, see CONTRIBUTING.md.
 """
 
 from __future__ import annotations
@@ -30,25 +30,25 @@ SECURITY_HEADERS = {
 
 
 def static_text(name: str) -> str:
-    """Text of a file of static/."""
+    """Return the text of a file of static/."""
     return (files("hophoop.lab") / "static" / name).read_text(encoding="utf-8")
 
 
 @cache
 def script() -> str:
-    """The page's script, whose default export is the widget's."""
+    """Return the page's script, whose default export is the widget's."""
     return static_text("lab.js")
 
 
 @cache
 def style() -> str:
-    """The style sheet, also of the widget."""
+    """Return the style sheet of page and widget."""
     return static_text("style.css")
 
 
 @cache
 def _assets() -> dict[str, tuple[bytes, str, str]]:
-    """Name → content, type and tag."""
+    """Return name → content, type and tag."""
     kinds = {
         ".js": "text/javascript; charset=utf-8",
         ".css": "text/css; charset=utf-8",
@@ -65,12 +65,12 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
 
 
 def html(filmed: bool = False) -> str:
-    """The document; the names of its assets change with their content, so that caches may keep them.
+    """Return the document; names of assets contain a hash of their content, so that caches may keep them.
 
     Parameters
     ----------
     filmed : bool, default False
-        Whether a film lies under the hoop.
+        True if a film is shown under the hoop.
 
     Returns
     -------
@@ -85,12 +85,12 @@ def html(filmed: bool = False) -> str:
 
 
 def takes_gzip(headers: Mapping[str, str]) -> bool:
-    """Whether the asker takes an answer that is compressed.
+    """Return True if the client accepts a compressed answer.
 
     Parameters
     ----------
     headers : mapping of str to str
-        Of the request.
+        Headers of the request.
 
     Returns
     -------
@@ -116,7 +116,7 @@ def _sent(request: Request, content: bytes, kind: str, headers: dict[str, str]) 
 
 
 def mount(app: FastAPI, backdrop: Backdrop | None = None) -> None:
-    """Add the page to the application, and the film under its hoop."""
+    """Add the page, and the film under its hoop, to the application."""
     if backdrop is not None:
         _mount_film(app, backdrop)
 
@@ -124,7 +124,7 @@ def mount(app: FastAPI, backdrop: Backdrop | None = None) -> None:
     async def index(request: Request) -> Response:
         return _sent(request, html(backdrop is not None).encode(), "text/html; charset=utf-8", {"Cache-Control": "no-cache"})
 
-    # A table of names, not a folder: no other file can be reached.
+    # A table of names instead of a folder: no other file can be reached.
     @app.get("/static/{tag}/{name}", include_in_schema=False)
     async def asset(request: Request, tag: str, name: str) -> Response:
         found: Any = _assets().get(name)

@@ -1,4 +1,4 @@
-"""A small page to click in a still of a film: the rim, the marker and the ground, as hints for tracking."""
+"""A small page on which to click the rim, the marker and the ground in a still of a film, as hints for tracking."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ from hophoop.tracking.hints import Hints
 from hophoop.tracking.video import Bytes, Picture, jpeg, kept, rgb
 
 LOOPBACK = "127.0.0.1"
-MOST_BYTES = 10_000  # of an answer
+MOST_BYTES = 10_000  # of a request
 
 
 def pick(video: str | Path, hints: Hints | None = None, show: Callable[[str], Any] = webbrowser.open) -> Hints:
-    """Open a page with stills of a film and wait until somebody has clicked in one.
+    """Open a page with stills of a film and wait until the user has clicked in one.
 
     Parameters
     ----------
     video : str or Path
     hints : Hints, optional
-        What is known already, and stays where nothing is clicked.
+        Known hints, which remain unless clicked.
     show : callable, optional
         Called with the page's address; opens a browser by default.
 
     Returns
     -------
     hints : Hints
-        With the rim, and the marker's colour and the ground where they were clicked.
+        Hints with the rim, and with the marker's colour and the ground if they were clicked.
 
     Raises
     ------
@@ -66,45 +66,45 @@ def pick(video: str | Path, hints: Hints | None = None, show: Callable[[str], An
 
 
 class Page:
-    """The stills that are shown, and what was clicked."""
+    """The stills shown, and the hints clicked."""
 
     def __init__(self, stills: list[Picture], hints: Hints, name: str) -> None:
         self.stills, self.hints, self.name = stills, hints, name
         self.done = threading.Event()
 
     def html(self) -> str:
-        """The page."""
+        """Return the page."""
         times = json.dumps([round(still.t, 6) for still in self.stills])
         text = files("hophoop.lab").joinpath("static/pick.html").read_text(encoding="utf-8")
         return text.replace("__TIMES__", times).replace("__NAME__", json.dumps(self.name).replace("<", "\\u003c"))
 
     def still(self, number: int) -> bytes:
-        """A picture as JPEG."""
+        """Return a still as JPEG."""
         return jpeg(rgb(self.stills[number]))
 
     def take(self, said: Any) -> None:
-        """Make hints of what was clicked.
+        """Convert clicks to hints.
 
         Raises
         ------
         ValueError
-            If the clicks do not make a circle, or something else was sent.
+            If the clicks do not make a circle, or the data is malformed.
         """
         self.hints = clicked(said, self.stills, self.hints)
         self.done.set()
 
 
 def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
-    """Hints from clicks.
+    """Return hints from clicks.
 
     Parameters
     ----------
     said : dict
-        ``still``, the number of the picture; ``rim``, three or more points; ``marker``, a point or None; ``ground``,
-        two points or none.
+        ``still``, the number of the picture; ``rim``, three or more points; ``marker``, a point or None; ``ground``, two points
+        or none.
     stills : list of Picture
     hints : Hints
-        What is known already.
+        Known hints.
 
     Returns
     -------
@@ -113,7 +113,7 @@ def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
     Raises
     ------
     ValueError
-        If the clicks do not make a circle, or something else was sent.
+        If the clicks do not make a circle, or the data is malformed.
     """
     try:
         still = stills[int(said["still"])]
@@ -138,7 +138,7 @@ def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
 
 
 def colour_at(image: Bytes, x: float, y: float) -> str:
-    """The colour around a point, as #rrggbb.
+    """Return the colour around a point, as #rrggbb.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ class _Answer(BaseHTTPRequestHandler):
         super().__init__(*args)
 
     def do_GET(self) -> None:
-        """The page, or a still."""
+        """Answer with the page or a still."""
         address = urlparse(self.path)
         if address.path == "/":
             self._send("text/html; charset=utf-8", self.page.html().encode())
@@ -186,7 +186,7 @@ class _Answer(BaseHTTPRequestHandler):
             self.send_error(404)
 
     def do_POST(self) -> None:
-        """What was clicked."""
+        """Receive the clicks."""
         length = int(self.headers.get("Content-Length") or 0)
         try:
             if not 0 < length <= MOST_BYTES:
@@ -205,4 +205,4 @@ class _Answer(BaseHTTPRequestHandler):
         self.wfile.write(body)
 
     def log_message(self, *args: Any) -> None:
-        """Say nothing."""
+        """Log nothing."""

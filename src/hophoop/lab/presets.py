@@ -1,4 +1,4 @@
-"""Motions worth starting from: the article's five, Littlewood's own hoop, each paradox of rigid contact."""
+"""Presets: motions worth starting from, such as the article's five, Littlewood's hoop, and each paradox of rigid contact."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from hophoop.scenario import Hoop, Plane, Scenario, Start
 
 
 class Preset(NamedTuple):
-    """A scenario with a name and what there is to see.
+    """A scenario with a name and a description.
 
     Attributes
     ----------
     key : str
         Short name for links and code.
     group : str
-        Heading under which it is offered.
+        Group heading in the menu.
     title : str
     text : str
-        What to look at.
+        What to look for.
     scenario : Scenario
     """
 
@@ -41,7 +41,7 @@ def _rolling(speed: float, mu: float = 1.0, duration: float = 6.0, **hoop: float
 
 @cache
 def presets() -> tuple[Preset, ...]:
-    """All presets, in the order in which they are offered.
+    """Return all presets, in the order of the menu.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""A scenario as the Python that computes its motion."""
+"""Python code that computes the motion of a scenario."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from hophoop.scenario import Scenario
 
 
 def python_code(scenario: Scenario) -> str:
-    """Python that makes the same motion.
+    """Return Python code that computes the motion of a scenario.
 
     Parameters
     ----------
@@ -17,7 +17,7 @@ def python_code(scenario: Scenario) -> str:
     Returns
     -------
     code : str
-        Its variable `motion` is the Trajectory.
+        Code whose variable `motion` is the Trajectory.
     """
     contact = "" if scenario.contact == type(scenario)().contact else f"    contact={_call(scenario.contact)},\n"
     return (
@@ -42,7 +42,7 @@ def _call(model: Any) -> str:
         name = "Start.rolling"
     parts = keys.pop("parts", None)
     usual = {"angle": 0.0, "x": 0.0} if name == "Start.rolling" else type(model)().to_dict()
-    # what a reader will want to change is written out also where it is as usual
+    # arguments that a reader will want to change are written even with their default values
     arguments = [
         f"{key}={_argument(value)}"
         for key, value in keys.items()

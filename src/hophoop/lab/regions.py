@@ -1,4 +1,4 @@
-"""The (θ, θ̇) plane: which mode follows contact without slip."""
+"""The (θ, θ̇) plane: the mode that follows contact without slip."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from hophoop.vocabulary.words import mode_words
 def regions(
     scenario: Scenario, window: tuple[float, float, float, float], columns: int = 360, rows: int = 240
 ) -> dict[str, Any]:
-    """The mode that follows contact without slip over the (θ, θ̇) plane.
+    """Return the mode that follows contact without slip over the (θ, θ̇) plane.
 
     Parameters
     ----------
     scenario : Scenario
-        Its hoop and plane count.
+        Only its hoop and plane matter.
     window : tuple of float
-        θ from and to [rad], θ̇ from and to [rad/s].
+        Range of θ [rad] and of θ̇ [rad/s].
     columns, rows : int
-        Cells over θ, and over θ̇ [1].
+        Numbers of cells in θ and θ̇ [1].
 
     Returns
     -------
     regions : dict of ndarray
-        `modes` (rows upwards): code of the mode's word, 5 where the model has no answer; `paradox`: for
-        each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
+        `modes` (rows upward): code of the mode's word, 5 if the model has no answer; `paradox`: for each column −1 (spin), 1
+        (skid) or 0, the slip with Painlevé's paradox.
     """
     left, right, bottom, top = window
     angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)

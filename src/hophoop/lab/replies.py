@@ -1,6 +1,6 @@
-"""What the programming interface answers, as pydantic models: they make its OpenAPI document, and tests hold answers to them.
+"""Answers of the programming interface as pydantic models, for its OpenAPI document; tests compare answers with them.
 
-The answers themselves are written by the calls, which the page and the widget share.
+The answers themselves come from `hophoop.lab.calls`, shared with page and widget.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from hophoop.vocabulary.statuses import MotionStatus
 
 
 def _number(name: str, **default: Any) -> Any:
-    """A field that holds a quantity of a motion."""
+    """Return a field that holds a quantity of a motion."""
     quantity = QUANTITIES[name]
     return Field(**default, description=f"{quantity.meaning} [{quantity.unit}]")
 
@@ -68,13 +68,13 @@ class Event(MotionState):
 
 
 class Result(BaseModel):
-    """A motion: events with the states just after them, final state, energies; SI, radians."""
+    """A motion: events with the states just after them, final state, energies; SI units, radians."""
 
     schema_name: Literal["hophoop/1"] = Field(alias="schema")
     version: str
     scenario: dict[str, Any] = Field(description="As it was asked for")
     status: MotionStatus
-    sequence: str = Field(description="One letter a phase: R roll, S spin, K skid, H flight, M skim")
+    sequence: str = Field(description="One letter per phase: R roll, S spin, K skid, H flight, M skim")
     fingerprint: str = Field(description="First 16 hexadecimal digits of the SHA-256 of the bits of all events")
     events: list[Event]
     final: Final
@@ -83,7 +83,7 @@ class Result(BaseModel):
 
 
 class Threshold(BaseModel):
-    """One thing that theory says about a hoop."""
+    """A threshold of theory for a hoop."""
 
     key: str
     label: str
@@ -107,7 +107,7 @@ class MapClass(BaseModel):
 
 
 class AxisReply(BaseModel):
-    """One axis of a map, as it was asked for."""
+    """One axis of a map, as it was requested."""
 
     path: str
     low: float = Field(alias="from")
@@ -116,7 +116,7 @@ class AxisReply(BaseModel):
 
 
 class Map(BaseModel):
-    """A map: a row of values for each cell of y; of a class, its number in `classes`."""
+    """A map: a row of values for each cell of y; for classes, indices into `classes`."""
 
     x: AxisReply
     y: AxisReply
@@ -128,13 +128,13 @@ class Map(BaseModel):
 
 
 class Error(BaseModel):
-    """What is wrong."""
+    """An error."""
 
     detail: str = Field(description="One sentence: what is wrong and what is allowed")
 
 
 class Health(BaseModel):
-    """That the server answers."""
+    """The server's answer that it is running."""
 
     status: Literal["ok"]
     version: str
@@ -142,21 +142,21 @@ class Health(BaseModel):
 
 _MEANINGS = {
     404: "There is no such file",
-    413: "More than the lab computes at a time",
+    413: "The request exceeds the lab's limits",
     422: "Bad input",
     415: "The body is not JSON",
-    501: "What makes this file is not installed on the server",
+    501: "A package for this file is not installed on the server",
     503: "The lab is busy; Retry-After says when to try again",
 }
 
 
 def responses(*codes: int) -> dict[int | str, dict[str, Any]]:
-    """The answers that are no result, as FastAPI documents them.
+    """Return the error responses, as FastAPI documents them.
 
     Parameters
     ----------
     codes : int
-        Their statuses [1].
+        HTTP statuses [1].
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""What can be asked of the lab: one pydantic model a call, for the API and its document, for page and widget."""
+"""Requests to the lab: one pydantic model per call, for the programming interface and its document, for page and widget."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from hophoop.scenario.paths import contradiction
 from hophoop.scenario.sentences import findings_sentence
 from hophoop.vocabulary.sentences import LAB
 
-WIDEST = 1e300  # what a window may hold: the difference of two such numbers is one as well
+WIDEST = 1e300  # maximum of a window's limits, so that their difference is finite
 
 
 def _among(names: Iterable[str]) -> Callable[[str], str]:
@@ -36,7 +36,7 @@ def _among(names: Iterable[str]) -> Callable[[str], str]:
 
 
 def not_one(samples: int) -> int:
-    """Refuse a single state: equally spaced ones have a first and a last."""
+    """Refuse a single state: equally spaced states include the start and the end."""
     if samples == 1:
         raise PydanticCustomError("value", "must be a whole number from 0 and not 1")
     return samples
@@ -87,7 +87,7 @@ Times = Annotated[tuple[Number, Number], BeforeValidator(_of_length(2, "times"))
 
 
 class SetupRequest(Frozen):
-    """Asks for what the page needs once; takes nothing."""
+    """Request for the page's initial data; no options."""
 
 
 class ScenarioRequest(Frozen):
@@ -95,10 +95,10 @@ class ScenarioRequest(Frozen):
 
     scenario: Scenario = Field(default_factory=Scenario, description="The scenario; unknown keys are errors")
     query: str | None = Field(None, description="A scenario's link, such as plane.mu=0.5, instead of its keys")
-    changes: tuple[Change, ...] = Field((), description="Pairs of path and value; of two that say one thing the later counts")
+    changes: tuple[Change, ...] = Field((), description="Pairs of path and value; the last one for a quantity counts")
 
     def asked(self) -> Scenario:
-        """The scenario that is meant; where two changes say one thing, the later one counts.
+        """Return the scenario with its changes; of two changes of the same quantity, the later counts.
 
         Raises
         ------
@@ -114,23 +114,23 @@ class ScenarioRequest(Frozen):
         return scenario.with_values(values)
 
     def options(self) -> dict[str, Any]:
-        """All that is asked for apart from the scenario, ready for JSON."""
+        """Return all options apart from the scenario, ready for JSON."""
         return self.model_dump(mode="json", by_alias=True, exclude={"scenario", "query", "changes"})
 
     def bounded(self, limits: Limits) -> None:
-        """Refuse what is more than the lab computes.
+        """Refuse a request beyond the lab's limits.
 
         Raises
         ------
         TooMuch
-            If it is.
+            If it exceeds the limits.
         """
         if len(self.changes) > limits.changes:
             raise TooMuch(LAB["too_many_changes"].format(pairs=len(self.changes), most=limits.changes))
 
 
 class SimulateRequest(ScenarioRequest):
-    """Asks for a motion with equally spaced states."""
+    """Request for a motion with equally spaced states."""
 
     samples: Samples = Field(0, description="How many equally spaced states to add; 0 for none")
 
@@ -140,7 +140,7 @@ class SimulateRequest(ScenarioRequest):
         Raises
         ------
         TooMuch
-            If there are.
+            If there are too many.
         """
         super().bounded(limits)
         if self.samples > limits.samples:
@@ -148,23 +148,23 @@ class SimulateRequest(ScenarioRequest):
 
 
 class SamplesRequest(ScenarioRequest):
-    """Asks for a part of a motion, as densely as the player shows it."""
+    """Request for a part of a motion, as densely as the player shows it."""
 
     window: Times = Field(description="Times from and to [s]")
 
 
 class RegionsRequest(ScenarioRequest):
-    """Asks for the regions of the (θ, θ̇) plane."""
+    """Request for the regions of the (θ, θ̇) plane."""
 
     window: Window = Field((0.0, 2.0 * math.pi, -12.0, 12.0), description="θ from and to [rad], θ̇ from and to [rad/s]")
 
 
 class MapRequest(ScenarioRequest):
-    """Asks for a map over two parameters."""
+    """Request for a map over two parameters."""
 
     x: Axis = Field(description="The axis across")
     y: Axis = Field(description="The axis upwards")
-    what: Quantity = Field("sequence", description="The quantity that is mapped")
+    what: Quantity = Field("sequence", description="The mapped quantity")
 
     def bounded(self, limits: Limits) -> None:
         """Refuse equal axes and too many cells.
@@ -185,7 +185,7 @@ class MapRequest(ScenarioRequest):
 
 
 class FileRequest(ScenarioRequest):
-    """Asks for a file of a motion."""
+    """Request for a file of a motion."""
 
     name: FileName = Field(description="Which file")
 
@@ -194,12 +194,12 @@ Model = TypeVar("Model", bound=Frozen)
 
 
 def validated(model: type[Model], body: Any) -> Model:
-    """A request out of JSON.
+    """Return a request made from JSON.
 
     Parameters
     ----------
     model : type
-        One of this module's.
+        A model of this module.
     body : dict
 
     Returns
@@ -209,7 +209,7 @@ def validated(model: type[Model], body: Any) -> Model:
     Raises
     ------
     ValueError
-        If the body is not what the call takes, in one sentence.
+        If the body is not valid for the call, in one sentence.
     """
     if not isinstance(body, Mapping):
         raise InputError(f"The body must be a JSON object, not {json.dumps(body)[:60]}.")
@@ -220,7 +220,7 @@ def validated(model: type[Model], body: Any) -> Model:
 
 
 def tag_of(call: str, scenario: Scenario | None, options: Mapping[str, Any]) -> str:
-    """Equal for equal requests to equal versions, whatever way their scenario was written.
+    """Return a tag that is equal for equal requests to equal versions, however their scenario was written.
 
     Parameters
     ----------

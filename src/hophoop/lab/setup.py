@@ -1,4 +1,4 @@
-"""What the page needs once: controls, presets, colours, version."""
+"""Initial data of the page: controls, presets, colours, version."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from hophoop.vocabulary import colors
 
 
 def setup() -> dict[str, Any]:
-    """All that the page is built from, ready for JSON.
+    """Return the data that the page is built from, ready for JSON.
 
     Returns
     -------
@@ -35,7 +35,7 @@ def setup() -> dict[str, Any]:
             for p in presets()
         ],
         "colors": {
-            # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
+            # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word
             "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
             "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
             "gravity_center": colors.GRAVITY_CENTER,

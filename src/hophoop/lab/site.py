@@ -1,4 +1,4 @@
-"""The lab as a folder of files that any web host can serve, or none: it computes in the visitor's browser."""
+"""The lab as a folder of static files, which any web host can serve: the visitor's browser computes."""
 
 from __future__ import annotations
 
@@ -16,47 +16,47 @@ from hophoop._version import __version__
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE, built
 from hophoop.scenario import InputError
 
-# Nothing may come from, or go, anywhere else. What a frame may hold it only takes as a header, not from the page itself.
+# Nothing may be loaded from or sent to other sites. Browsers accept frame-ancestors only as a header, not from the page.
 POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
 STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg", "licences.txt")
-# Names that pages and embedding sites use; the others are as they are.
+# Files renamed because pages and embedding sites use their names; the others keep their names.
 NAMES = {"style.css": "lab.css", "motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
 
 
 def static_bytes(name: str) -> bytes:
-    """Content of a file of static/."""
+    """Return the content of a file of static/."""
     return (files("hophoop.lab") / "static" / name).read_bytes()
 
 
 @cache
 def packed_module(name: str = MODULE) -> bytes:
-    """A module, compressed by gzip, for what travels with a notebook."""
+    """Return a module compressed by gzip, for the notebook widget."""
     return gzip.compress((files("hophoop.lab.wasm") / name).read_bytes(), 9, mtime=0)
 
 
 def site_files(docs: str = "") -> dict[str, bytes]:
-    """The files of the site by their path.
+    """Return the site's files by their path.
 
     Parameters
     ----------
     docs : str, default ''
-        Where the documentation is, for teachers: an address, or a path from the site; nowhere by default.
+        Location of the documentation, for teachers: an address, or a path relative to the site; none by default.
 
     Returns
     -------
     files : dict
-        With relative paths throughout, so that the folder may stand anywhere.
+        With relative paths throughout, so that the folder can be at any address.
     """
     made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
     for name in (MODULE, DERIVATIVES):
         made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
     for name in PAGES:
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
-        page = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
+        page = page.replace(b"{module}", built()["module"].encode())  # the hash with which the script requests it
         made[NAMES.get(name, name)] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
@@ -71,8 +71,8 @@ def site_files(docs: str = "") -> dict[str, bytes]:
 
 
 def _place_of(docs: str) -> bytes:
-    """What tells the page where the documentation is."""
-    scheme = re.match(r"[^/?#]*?:", docs.strip())  # browsers skip spaces and control characters before one
+    """Return the HTML that gives the page the location of the documentation."""
+    scheme = re.match(r"[^/?#]*?:", docs.strip())  # browsers ignore leading spaces and control characters
     if (scheme and scheme[0].lower() not in ("http:", "https:")) or not docs.isprintable():
         raise InputError.of_field("--docs", docs, "an address of http or https, or a path such as ../")
     if not docs:
@@ -99,9 +99,9 @@ def export(folder: Path, docs: str = "") -> list[Path]:
     Parameters
     ----------
     folder : Path
-        A new one, an empty one, or one that holds an earlier export.
+        A new or empty folder, or one with an earlier export.
     docs : str, default ''
-        Where the documentation is, for teachers: an address, or a path from the folder; nowhere by default.
+        Location of the documentation, for teachers: an address, or a path relative to the folder; none by default.
 
     Returns
     -------
@@ -110,9 +110,9 @@ def export(folder: Path, docs: str = "") -> list[Path]:
     Raises
     ------
     ValueError
-        If the folder holds something else.
+        If the folder contains anything else.
     OSError
-        If it cannot be written.
+        If the files cannot be written.
     """
     made = site_files(docs)
     if folder.exists() and not folder.is_dir():
@@ -130,7 +130,7 @@ def export(folder: Path, docs: str = "") -> list[Path]:
 
 
 def summary(folder: Path, written: list[Path]) -> str:
-    """What was written, in a sentence or two.
+    """Return a sentence or two about the files written.
 
     Parameters
     ----------

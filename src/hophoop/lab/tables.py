@@ -1,6 +1,6 @@
-"""What a page that computes by itself has to know of Python: written to a file that its script is built with.
+"""Tables of Python's data for the page that computes in the browser, written to a file that its script is built with.
 
-``python -m hophoop.lab.tables`` writes it; a test fails where it is not what would be written now.
+``python -m hophoop.lab.tables`` writes it; a test fails if the file is out of date.
 """
 
 from __future__ import annotations
@@ -46,14 +46,14 @@ from hophoop.vocabulary.statuses import STATUSES
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 
 _KINDS = {base._number: "number", base._friction: "friction", base._whole: "whole"}
-# Attributes of an annotation, and pydantic's names for what they forbid.
+# Attributes of an annotation, and pydantic's names of the corresponding errors.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
 _BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes")
 
 
 def tables() -> dict[str, Any]:
-    """Everything, ready for JSON.
+    """Return everything, ready for JSON.
 
     Returns
     -------
@@ -62,7 +62,7 @@ def tables() -> dict[str, Any]:
     """
     found: dict[str, Any] = {
         "setup": setup(),
-        # of each preset, for the page to compare its own with
+        # of each preset, to compare with those of the page
         "fingerprints": {preset.key: _fingerprint(preset.scenario) for preset in presets()},
         "schema": SCHEMA,
         "scenario": _scenario(),
@@ -95,7 +95,7 @@ def tables() -> dict[str, Any]:
             "laws": {name: law.code for name, law in LAWS.items()},
             "events": MAP_EVENTS,
             "flight_turns": FLIGHT_TURNS,
-            # what a cell may hold, and what is no number
+            # values that a cell may have, and those that are no numbers
             "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
             "words": [path for path in paths() if parameter(path).unit == ""],
             "quantities": {
@@ -104,10 +104,10 @@ def tables() -> dict[str, Any]:
             },
         },
         "lab": LAB,
-        # why there is no derivative, by the module's names; and of one side only
+        # reasons for a missing derivative, by the module's names; and the reason for a one-sided one
         "reasons": {reason.name.lower(): text for reason, text in REASONS.items()} | {"edge": EDGE, "sided": SIDED},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
-        # what a call takes
+        # options of each call
         "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
         "regions": {"widest": WIDEST, "usual": list(RegionsRequest.model_fields["window"].default)},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
@@ -117,13 +117,13 @@ def tables() -> dict[str, Any]:
 
 
 def _fingerprint(scenario: Scenario) -> str | None:
-    """Return the fingerprint of the motion; None where doubles do not decide it, as on the page."""
+    """Return the fingerprint of the motion; None if double precision does not decide it, as on the page."""
     motion = simulate(scenario)
     return motion.fingerprint if motion.doubt == math.inf else None
 
 
 def _scenario() -> dict[str, Any]:
-    """How a scenario is checked: models with their fields, and what they have to do with each other."""
+    """Return the checks of a scenario: models with their fields and the constraints between them."""
     sections: dict[str, list[type[Frozen]]] = {
         "hoop": [Hoop],
         "plane": [Plane],
@@ -186,12 +186,12 @@ def _field(field: FieldInfo) -> dict[str, Any]:
 
 
 def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], bool]:
-    """The plain type, what is annotated to it from the inside outwards, and whether None is allowed."""
+    """Return the plain type, its annotations from the inside out, and whether None is allowed."""
     nullable = False
     while True:
         if get_origin(annotation) is Annotated:
             annotation, *added = get_args(annotation)
-            # a field in an annotation is its limits
+            # a field in an annotation means its limits
             inner = [part for item in added for part in (item.metadata if isinstance(item, FieldInfo) else [item])]
             metadata = [*inner, *metadata]
         elif get_origin(annotation) in (Union, UnionType) and type(None) in get_args(annotation):
@@ -215,7 +215,7 @@ def _written(value: Any) -> Any:
 
 
 def text() -> str:
-    """The file.
+    """Return the content of the file.
 
     Returns
     -------

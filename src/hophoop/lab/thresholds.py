@@ -1,4 +1,4 @@
-"""What theory says about the hoop of a scenario, as the page lists it."""
+"""Thresholds of theory for the hoop of a scenario, as the page lists them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from hophoop.vocabulary.sentences import LEAST_SPEED, THEORY
 
 
 def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
-    """What theory says about the hoop of a scenario.
+    """Return the thresholds of theory for the hoop of a scenario.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
     Returns
     -------
     thresholds : list of dict
-        `key`, `label`, `value` (None where there is none), `unit` and `text`.
+        `key`, `label`, `value` (None if there is none), `unit` and `text`.
     """
     hoop, plane = scenario.hoop, scenario.plane
     known = {quantity.key: quantity for quantity in theory.summary(scenario)}
@@ -48,7 +48,7 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         add("first_hop", "first_hop_speed", lambda speed: _above(speed, "would_hop", "any_push"))
         add("immediate_hop", "immediate_hop_speed", lambda speed: _above(speed, "would_hop_at_once", "any_speed"))
     else:
-        # uphill the speed changes with every turn: there is no one speed from which on it happens in the first
+        # uphill the speed changes with every revolution: no single speed is the threshold for the first one
         found.append({"key": "uphill", "label": THEORY["uphill"], "value": None, "unit": "", "text": THEORY["no_threshold"]})
     add("needed_friction", "needed_friction", lambda mu: _needed(mu, plane))
     add("painleve", "painleve_friction", lambda mu: _painleve(mu, known, plane))
@@ -61,7 +61,7 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
 
 
 def _above(speed: float, would: str, always: str) -> str:
-    if speed < LEAST_SPEED:  # a number that is no speed but the least that doubles hold
+    if speed < LEAST_SPEED:  # not a physical speed but the smallest double
         return THEORY[always].format(would=THEORY[would])
     if not math.isfinite(speed):
         return THEORY["no_speed"]

@@ -1,4 +1,4 @@
-"""The player of the lab as a notebook widget, in Jupyter, marimo and wherever anywidget runs."""
+"""The lab's player as a notebook widget, in Jupyter, marimo and any other host of anywidget."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     Parameters
     ----------
     motion : Trajectory or Scenario
-        What to show first.
+        The motion to show first.
     panels : sequence of str, default ('controls', 'plots', 'theory')
-        What stands beside the player: any of controls, plots, map, theory.
+        Panels next to the player: any of controls, plots, map, theory.
 
     Returns
     -------
     widget : anywidget.AnyWidget
-        Its `motion` is the Trajectory that is shown now, also after a slider has moved; assigning another one
-        shows that. Its `query`, the scenario's link, changes with it and can be observed. The film is kept in the
-        notebook and plays without a kernel; sliders need one.
+        Its `motion` is the Trajectory shown, also after a slider has moved; assign another one to show it. Its `query`, the
+        scenario's link, changes with it and can be observed. The film is stored in the notebook and plays without a kernel;
+        sliders need one.
 
     Raises
     ------
@@ -55,7 +55,7 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
 
 
 def _widget_class() -> Any:
-    """The class, made on first use: anywidget belongs to an extra."""
+    """Return the class, made on first use because anywidget belongs to an extra."""
     if _made:
         return _made[0]
     anywidget = need("anywidget", "lab")
@@ -63,17 +63,17 @@ def _widget_class() -> Any:
     from hophoop.lab import calls, page, site
 
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
-        """One motion, its player and its sliders."""
+        """A motion with its player and its sliders."""
 
         _esm = page.script()
         _css = page.style()
         film = traitlets.Bytes().tag(sync=True)
         setup = traitlets.Dict().tag(sync=True)
         panels = traitlets.List().tag(sync=True)
-        # the page's own kernel and its worker: sliders need no round trip, also in a notebook that was exported to HTML
+        # the page's own kernel and worker: sliders need no round trip, even in a notebook exported to HTML
         module = traitlets.Bytes().tag(sync=True)
         worker = traitlets.Unicode().tag(sync=True)
-        # the scenario's link; changes when another motion has been chosen, so that other cells can follow
+        # the scenario's link; changes when another motion is chosen, so that other cells can follow
         query = traitlets.Unicode().tag(sync=True)
 
         def __init__(self, motion: Trajectory, panels: list[str]) -> None:
@@ -92,7 +92,7 @@ def _widget_class() -> Any:
 
         @property
         def motion(self) -> Trajectory:
-            """The motion that is shown now."""
+            """The motion that is shown."""
             return self._motion
 
         @motion.setter
@@ -103,21 +103,21 @@ def _widget_class() -> Any:
             self.query = self._shown
 
         def _follow(self, change: Any) -> None:
-            """Undo, or the other one of two hoops: what is shown is not what was computed last."""
+            """After an undo, or a switch between two hoops, recompute: the motion shown is not the one computed last."""
             if change["new"] != self._shown:
                 self._motion = calls.computed(Scenario.from_query(change["new"]))
                 self._shown = change["new"]
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
             reply = {"view": message.get("view"), "number": message.get("number")}
-            if message.get("call") == "derivatives":  # larger than most notebooks: only where it is asked for
+            if message.get("call") == "derivatives":  # larger than most notebooks, so only sent on request
                 content = np.frombuffer(site.packed_module(DERIVATIVES), np.uint8)
                 self.send(reply, [calls.Reply({}, {"content": content}).packed()])
                 return
             try:
                 request = calls.read(message.get("call"), message.get("body"))
                 if request.call == "film":
-                    # the motion is kept for the notebook's next cell
+                    # keep the motion for the notebook's next cell
                     self._motion = calls.computed(request.scenario)
                     self._shown = request.scenario.to_query()
                     answered = calls.film_of(self._motion, request.scenario)

@@ -1,4 +1,4 @@
-"""A motion told in words: what happens, where and when."""
+"""A motion in words: the events, their times and positions."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from hophoop.vocabulary.words import FLIGHT, MODES, SKIM, SPIN, VERBS, mode_word
 
 
 def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
-    """The motion as a list of sentences.
+    """Return the motion as a list of sentences.
 
     Parameters
     ----------
     motion : Trajectory
     most : int, default 400
-        Most sentences; the last one then says how many events are left out [1].
+        Maximum number of sentences; a last one then gives the number of events left out [1].
 
     Returns
     -------
     sentences : list of dict
-        `t` [s], `event` (its number in `motion.events`), `mode` (what follows: the letter in 'RSKHM' that a hoop
-        that rolls ahead would have for the same word) and `text`.
+        `t` [s], `event` (its index in `motion.events`), `mode` (the letter in 'RSKHM' of the following mode's word, for a hoop
+        that rolls forward) and `text`.
     """
     told: list[dict[str, Any]] = []
     left_out = 0
@@ -49,9 +49,9 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
 
 
 def _many_bounces(motion: Trajectory, least: int = 6, told: int = 3) -> dict[int, int]:
-    """Where bounces follow each other: at the first that is not told by itself, how many there are; at the others 0."""
+    """Return counts by event for sequences of bounces: at the first one not described, the number of the rest; at those, 0."""
     found: dict[int, int] = {}
-    run: list[int] = []  # events of one row of bounces
+    run: list[int] = []  # events of one sequence of bounces
     for number, event in [*enumerate(motion.events), (-1, None)]:
         if event is not None and (_bounces(event) or (run and event.kind == "apex")):
             run.append(number)
@@ -69,13 +69,13 @@ def _bounces(event: EventRecord) -> bool:
 
 
 def summary(motion: Trajectory, most: int = 6) -> str:
-    """The motion in one sentence, such as 'Rolls, skids at 49.8°, rolls at 152.7°.'
+    """Describe the motion in one sentence, such as 'Rolls, skids at 49.8°, rolls at 152.7°.'
 
     Parameters
     ----------
     motion : Trajectory
     most : int, default 6
-        Most changes of mode that are told [1].
+        Maximum number of mode changes in the sentence [1].
 
     Returns
     -------
@@ -111,7 +111,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
 
 
 def degrees(angle: float) -> str:
-    """An angle in words.
+    """Return an angle in words.
 
     Parameters
     ----------
@@ -158,16 +158,16 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
 
 
 def _word(motion: Trajectory, number: int) -> str:
-    """The word for the mode that follows an event."""
+    """Return the word for the mode that follows an event."""
     event = motion.events[number]
     if event.omega == 0.0 and number + 1 < len(motion.events):
-        # the direction in which it begins to turn
+        # the direction in which it starts to rotate
         return mode_word(event.to_mode, motion.at(0.5 * (event.t + motion.events[number + 1].t)).omega)
     return mode_word(event.to_mode, event.omega)
 
 
 def _turns_in_slip(event: EventRecord) -> bool:
-    # what was a spin is then a skid, or the reverse
+    # a spin then becomes a skid, or the reverse
     return event.kind == "turn" and event.to_mode in ("S", "K")
 
 
@@ -186,7 +186,7 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def _number(value: float | None) -> str:
-    """Three digits, a real minus sign, powers of ten as they are written."""
+    """Return a number with three digits, a real minus sign, and powers of ten with superscripts."""
     mantissa, _, power = f"{value:.3g}".replace("nan", "?").partition("e")
     raised = f"·10{str(int(power)).translate(_RAISED)}" if power else ""
     return f"{mantissa}{raised}".replace("-", "−")

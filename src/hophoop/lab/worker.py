@@ -1,10 +1,11 @@
-"""A process that computes for the lab and can be stopped: jobs come on standard input, answers go to standard output.
+"""A process that computes for the lab and can be stopped: jobs arrive on standard input, answers go to standard output.
 
-The kernel cannot be stopped from within its process: a motion runs to its end. A process can. It is told first which job is
-not wanted any more, which ends a map, a film or a file at once and keeps the process; one that is deep in a motion is ended.
+A motion cannot be stopped inside the kernel; it runs to its end. A process can be stopped. It is first told which job to
+cancel, which stops a map, a film or a file at once and keeps the process. A process inside a long motion does not react, and is
+ended.
 
-Jobs have numbers, and every job has exactly one answer, with its number: so that whenever it is given up, before it is read,
-while it is computed or when its answer is on the way, nobody takes an answer for that to another job.
+Jobs are numbered, and every job has exactly one answer with its number. So whenever a job is cancelled (before it is read,
+while it is computed, or while its answer is sent), no answer is taken for that of another job.
 """
 
 from __future__ import annotations
@@ -27,14 +28,14 @@ from typing import Any, BinaryIO
 from hophoop._support.processes import start_python
 
 ANSWER, ERROR, FAILED, STOPPED, BEGINNING = "answer", "error", "failed", "stopped", "beginning"
-BEGINS = 4.0  # seconds that a process may need until it can report
-REPORT = 0.25  # seconds between two reports that code is compiled
+BEGINS = 4.0  # seconds that a process may take until its first report
+REPORT = 0.25  # seconds between reports while code is compiled
 AGAIN = 0.01  # seconds until a job that is importing a module is interrupted again
 
 
 @dataclass(frozen=True)
 class Job:
-    """What is to be computed.
+    """A request to compute, and the form of its answer.
 
     Attributes
     ----------
@@ -42,7 +43,7 @@ class Job:
         A checked request.
     limits : hophoop.lab.limits.Limits
     form : str
-        How it is answered: packed, json, or the name of a file.
+        Form of the answer: packed, json, or the name of a file.
     """
 
     request: Any
@@ -51,16 +52,16 @@ class Job:
 
 
 class Ended(RuntimeError):
-    """The process has ended, since it was stopped or the system has ended it."""
+    """The process has ended: it was stopped, or the system ended it."""
 
 
 class Worker:
     """Another process that computes one job at a time."""
 
     def __init__(self) -> None:
-        # in a session of its own: Ctrl-C is for the server, which ends it, and whatever it has started ends with it
+        # a session of its own: Ctrl-C goes to the server, which ends the process and its children
         self._process = start_python(
-            # an interrupt may come before there is somebody to hear it
+            # an interrupt may come before the handler is installed
             "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); from hophoop.lab.worker import main; main()",
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -72,11 +73,11 @@ class Worker:
 
     @property
     def beginning(self) -> bool:
-        """Whether it loads what it needs, which is no fault of what it was asked."""
+        """True while it loads its modules, which does not count as computing."""
         return time.monotonic() - self._began < 4.0 * REPORT
 
     def exchange(self, job: Job) -> tuple[str, Any]:
-        """Hand over a job and wait for its answer; one job at a time.
+        """Send a job and wait for its answer; one job at a time.
 
         Parameters
         ----------
@@ -85,7 +86,7 @@ class Worker:
         Returns
         -------
         said : (str, object)
-            As `outcome`, or `STOPPED` and None for a job that was interrupted before its end.
+            As from `outcome`, or `STOPPED` and None for a job that was interrupted before its end.
 
         Raises
         ------
@@ -102,11 +103,11 @@ class Worker:
                     self._began = time.monotonic()
                 elif said[0] == number:
                     return said[1:]
-        except (EOFError, OSError, ValueError):  # a pipe is broken, or closed
+        except (EOFError, OSError, ValueError):  # the pipe is broken or closed
             raise Ended from None
 
     def interrupt(self) -> bool:
-        """Ask it to stop the job that it computes; False where that is not possible. Its answer comes all the same."""
+        """Ask the process to stop its job, which still answers; return False if that is not possible."""
         if os.name != "posix":
             return False
         with contextlib.suppress(OSError, ValueError):  # it has ended
@@ -118,7 +119,7 @@ class Worker:
             _write(self._process.stdin, (number, job))  # type: ignore[arg-type]
 
     def end(self) -> None:
-        """End the process, and all that it has started."""
+        """End the process and all its children."""
         with contextlib.suppress(ProcessLookupError, PermissionError):
             if os.name == "posix":
                 os.killpg(self._process.pid, signal.SIGKILL)
@@ -132,23 +133,23 @@ class Worker:
 
     @property
     def running(self) -> bool:
-        """Whether it is there."""
+        """True if the process runs."""
         return self._process.poll() is None
 
 
 class _Stopped(KeyboardInterrupt):
-    """What is being computed is not wanted any more."""
+    """The job that is being computed has been cancelled."""
 
 
 class _Loop:
-    """Takes jobs one by one, and gives each its one answer."""
+    """Loop that takes jobs one by one, and gives each exactly one answer."""
 
     def __init__(self, inward: BinaryIO, outward: BinaryIO) -> None:
         self.inward, self.outward = inward, outward
         self.jobs: queue.SimpleQueue[tuple[int, Job] | None] = queue.SimpleQueue()
         self.preparing = True
-        self.computing = 0  # the number of the job that is computed
-        self.unwanted = 0  # no job up to this number is wanted any more, but for those that are answered
+        self.computing = 0  # number of the current job
+        self.unwanted = 0  # jobs up to this number are cancelled, unless they are answered already
         self.lock = threading.Lock()
 
     def say(self, number: int, said: tuple[str, Any]) -> None:
@@ -156,7 +157,7 @@ class _Loop:
             _write(self.outward, (number, *said))
 
     def listen(self) -> None:
-        """Take what comes, also while a job is computed; the process ends where nothing comes any more, or no sense."""
+        """Receive jobs and cancellations, also while a job is computed; end the process at the end of the input."""
         try:
             while True:
                 number, job = _read(self.inward)
@@ -172,23 +173,23 @@ class _Loop:
             self.jobs.put(None)
 
     def report(self) -> None:
-        """Say now and then that it begins, while it does."""
+        """Report regularly that the process is still starting."""
         while self.preparing:
             with contextlib.suppress(OSError):
                 self.say(0, (BEGINNING, None))
             time.sleep(REPORT)
 
     def interrupted(self, _: int, frame: FrameType | None) -> None:
-        """Stop the job that is computed; one that was answered just now, or comes next, goes on."""
+        """Stop the current job; one that was just answered, or the next one, continues."""
         if 0 < self.computing <= self.unwanted:
-            if importing(frame):  # half a module would fail all jobs to come
+            if importing(frame):  # a half-imported module would fail all later jobs
                 signal.setitimer(signal.ITIMER_REAL, AGAIN)
                 return
             self.computing = 0
             raise _Stopped
 
     def heed(self) -> None:
-        """Heed interrupts from now on, and those that were put off."""
+        """React to interrupts from now on, including those that were postponed."""
         signal.signal(signal.SIGINT, self.interrupted)
         if os.name == "posix":
             signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
@@ -199,7 +200,7 @@ class _Loop:
 
     def answer(self, number: int, job: Job) -> tuple[str, Any]:
         try:
-            self.computing = number  # from here on it is interrupted; if it was given up before, it is not begun
+            self.computing = number  # interruptible from here on; a job cancelled before is not started
             said = outcome(job) if number > self.unwanted else (STOPPED, None)
             self.computing = 0
         except _Stopped:
@@ -208,7 +209,7 @@ class _Loop:
 
 
 def importing(frame: FrameType | None) -> bool:
-    """Whether a module is being imported where a signal came."""
+    """Return True if a module was being imported when a signal came."""
     while frame is not None:
         if frame.f_code.co_filename.startswith("<frozen importlib"):
             return True
@@ -226,7 +227,7 @@ def outcome(job: Job) -> tuple[str, Any]:
     Returns
     -------
     said : (str, object)
-        `ANSWER` with bytes, `ERROR` with an exception that the asker must be told, or `FAILED` with a traceback.
+        `ANSWER` with bytes, `ERROR` with an exception for the client, or `FAILED` with a traceback.
     """
     from hophoop._support.extras import MissingExtra
     from hophoop.lab import calls, files
@@ -247,13 +248,13 @@ def main() -> None:
     """Compute jobs until standard input ends."""
     inward = sys.stdin.buffer
     outward = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # prints must not mix with the answers
     loop = _Loop(inward, outward)
     loop.heed()
     for thread in (loop.listen, loop.report):
         threading.Thread(target=thread, daemon=True).start()
     usual = sys.unraisablehook
-    # what is stopped within a callback says so to nobody
+    # a stop within a callback is not reported
     sys.unraisablehook = lambda found: None if isinstance(found.exc_value, _Stopped) else usual(found)
     _prepare()
     loop.preparing = False
@@ -261,7 +262,7 @@ def main() -> None:
 
 
 def _prepare() -> None:
-    """Load what most jobs need, before the first one waits for it."""
+    """Load what most jobs need, before the first job waits for it."""
     from hophoop import maps  # noqa: F401
     from hophoop.lab import calls
     from hophoop.scenario import Scenario

@@ -1,4 +1,4 @@
-"""Which process computes which request, for how long, and what those are told that would have to wait."""
+"""Scheduling of requests: which process computes which request, time limits, and refusals when the lab is busy."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from hophoop.lab.worker import ERROR, FAILED, Ended, Job, Worker
 logger = logging.getLogger("hophoop.lab")
 
 LIGHT, HEAVY, FILM = "light", "heavy", "film"
-LOOK = 0.5  # seconds between two looks whether code is compiled meanwhile
-GRACE = 0.08  # seconds in which a process that is asked to stop must have stopped
-USUAL_SECONDS = {LIGHT: 0.05, HEAVY: 1.0, FILM: 15.0}  # until it is known better
-TRIES = 2  # a process that the system has ended is replaced, once
+LOOK = 0.5  # seconds between checks whether code is being compiled
+GRACE = 0.08  # seconds in which a process must react to a cancellation
+USUAL_SECONDS = {LIGHT: 0.05, HEAVY: 1.0, FILM: 15.0}  # initial estimates, until requests have been measured
+TRIES = 2  # a process that the system has ended is replaced once
 
 
 class Lane:
-    """Requests of one kind: how many compute at a time, how many wait, and how long one takes."""
+    """Lane for requests of one kind: how many compute at a time, the queue, and the mean time of a request."""
 
     def __init__(self, kind: str, places: int) -> None:
         self.places = places
@@ -33,21 +33,21 @@ class Lane:
         self.queue: deque[asyncio.Future[None]] = deque()
 
     def wait(self) -> float:
-        """How long one that comes now would have to wait [s]."""
+        """Return the waiting time of a request that arrives now [s]."""
         ahead = self.taken + len(self.queue) - self.places + 1
         return max(math.ceil(ahead / self.places), 0) * self.seconds
 
     def measured(self, seconds: float) -> None:
-        """Learn from one that has been computed."""
+        """Update the mean time with a computed request."""
         self.seconds += 0.2 * (seconds - self.seconds)
 
     async def enter(self, most: float, beginning: Callable[[], bool] = lambda: False) -> None:
-        """Wait for a place, in order of arrival; time in which a process begins does not count.
+        """Wait for a slot, in order of arrival; time in which a process starts does not count.
 
         Raises
         ------
         TimeoutError
-            If there is none within `most` seconds.
+            If there is no slot within `most` seconds.
         """
         if self.taken < self.places:
             self.taken += 1
@@ -64,13 +64,13 @@ class Lane:
                 raise TimeoutError
         except BaseException:
             if place.done() and not place.cancelled():
-                self.leave()  # it was given a place at this very moment
+                self.leave()  # the slot was granted at this very moment
             elif place in self.queue:
                 self.queue.remove(place)
             raise
 
     def leave(self) -> None:
-        """Hand the place on."""
+        """Pass the slot on."""
         while self.queue:
             following = self.queue.popleft()
             if not following.done():
@@ -80,23 +80,23 @@ class Lane:
 
 
 class Workers:
-    """The processes that compute, and the lanes before them.
+    """The processes that compute, and the lanes in front of them.
 
     Parameters
     ----------
     limits : Limits
     start : callable, optional
-        Starts a process.
+        Function that starts a process.
     """
 
     def __init__(self, limits: Limits, start: Callable[[], Any] = Worker) -> None:
         self.limits = limits
         self._start = start
         count = max(limits.processes, 1)
-        # one process is left for what is answered at once, whatever else is computed
+        # one process is reserved for light requests
         self.lanes = {LIGHT: Lane(LIGHT, count), HEAVY: Lane(HEAVY, max(count - 1, 1)), FILM: Lane(FILM, 1)}
         self._free: deque[Any] = deque()
-        self._places = Lane(LIGHT, count + 1)  # a film has its own
+        self._places = Lane(LIGHT, count + 1)  # one more for a film
         self._all: set[Any] = set()
         self._stopping: set[asyncio.Task[None]] = set()
         # threads only wait for the processes
@@ -108,7 +108,7 @@ class Workers:
             self._free.append(self._new())
 
     def close(self) -> None:
-        """End all of them, whatever they compute."""
+        """End all processes, whatever they compute."""
         for worker in self._all:
             worker.end()
         self._all.clear()
@@ -117,11 +117,11 @@ class Workers:
 
     @property
     def computing(self) -> int:
-        """How many requests are computed, or are being stopped."""
+        """Number of requests that are being computed or stopped."""
         return self._places.taken
 
     async def run(self, job: Job, kind: str) -> bytes:
-        """Compute a job in a process; that ends with it where the asker is gone or its time is up.
+        """Compute a job in a process; stop it if the client disconnects or the time is up.
 
         Parameters
         ----------
@@ -136,13 +136,13 @@ class Workers:
         Raises
         ------
         TooBusy
-            If it would have to wait too long.
+            If the request would have to wait too long.
         TooMuch
-            If it takes too long.
+            If the computation takes too long.
         InputError, MissingExtra
-            As the computation says.
+            As raised by the computation.
         RuntimeError
-            If it met a defect.
+            If the computation fails because of a defect.
         """
         lane = self.lanes[kind]
         queue = self.limits.queue if kind != FILM else self.limits.film_queue
@@ -172,11 +172,11 @@ class Workers:
         return any(worker.beginning for worker in self._all)
 
     async def _computed(self, job: Job, patience: float) -> tuple[str, Any, float]:
-        """What a process says, and how long it took apart from its process's begin [s]."""
+        """Return a process's answer, and the computing time without its process's start [s]."""
         for last in (False, True):
             try:
                 await self._places.enter(self.limits.queue, self._beginning)
-            except TimeoutError:  # films, and what is being stopped
+            except TimeoutError:  # films and jobs that are being stopped occupy the slots
                 raise TooBusy.after(self.lanes[HEAVY].seconds) from None
             worker = self._take()
             exchange = self._beside(worker.exchange, job)
@@ -237,11 +237,11 @@ class Workers:
         task.add_done_callback(self._stopping.discard)
 
     async def _stopped(self, worker: Any, exchange: asyncio.Future[Any]) -> None:
-        """Stop what is not wanted any more: the process is asked, and ended where it does not answer."""
+        """Stop a cancelled job: ask its process, and end the process if it does not react."""
         try:
             if not worker.interrupt():
                 raise Ended
-            while worker.beginning and not exchange.done():  # it cannot be asked yet
+            while worker.beginning and not exchange.done():  # it cannot react yet
                 await asyncio.wait({exchange}, timeout=GRACE)
             async with asyncio.timeout(GRACE):
                 await asyncio.shield(exchange)
@@ -261,19 +261,19 @@ def _forget(future: asyncio.Future[Any]) -> None:
 
 
 async def while_there(work: Coroutine[Any, Any, bytes], gone: Coroutine[Any, Any, None]) -> bytes | None:
-    """Do it as long as the asker is there.
+    """Run `work` until it is done or the client disconnects.
 
     Parameters
     ----------
     work : coroutine
-        Cancelled when the asker has gone.
+        Cancelled when the client disconnects.
     gone : coroutine
-        Ends when the asker has gone.
+        Ends when the client disconnects.
 
     Returns
     -------
     content : bytes or None
-        None where the asker has gone.
+        None if the client has disconnected.
     """
     tasks = working, _ = asyncio.ensure_future(work), asyncio.ensure_future(gone)
     try:

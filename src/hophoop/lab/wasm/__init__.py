@@ -1,1 +1,1 @@
-"""The kernels as one WebAssembly module, for browsers and for whatever else runs it: entries, layout, build."""
+"""The kernels as WebAssembly modules, for browsers and other hosts: entries, layout, build."""

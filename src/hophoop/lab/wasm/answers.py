@@ -1,4 +1,4 @@
-"""What theory says, regions of the phase plane, cells of maps and hoops made of parts, over plain memory."""
+"""Thresholds of theory, regions of the phase plane, cells of maps and hoops made of parts, over plain memory."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ PART_WIDTH = len(PART)
 
 
 def write_jams(body, out):
-    """Angles of the dynamic jam, in order."""
+    """Write the angles of the dynamic jam, in order."""
     count = 0
     for side in range(2):
         first = border(body, body.mu_k, side == 1)
@@ -48,7 +48,7 @@ def write_jams(body, out):
 
 
 def thresholds(given, speed, out):
-    """What theory says about a hoop that starts from θ = 0 with the speed [m/s] (nan: it does not)."""
+    """Write the thresholds of theory for a hoop that starts from θ = 0 with `speed` [m/s] (nan: not given)."""
     cells = carray(given, (FIELDS, 1))
     row = carray(out, (ANSWERS,))
     scales = scales_of(cells, 0)
@@ -88,7 +88,7 @@ def thresholds(given, speed, out):
 
 
 def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
-    """The word's number (see `vocabulary.words.MODES`) of the mode that follows each state of contact without slip."""
+    """Write the mode that follows each state of contact without slip, as an index into `vocabulary.words.MODES`."""
     cells = carray(given, (FIELDS, 1))
     codes = carray(modes, (lines, columns))
     sides = carray(paradox, (columns,))
@@ -110,14 +110,14 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
             rate[0] = omega * scales.time
             following_modes(rows, angle, rate, found)
             mode = found[0]
-            if mode in (SPIN, SKID):  # the word of a slip follows sign(v_t θ̇)
+            if mode in (SPIN, SKID):  # the word of a slip depends on sign(v_t θ̇)
                 ahead = (mode == SPIN and omega > 0.0) or (mode == SKID and omega < 0.0)
                 mode = SPIN if ahead else SKID
             codes[j, i] = mode
 
 
 def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
-    """Reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
+    """Compute reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
     columns = carray(cells, (ROWS, n))
     evaluate_block(
         columns, 0, n, span, stop, timed != 0, wanted, np.empty(0, EVENT),
@@ -126,17 +126,17 @@ def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
 
 
 def ideal_hoop(load_fraction, out):
-    """κ of the ideal hoop."""
+    """Write κ of the ideal hoop."""
     carray(out, (1,))[0] = ideal_inertia(load_fraction)
 
 
 def resistance_limit(eccentricity, inertia_ratio, out):
-    """The rolling resistance below which rolling has one answer at every angle."""
+    """Write the rolling resistance below which rolling has one solution at every angle."""
     carray(out, (1,))[0] = most_resistance(eccentricity, inertia_ratio)
 
 
 def hoop_of_parts(radius, parts, count, out, reaches):
-    """Mass, ε and κ of parts (rows of `layout.PART`), and how far each reaches from C."""
+    """Write mass, ε and κ of parts (rows of `layout.PART`), and the distance of each part's farthest point from C."""
     table = carray(parts, (count, PART_WIDTH))
     made = carray(out, (3,))
     made[0], made[1], made[2] = combined(radius, table)

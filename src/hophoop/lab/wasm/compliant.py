@@ -37,7 +37,7 @@ BUFFER = int(Status.BUFFER)
 
 
 def contact_of(cells, contact, body, scales):
-    """The contact's numbers in kernel units."""
+    """Return the parameters of the contact in kernel units."""
     return compliance_of(
         body, scales.length, scales.time, cells[MASS, 0], int(contact[0]), int(contact[1]),
         contact[2], contact[3], contact[4], contact[5], contact[6],
@@ -45,7 +45,7 @@ def contact_of(cells, contact, body, scales):
 
 
 def start_at(cells, scales):
-    """The start in kernel units, before the contact is loaded."""
+    """Return the start in kernel units, before the contact is loaded."""
     speed = scales.speed
     start = np.zeros(SIZE)
     start[X] = cells[PLACE, 0] / scales.length
@@ -58,7 +58,7 @@ def start_at(cells, scales):
 
 
 def compliance(given, contact, out):
-    """What the contact makes of its numbers, in the order of `layout.CHOSEN`."""
+    """Write the derived parameters of the contact, in the order of `layout.CHOSEN`."""
     cells = carray(given, (FIELDS, 1))
     asked = carray(contact, (CONTACT,))
     row = carray(out, (CHOSEN_COUNT,))
@@ -77,8 +77,7 @@ def compliance(given, contact, out):
 def compliant_motion(given, contact, events, most_events, most_steps, rows, most_rows, table, heads):
     """Compute a motion with compliant contact.
 
-    Where `rows` has too little room for what `compliant_samples` needs, the status is `buffer` and the number of
-    segments says how much it takes.
+    If `rows` is too short for `compliant_samples`, the status is `buffer` and the number of segments is the required length.
     """
     cells = carray(given, (FIELDS, 1))
     asked = carray(contact, (CONTACT,))
@@ -115,13 +114,13 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     else:
         first[:] = 0.0
         last[:] = 0.0
-    end = last[0]  # many steps may share the last digit of a late time: all of one of them
+    end = last[0]  # many steps may share the last digit of a late time: take the state after all of them
     energies = (end[KINETIC], end[POTENTIAL], end[SPRING], end[DAMPER], end[FRICTION], end[RESISTED])
     write_energies(body, scales, records[0], records[count - 1], energies, first[0, SPRING], head)
 
 
 def compliant_samples(given, contact, rows, count, times, n, left, out):
-    """The states of a motion with compliant contact at times in s."""
+    """Write the states of a motion with compliant contact at times in s."""
     cells = carray(given, (FIELDS, 1))
     kept = carray(rows, (count, WIDTH))
     when = carray(times, (n,))

@@ -1,4 +1,4 @@
-"""Rates of a motion's events with parameters, over plain memory and in SI units; for a module of their own."""
+"""Derivatives of a motion's events with respect to parameters, over plain memory and in SI units; a separate module."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ TURNING, SLIP, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "v
 
 
 def directions_of(cells, more, sign, changes, start, units):
-    """All directions in kernel units, of cells and their rates."""
+    """Convert cells and their derivatives to directions in kernel units."""
     numbers, rates = np.empty(COUNT), np.empty(COUNT)
     for i in range(COUNT):
         numbers[i] = cells[FROM[i], 0]
@@ -43,7 +43,7 @@ def directions_of(cells, more, sign, changes, start, units):
 
 
 def write_changes(row, scales, units, sign, kept, out):
-    """The rates of an event in SI units, in the order of `layout.CHANGE_COLUMNS`: those of its numbers and of their units."""
+    """Write the derivatives of an event's quantities and their units, in SI units, in the order of `layout.CHANGE_COLUMNS`."""
     values = (
         row["t"], row["x"], row["height"], row["angle"], row["omega"], row["slip"], row["vy"],
         row["impact_normal"], row["impact_tangential"], row["rolling_resistance"],
@@ -60,12 +60,12 @@ def write_changes(row, scales, units, sign, kept, out):
 
 
 def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, told):
-    """Rates of all events of a motion that `motion` has computed, with respect to n parameters.
+    """Write the derivatives of all events of a motion computed by `motion`, with respect to n parameters.
 
-    `rates` holds, for each parameter, the rates of the cell that is `given`. `sign` is −1 for how the motion changes when the
-    parameters become smaller, told as if they became larger. `doubt` is when doubles end to tell what follows [s], nan
-    where they always do. `told` takes for each parameter the reason why there is no derivative and the event from which on
-    there is none.
+    `rates` holds, for each parameter, the derivatives of the cell `given`. With `sign` = −1 the left-sided derivatives are
+    computed, in the sign convention of the right-sided ones. `doubt` is the time until which double precision suffices [s], nan
+    if it always does. `told` receives for each parameter the reason why a derivative does not exist, and the first event
+    without one.
     """
     cells = carray(given, (FIELDS, 1))
     table = carray(out, (count, WIDTH, n))

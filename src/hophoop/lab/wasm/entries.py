@@ -1,4 +1,4 @@
-"""The entries of the modules, and what each takes."""
+"""Entries of the modules, and the types of their arguments."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ ENTRIES: Entries = {
 }
 """Name → (kernel, Numba types of its arguments)."""
 
-# In a module of its own, which a page loads where derivatives are asked for.
+# In a separate module, which a page loads when derivatives are needed.
 DERIVATIVE_ENTRIES: Entries = {
     "motion": MOTION,
     "changes": (

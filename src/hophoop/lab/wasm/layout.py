@@ -1,4 +1,4 @@
-"""What the module's entries take and give: names of rows and columns, in the order of memory."""
+"""Arguments and results of the modules' entries: names of rows and columns, in the order of memory."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.maps.grid.kernel import ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 
-# What a motion is told with, besides its events: SI units, and counts.
+# Data of a motion besides its events: SI units, and counts.
 HEADS = (
     "status", "events", "segments", "duration", "doubt_from", "doubt_until", "panels",
     "kinetic", "potential", "spring", "damping", "friction", "impact_normal", "impact_tangential", "residual",
     "rolling_resistance",
 )  # fmt: skip
 
-# An event, in SI units; `from_mode` is −1 where there is none, `collision` and `stable` where they say nothing.
+# An event, in SI units; `from_mode`, `collision` and `stable` are −1 if they do not apply.
 EVENT_COLUMNS = (
     "t", "kind", "from_mode", "to_mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
     "before_vx", "before_vy", "before_omega", "before_slip", "impulse_normal", "impulse_tangential",
@@ -29,39 +29,39 @@ EVENT_COLUMNS = (
     "rolling_resistance",
 )  # fmt: skip
 
-# A state, in SI units; `mode` is a number of `MODE_LETTERS`.
+# A state, in SI units; `mode` is an index into `MODE_LETTERS`.
 SAMPLE_COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
     "friction", "impact_normal", "impact_tangential", "spring", "damping", "kinetic", "potential", "utilization",
     "rolling_resistance",
 )  # fmt: skip
 
-# The compliant contact, in SI units; nan is "by itself".
+# The compliant contact, in SI units; nan selects the default.
 COMPLIANT = (
     "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
 )  # fmt: skip
-# What it makes of them: numbers over those of the hoop, how deep the rim sinks [R]; and two of them in SI units.
+# Derived parameters in kernel units, with the depth to which the rim sinks [R]; and two of them in SI units.
 CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "stiffness_si", "slip_speed_si")
 
-# The rates of an event with one parameter, in SI units over the parameter's; its own module gives them.
+# Derivatives of an event with respect to one parameter, in SI units; from the separate module.
 CHANGE_COLUMNS = (
     "t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "rolling_resistance", "vx",
 )  # fmt: skip
 
-# What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
+# Thresholds of theory; nan if one does not exist. Angles are from the outward normal, in rad.
 THRESHOLDS = (
     "first_slip_speed", "first_hop_speed", "immediate_hop_speed", "needed_friction", "needed_friction_angle",
     "painleve_friction", "painleve_angle", "jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4",
     "stable_angle", "massless_loss_angle", "massless_loss_by_friction",
 )  # fmt: skip
 
-# Shapes of a hoop's parts, and the numbers of one.
+# Shapes of a hoop's parts, and the numbers of one part.
 SHAPES = ("ring", "disk", "point_mass", "radial_rod", "tangential_rod")
 PART = ("shape", "mass", "first", "second", "at")
 
 
 def layout() -> dict[str, Any]:
-    """What a program needs to know to call the module.
+    """Return what a program needs to call the modules.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""One motion and its states, over plain memory and in SI units."""
+"""A motion and its states, over plain memory and in SI units."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
 
 def seconds(t, t_end, duration, second):
-    """A time in s; the end of the motion is the duration asked for, not its rounding through kernel units."""
+    """Return a time in s; the end of the motion is the given duration, without its rounding through kernel units."""
     return duration if t == t_end else t * second
 
 
 def write_event(row, scales, t, out):
-    """An event in SI units, in the order of `layout.EVENT_COLUMNS`."""
+    """Write an event in SI units, in the order of `layout.EVENT_COLUMNS`."""
     length, speed, rate, impulse = scales.length, scales.speed, scales.rate, scales.impulse
     out[0] = t
     out[1] = row["kind"]
@@ -61,10 +61,10 @@ def write_event(row, scales, t, out):
 
 
 def write_energies(body, scales, first, last, energies, first_spring, head):
-    """The energies of a motion in the order of `layout.HEADS`, as `Trajectory.ledger` sums them.
+    """Write the energies of a motion in the order of `layout.HEADS`, as `Trajectory.ledger` sums them.
 
-    `first` and `last` are its events; `energies` are kinetic, potential, spring, damping, friction and rolling resistance
-    at the end.
+    `first` and `last` are its events; `energies` are kinetic, potential, spring, damping, friction and rolling resistance at
+    the end.
     """
     unit = scales.energy
     begin_kinetic, begin_potential = energies_after(body, first)
@@ -84,9 +84,9 @@ def write_energies(body, scales, first, last, energies, first_spring, head):
 def motion(given, events, most_events, segments, most_segments, table, heads):
     """Compute a motion.
 
-    `given` holds a scenario's numbers in the order of `records.layout.CELL`; `table` takes the events and `heads` what
-    `layout.HEADS` names. Segments are for `samples`. Where there is too little room for them the status is `buffer`;
-    where there is for the events it is `event_limit`, with fewer events than the scenario allows.
+    `given` holds a scenario's numbers in the order of `records.layout.CELL`; `table` receives the events and `heads` the values
+    of `layout.HEADS`. Segments are needed by `samples`. If their table is too short, the status is `buffer`; if that of the
+    events is, it is `event_limit`, with fewer events than the scenario allows.
     """
     cells = carray(given, (FIELDS, 1))
     records = carray(events, (min(most_events, int(cells[MAX_EVENTS, 0])),))
@@ -117,7 +117,7 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
 
 
 def write_state(body, scales, raw, row):
-    """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`, but for the energies that the contact models differ in."""
+    """Write a state in SI units, in the order of `layout.SAMPLE_COLUMNS`, except the energies that depend on the contact model."""
     length, speed, force, unit = scales.length, scales.speed, scales.force, scales.energy
     mode = int(raw[0])
     row[0] = mode
@@ -135,11 +135,11 @@ def write_state(body, scales, raw, row):
     row[12] = raw[12] * unit
     slips = mode in (SPIN, SKID)
     row[17] = utilization(slips, row[8], row[9], body.mu_s, body.mu_k)
-    row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
+    row[18] = raw[RESISTED] * unit  # the same column in both contact models
 
 
 def sampled(body, scales, segments, times, left):
-    """The rows of `rigid.sampling.sample` at times in s."""
+    """Return the rows of `rigid.sampling.sample` at times in s."""
     asked = np.empty(len(times))
     kernel_times(segments["t"], segments[-1]["t_end"], times, scales.time, asked)
     raw = np.empty((len(times), RAW_WIDTH))
@@ -148,7 +148,7 @@ def sampled(body, scales, segments, times, left):
 
 
 def samples(given, segments, count, times, n, left, out):
-    """The states of a motion at times in s, which its segments hold; `left` is 1 for just before an impact."""
+    """Write the states of a motion at times in s, from its segments; `left` is 1 for the state just before an impact."""
     cells = carray(given, (FIELDS, 1))
     rows = carray(out, (n, SAMPLE_WIDTH))
     scales = scales_of(cells, 0)
@@ -164,7 +164,7 @@ def samples(given, segments, count, times, n, left, out):
 
 
 def margins(given, segments, count, times, n, left, out):
-    """What decides about the mode at times in s, in the order of `rigid.margins.MARGINS` and in SI units, as `samples`."""
+    """Write the margins of the modes at times in s, in the order of `rigid.margins.MARGINS` and in SI units; see `samples`."""
     cells = carray(given, (FIELDS, 1))
     rows = carray(out, (n, MARGIN_WIDTH))
     scales = scales_of(cells, 0)

@@ -1,4 +1,4 @@
-"""The built modules, and whether they are those of the sources beside them."""
+"""Stamps of the built modules, to check that they match the sources."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hophoop.kernel.native.sources import PACKAGE, ROOMS, stamp_of
 
 HERE = Path(__file__).parent
 MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
-# What decides the modules' bytes, apart from the rooms of the kernels: files of other rooms, and how they are compiled.
+# Files of other packages that determine the modules' bytes, and files that control their compilation.
 FILES = (
     "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/native/marks.py", "lab/wasm/nrt.c",
     "kernel/build/browser.py", "kernel/build/link.py", "kernel/build/numba_code.py",
@@ -20,7 +20,7 @@ FILES = (
 
 @cache
 def built() -> dict[str, Any]:
-    """What is told of the modules that are built: their sources, their hashes, how they are called.
+    """Return the description of the built modules: sources, hashes, signatures.
 
     Returns
     -------
@@ -32,7 +32,7 @@ def built() -> dict[str, Any]:
 
 
 def stamped() -> list[Path]:
-    """The sources that decide the modules' bytes.
+    """Return the sources that determine the modules' bytes.
 
     Returns
     -------
@@ -46,11 +46,11 @@ def stamped() -> list[Path]:
 
 
 def sources() -> str:
-    """Hash of the sources that the modules are made of.
+    """Return the hash of the sources of the modules.
 
     Returns
     -------
     stamp : str
-        Equal stamps, equal sources.
+        Equal stamps mean equal sources.
     """
     return stamp_of(stamped())
