@@ -425,6 +425,15 @@ def test_cited_sections_are_there():
         assert anchor is None or anchor in anchors(page), f"{place}: docs/{page}#{anchor}"
 
 
+@pytest.mark.parametrize("module", sorted(path.stem for path in (SOURCE / "kernel" / "physics").glob("[a-z]*.py")))
+def test_every_module_of_physics_cites_its_section_of_the_model(module):
+    """In its docstring, where a reader looks for the derivation."""
+    source = (SOURCE / "kernel" / "physics" / f"{module}.py").read_text(encoding="utf-8")
+    sections = {found[2] for found in CITED_SECTION.finditer(ast.get_docstring(ast.parse(source))) if found[1] == "model.md"}
+    assert sections - {None}
+    assert sections <= anchors("model.md")
+
+
 def test_nothing_outside_the_repository_is_cited():
     missing = "physics" + ".md"
     for folder in ("src", "tests", "docs", "examples", "benchmarks"):

@@ -86,7 +86,7 @@ def create_app(
 
     @app.exception_handler(RequestValidationError)
     async def _not_valid(request: Request, error: RequestValidationError) -> JSONResponse:
-        # the first element says where a value was: body, path or query
+        # the first element names the location of a value: body, path or query
         found = [{**finding, "loc": finding["loc"][1:]} for finding in error.errors()]
         return JSONResponse({"detail": findings_sentence(found)}, 422)
 

@@ -75,8 +75,8 @@ def serve(
 
     Raises
     ------
-    If the port is in use or a number is not allowed.
-        If the port is taken or a number is not allowed.
+    ValueError
+        If the port is in use or a number is not allowed.
     ImportError
         If FastAPI or Uvicorn is missing.
     """

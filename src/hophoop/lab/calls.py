@@ -183,8 +183,8 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
 
     Raises
     ------
-    If there is no such call, or its arguments are wrong.
-        If there is no such call, or the body is not what it takes.
+    ValueError
+        If there is no such call, or the body does not fit it.
     """
     if call not in CALLS:
         raise InputError.of_field("call", call, f"one of {', '.join(CALLS)}")

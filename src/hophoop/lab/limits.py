@@ -24,7 +24,7 @@ class TooBusy(RuntimeError):
 
     @classmethod
     def after(cls, seconds: float) -> TooBusy:
-        """Return an error that tells when to try again.
+        """Return an error with the time after which to try again.
 
         Parameters
         ----------

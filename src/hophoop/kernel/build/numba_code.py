@@ -226,7 +226,7 @@ def _jitted(function: FunctionType, compiler: type[CompilerBase], **options: Any
     general = dispatcher.get_call_template
 
     def get_call_template(arguments: Any, keywords: Any) -> Any:
-        # Numba would compile a function again for each constant argument, a third of the compile time
+        # Numba would compile a function again for each constant argument, 33 % of the compile time
         return general(
             [types.unliteral(kind) for kind in arguments],
             {name: types.unliteral(kind) for name, kind in keywords.items()},

@@ -177,7 +177,7 @@ def change(comp, phase, which, armed, log, work):
 
 
 def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
-    """Try one step; return (phase, segments). After a failed step the phase is unchanged but for a shorter next step."""
+    """Try one step; return (phase, segments). After a failed step only the length of the next step changes."""
     u = work.state
     regime = phase.regime
     if phase.begins:

@@ -117,7 +117,7 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
 
 
 def write_state(body, scales, raw, row):
-    """Write a state in SI units, in the order of `layout.SAMPLE_COLUMNS`, except the energies that depend on the contact model."""
+    """Write a state in SI units, in the order of `layout.SAMPLE_COLUMNS`, without the energies of a contact model."""
     length, speed, force, unit = scales.length, scales.speed, scales.force, scales.energy
     mode = int(raw[0])
     row[0] = mode
