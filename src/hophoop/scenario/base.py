@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -47,6 +46,8 @@ class Frozen(BaseModel):
         known = [field.alias or name for name, field in cls.model_fields.items()]
         for key in data if isinstance(data, Mapping) else ():
             if key not in known:
+                import difflib
+
                 close = difflib.get_close_matches(str(key), known, n=1)
                 hint = say("did_you_mean", close=close[0]) if close else say("known_are", known=", ".join(known))
                 path = f"{cls.place}{shortened(str(key))}"

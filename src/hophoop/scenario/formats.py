@@ -5,12 +5,10 @@ from __future__ import annotations
 import json
 import re
 import sys
-import tomllib
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any
-from urllib.parse import parse_qsl, urlencode
 
 from hophoop._support.errors import InputError, shortened
 from hophoop.scenario.sentences import parse_reason
@@ -50,6 +48,8 @@ def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
         form = "json" if text.lstrip().startswith("{") else "toml"
     if form not in ("toml", "json"):
         raise InputError.of_field("format", form, "'toml' or 'json'")
+    import tomllib  # here, as urllib below: most motions read no text
+
     try:
         if form == "toml" and _DEEP_KEY.search(text):
             raise RecursionError
@@ -110,6 +110,8 @@ def _toml_value(value: Any) -> str:
 
 def query_text(data: Mapping[str, Any]) -> str:
     """`plane.mu=0.5&start.speed=3.1`, in the order of the keys."""
+    from urllib.parse import urlencode
+
     return urlencode([(path, _query_value(value)) for path, value in _leaves(data, "")])
 
 
@@ -132,6 +134,8 @@ def _query_value(value: Any) -> str:
 
 def read_query(query: str) -> dict[str, Any]:
     """The nested keys that `query_text` wrote."""
+    from urllib.parse import parse_qsl
+
     try:
         pairs = parse_qsl(query.removeprefix("?"), keep_blank_values=True, max_num_fields=1000)
     except ValueError as error:

@@ -12,7 +12,7 @@ import numpy as np
 
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Body, Status
-from hophoop.kernel.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows
+from hophoop.kernel.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import cell_of, to_body
@@ -26,7 +26,7 @@ class _Own(threading.local):
     """Tables of this thread into which every motion is written first; the results are copied from them."""
 
     def __init__(self) -> None:
-        self.tables = Tables(np.empty((len(CELL), 1)), np.empty(FIRST_EVENTS, EVENT), np.empty(FIRST_SEGMENTS, SEGMENT))
+        self.tables = Tables(np.empty((len(CELL), 1)), new_table(FIRST_EVENTS, EVENT), new_table(FIRST_SEGMENTS, SEGMENT))
 
 
 _own = _Own()
@@ -75,9 +75,9 @@ def _ran(scenario: Scenario, script: np.ndarray) -> tuple[Outcome, Tables, np.nd
     while True:
         outcome = _run(tables, script)
         if outcome.status == BUFFER:
-            tables = tables._replace(segments=np.empty(min(16 * len(tables.segments), MOST_PANELS), SEGMENT))
+            tables = tables._replace(segments=new_table(min(16 * len(tables.segments), MOST_PANELS), SEGMENT))
         elif outcome.events_full and len(tables.events) < scenario.contact.max_events:  # not if the panels are used up
-            tables = tables._replace(events=np.empty(min(4 * len(tables.events), scenario.contact.max_events), EVENT))
+            tables = tables._replace(events=new_table(min(4 * len(tables.events), scenario.contact.max_events), EVENT))
         else:
             return outcome, tables, script
 
@@ -131,7 +131,7 @@ def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:
 
     length = FIRST_SEGMENTS
     while True:
-        segments = np.empty(length, SEGMENT)
+        segments = new_table(length, SEGMENT)
         with np.errstate(all="ignore"):
             count = fill_script(body, script, segments, new_scratch())
         if count >= 0:
