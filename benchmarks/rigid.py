@@ -21,7 +21,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import hophoop as hh
-from hophoop.kernel.native.library import why_none
+from hophoop.kernel.native.library import why_missing
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.evaluate import run_cells
 from hophoop.maps.grid.quantities import make_span
@@ -150,8 +150,8 @@ def errors() -> tuple[float, float]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.parse_args()
-    if why_none():
-        sys.exit(why_none())
+    if why_missing():
+        sys.exit(why_missing())
     cells, span = make_cells(SCENARIO, {}, KERNELS), make_span("duration")
 
     # In turn, so that a machine whose speed changes does not favour one of them.

@@ -53,7 +53,7 @@ def built(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def told(folder: Path) -> dict:
-    return json.loads((folder / native.TOLD).read_text(encoding="utf-8"))
+    return json.loads((folder / native.MANIFEST).read_text(encoding="utf-8"))
 
 
 def test_no_entry_is_unknown_to_python():
@@ -74,7 +74,7 @@ def test_sources_are_those_that_the_build_reads():
 
 def test_an_old_library_is_told_of_and_not_used(tmp_path):
     about = {"machine": list(_own_machine()), "sources": "0" * 32, "files": {"v2": "none.so"}, "entries": {}}
-    (tmp_path / native.TOLD).write_text(json.dumps(about))
+    (tmp_path / native.MANIFEST).write_text(json.dumps(about))
     done = python("import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)", HOPHOOP_LIBRARY=str(tmp_path))
     assert done.returncode == 0
     assert done.stdout == "R\n"
@@ -86,7 +86,7 @@ def test_an_old_library_is_told_of_and_not_used(tmp_path):
     "content", ["", "{}", '{"machine": ["beos", "ppc"], "sources": "", "files": {}, "entries": {}}', "no json"]
 )
 def test_a_library_that_is_no_use_is_not_used(content, tmp_path):
-    (tmp_path / native.TOLD).write_text(content)
+    (tmp_path / native.MANIFEST).write_text(content)
     code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
     done = python(code, HOPHOOP_LIBRARY=str(tmp_path))
     assert (done.returncode, done.stdout) == (0, "R\n")
@@ -100,7 +100,7 @@ def _own_machine() -> tuple[str, str]:
 
 
 def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
-    (tmp_path / native.TOLD).write_text("before")
+    (tmp_path / native.MANIFEST).write_text("before")
     code = (
         "import importlib.metadata as m, sys\n"
         "def version(name, real=m.version):\n"
@@ -114,7 +114,7 @@ def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
     done = python(code)
     assert done.returncode == 1
     assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[build]'. The previous build remains.\n"
-    assert (tmp_path / native.TOLD).read_text() == "before"
+    assert (tmp_path / native.MANIFEST).read_text() == "before"
 
 
 def test_an_unknown_target_is_refused(tmp_path):
@@ -133,7 +133,7 @@ def test_kept_motions_have_their_bits(tmp_path):
     for level in about["files"]:
         folder = tmp_path / level
         shutil.copytree(native.HERE, folder)
-        (folder / native.TOLD).write_text(json.dumps(about | {"files": {level: about["files"][level]}}))
+        (folder / native.MANIFEST).write_text(json.dumps(about | {"files": {level: about["files"][level]}}))
         code = f"""
 import sys
 import bits_tools

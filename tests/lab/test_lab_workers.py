@@ -18,7 +18,7 @@ import hophoop as hh  # noqa: E402
 from hophoop.lab import calls, workers  # noqa: E402
 from hophoop.lab.limits import USUAL, TooBusy, TooMuch  # noqa: E402
 from hophoop.lab.worker import ANSWER, STOPPED, Ended, Job, Worker  # noqa: E402
-from hophoop.lab.workers import FILM, GRACE, HEAVY, LIGHT, Workers, while_there  # noqa: E402
+from hophoop.lab.workers import FILM, GRACE, HEAVY, LIGHT, Workers, while_connected  # noqa: E402
 from hophoop.scenario import Scenario, Start  # noqa: E402
 from lab_tools import POSIX  # noqa: E402
 
@@ -169,7 +169,7 @@ def test_who_goes_away_takes_the_work_along(made):
     async def run():
         computing = pool(processes=1)
         leaving = asyncio.Event()
-        asked = asyncio.create_task(while_there(computing.run(30.0, LIGHT), _wait(leaving)))
+        asked = asyncio.create_task(while_connected(computing.run(30.0, LIGHT), _wait(leaving)))
         await asyncio.sleep(0.05)
         assert computing.computing == 1
         leaving.set()

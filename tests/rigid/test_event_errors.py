@@ -85,13 +85,13 @@ def test_an_event_just_before_the_end_is_found_with_the_smaller_change():
 def test_an_event_that_cannot_be_computed_again_leaves_the_others(monkeypatch):
     motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0)
     body, events = motion.scenario.to_body(), motion._events
-    again = errors._again
+    again = errors._recompute
 
     def none_at_first(body, row, t_end, room):
         assert room > 2 * len(events)
         return None if row["t"] == 0.0 else again(body, row, t_end, room)
 
-    monkeypatch.setattr(errors, "_again", none_at_first)
+    monkeypatch.setattr(errors, "_recompute", none_at_first)
     with forced("interpreted"):
         table = errors.event_errors(body, events, 4.0)
     of_x = errors.FIELDS.index("x")
@@ -104,12 +104,12 @@ def test_an_event_that_cannot_be_computed_again_leaves_the_others(monkeypatch):
 def test_where_a_changed_motion_has_too_many_events_nothing_is_known_after_the_change(monkeypatch):
     motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0)
     body, events = motion.scenario.to_body(), motion._events
-    again = errors._again
+    again = errors._recompute
 
     def none_if_changed(body, row, t_end, room):
         return None if row["omega"] != events[0]["omega"] and row["t"] == 0.0 else again(body, row, t_end, room)
 
-    monkeypatch.setattr(errors, "_again", none_if_changed)
+    monkeypatch.setattr(errors, "_recompute", none_if_changed)
     with forced("interpreted"):
         table = errors.event_errors(body, events, 4.0)
     assert np.isinf(table[1:]).all()
@@ -118,13 +118,13 @@ def test_where_a_changed_motion_has_too_many_events_nothing_is_known_after_the_c
 
 def test_both_coefficients_of_friction_are_rounded_together(monkeypatch):
     motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0)
-    body, again, parts = motion.scenario.to_body()._replace(mu_s=0.75), errors._again, set()
+    body, again, parts = motion.scenario.to_body()._replace(mu_s=0.75), errors._recompute, set()
 
     def noted(rougher, row, t_end, room):
         parts.add((round(rougher.mu_s / 0.75 - 1.0, 15), round(rougher.mu_k / 0.5 - 1.0, 15)))
         return again(rougher, row, t_end, room)
 
-    monkeypatch.setattr(errors, "_again", noted)
+    monkeypatch.setattr(errors, "_recompute", noted)
     with forced("interpreted"):
         errors.event_errors(body, motion._events, 4.0)
     assert parts == {(0.0, 0.0), (1e-8, 1e-8)}

@@ -13,7 +13,7 @@ import hophoop as hh
 from bits_tools import event_rows
 from hophoop.kernel.native import forced
 from hophoop.kernel.numerics.double_double import PI, nearest_whole, turns_and_rest
-from hophoop.kernel.panels.landing import from_top
+from hophoop.kernel.panels.landing import angle_from_top
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import run as kernel
 
@@ -78,7 +78,7 @@ def test_compiled_and_interpreted_agree(away):
 
 def reduced(angle):
     """What a kernel makes of an angle."""
-    return nearest_whole(angle), from_top(angle), turns_and_rest(angle)
+    return nearest_whole(angle), angle_from_top(angle), turns_and_rest(angle)
 
 
 @pytest.mark.parametrize("exponent", [10, 15, 17, 18, 19, 20, 25, 30, 40, 80, 140])

@@ -216,7 +216,7 @@ def test_whether_rolling_turns_not_far_beyond_a_panel(way):
 
     def turns(ahead, level, begin=0.25):
         panel, _ = linear(body, 0, start_before(body, math.pi + begin * way, way, ahead), level, new_scratch())
-        return panel_choice.turns_within(body, panel, 8.0 * panel.extent)
+        return panel_choice.has_turning_point_within(body, panel, 8.0 * panel.extent)
 
     for ahead, level in ((0.3, 0), (0.6, 6), (0.3, 9), (1.7, 0), (1.0, 2)):
         assert turns(ahead, level)

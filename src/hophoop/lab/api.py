@@ -27,7 +27,7 @@ from hophoop.lab import calls, files, page, replies, requests
 from hophoop.lab.guard import HEAD, Guard
 from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
 from hophoop.lab.worker import Job
-from hophoop.lab.workers import FILM, HEAVY, Workers, while_there
+from hophoop.lab.workers import FILM, HEAVY, Workers, while_connected
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.sentences import findings_sentence, parse_reason
 
@@ -205,7 +205,7 @@ async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
         while (await request.receive())["type"] != "http.disconnect":
             pass
 
-    return await while_there(work(), gone())
+    return await while_connected(work(), gone())
 
 
 def answered(request: Request, content: bytes | None, kind: str, headers: dict[str, str]) -> Response:

@@ -260,7 +260,7 @@ def _forget(future: asyncio.Future[Any]) -> None:
         future.exception()
 
 
-async def while_there(work: Coroutine[Any, Any, bytes], gone: Coroutine[Any, Any, None]) -> bytes | None:
+async def while_connected(work: Coroutine[Any, Any, bytes], gone: Coroutine[Any, Any, None]) -> bytes | None:
     """Run `work` until it is done or the client disconnects.
 
     Parameters

@@ -20,10 +20,10 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from hophoop.kernel.build.browser import MODULES, module_of, told_of
+from hophoop.kernel.build.browser import MODULES, description_of, module_of
 from hophoop.kernel.build.link import TARGETS, linked, own_target
 from hophoop.kernel.entries import GROUPS
-from hophoop.kernel.native.library import HERE, TOLD
+from hophoop.kernel.native.library import HERE, MANIFEST
 from hophoop.kernel.native.sources import PACKAGE, files, stamp
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.lab.wasm.stamp import LAYOUT, stamped
@@ -85,7 +85,7 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
     """Compile a group and write its files, in a process of its own."""
     if group in MODULES:
         (folder / f"{group}.wasm").write_bytes(module_of(group))
-        _tell(folder / f"{group}.json", {}, stamped())
+        _write_description(folder / f"{group}.json", {}, stamped())
         return
     from hophoop.kernel.build.entry_code import group_code
     from hophoop.kernel.build.link import object_of
@@ -96,33 +96,35 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
         for level in TARGETS[name].levels:
             (folder / f"{group}-{name}-{level}.o").write_bytes(object_of(text, names, TARGETS[name], level))
     imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
-    _tell(folder / f"{group}.json", told, [file for file in files() if file in imported])  # it depends on no other sources
+    _write_description(
+        folder / f"{group}.json", told, [file for file in files() if file in imported]
+    )  # it depends on no other sources
 
 
-def _tell(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
+def _write_description(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
     names = [source.relative_to(PACKAGE).as_posix() for source in sources]
     file.write_text(json.dumps({"entries": entries, "sources": names}), encoding="utf-8")
 
 
-def _made(group: str, targets: Sequence[str]) -> list[str]:
+def _file_names(group: str, targets: Sequence[str]) -> list[str]:
     """Return the names of the files that a group produces."""
     if group in MODULES:
         return [f"{group}.wasm", f"{group}.json"]
     return [f"{group}-{name}-{level}.o" for name in targets for level in TARGETS[name].levels] + [f"{group}.json"]
 
 
-def _kept(group: str, targets: Sequence[str], made_with: str, cache: Path) -> Path | None:
+def _cached(group: str, targets: Sequence[str], made_with: str, cache: Path) -> Path | None:
     """Return the cache folder with the group's files from the same sources, or None."""
     try:
         known = json.loads((cache / f"{group}.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
     folder = cache / f"{group}-{_hash(known['sources'], made_with)}"
-    return folder if all((folder / name).is_file() for name in _made(group, targets)) else None
+    return folder if all((folder / name).is_file() for name in _file_names(group, targets)) else None
 
 
 def _compile(group: str, targets: Sequence[str], made_with: str, cache: Path, scratch: Path) -> Path:
-    kept = _kept(group, targets, made_with, cache)
+    kept = _cached(group, targets, made_with, cache)
     if kept is not None:
         return kept
     began = time.monotonic()
@@ -227,7 +229,7 @@ def _put_modules(folders: dict[str, Path], out: Path, versions: dict[str, str]) 
     contents = {group: (folders[group] / f"{group}.wasm").read_bytes() for group in MODULES}
     for group, content in contents.items():
         _replace(out / MODULES[group].file, content)
-    _replace(out / LAYOUT, (json.dumps(told_of(contents, versions), indent=1) + "\n").encode())
+    _replace(out / LAYOUT, (json.dumps(description_of(contents, versions), indent=1) + "\n").encode())
 
 
 def _link(name: str, folders: dict[str, Path], out: Path, about: dict[str, Any], scratch: Path) -> None:
@@ -242,7 +244,7 @@ def _link(name: str, folders: dict[str, Path], out: Path, about: dict[str, Any],
         content = fresh.read_bytes()
         files[level] = f"kernels-{level}-{hashlib.sha256(content).hexdigest()[:12]}{target.suffix}"
         _replace(out / files[level], content)
-    _replace(out / TOLD, (json.dumps(about | {"files": files, "entries": entries}, indent=1) + "\n").encode())
+    _replace(out / MANIFEST, (json.dumps(about | {"files": files, "entries": entries}, indent=1) + "\n").encode())
     for old in out.glob("kernels-*"):
         if old.name not in files.values() and time.time() - old.stat().st_mtime > OLD:
             old.unlink(missing_ok=True)

@@ -102,7 +102,7 @@ def module_of(name: str) -> bytes:
     return anonymous(linked(retargeted(module_code(chosen), chosen), chosen))
 
 
-def told_of(contents: Mapping[str, bytes], versions: dict[str, str]) -> dict[str, Any]:
+def description_of(contents: Mapping[str, bytes], versions: dict[str, str]) -> dict[str, Any]:
     """Return the description of the modules in `layout.json`: sources, hashes and signatures."""
     from hophoop.lab.wasm.layout import layout  # it imports most kernels, on which a group of the library need not depend
 

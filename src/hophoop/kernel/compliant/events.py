@@ -10,7 +10,7 @@ RELEASE, OPENING, FRICTION_CHANGE = 0, 1, 2
 GUARDS = 3
 NONE = -1
 SAMPLES = 12  # samples per step of every guard
-NEXT = 1e-4  # fraction of a step: distance from its ends for the slope of a guard
+SLOPE_STEP = 1e-4  # fraction of a step: distance from its ends for the slope of a guard
 NARROWINGS = 40  # steps of the golden-section search
 GOLDEN = 0.3819660112501051  # (3 − √5)/2
 
@@ -56,7 +56,7 @@ def first_exit(comp, regime, poly, armed):
     for index in range(GUARDS):
         low = 0.0
         last = guard_at(comp, regime, index, poly, 0.0)[0]
-        slope = (guard_at(comp, regime, index, poly, NEXT)[0] - last) / NEXT
+        slope = (guard_at(comp, regime, index, poly, SLOPE_STEP)[0] - last) / SLOPE_STEP
         before = last - slope / SAMPLES  # linear extrapolation
         for i in range(1, SAMPLES + 1):
             high = i / SAMPLES
@@ -65,11 +65,11 @@ def first_exit(comp, regime, poly, armed):
             value, floor = guard_at(comp, regime, index, poly, high)
             if armed[index]:
                 s = high
-                if value >= 0.0 and before > last and _may_fall(comp, regime, index, poly, i, before, last, value):
+                if value >= 0.0 and before > last and _may_be_negative(comp, regime, index, poly, i, before, last, value):
                     low = max(low - 1.0 / SAMPLES, 0.0)
-                    s = _between(comp, regime, index, poly, 1.0, 0.0, low, high)
+                    s = _point_below(comp, regime, index, poly, 1.0, 0.0, low, high)
                 if value < 0.0 or s < high:
-                    s = _fall(comp, regime, index, poly, low, s)
+                    s = _downcrossing(comp, regime, index, poly, low, s)
                     if which == NONE or s < best:
                         best = s
                         which = index
@@ -79,9 +79,9 @@ def first_exit(comp, regime, poly, armed):
             elif value < -floor:
                 s = low
                 if i == 1 and slope > 0.0:  # it may have risen from its surface and fallen in between
-                    peak = _between(comp, regime, index, poly, -1.0, -floor, low, high)
+                    peak = _point_below(comp, regime, index, poly, -1.0, -floor, low, high)
                     if peak < high:
-                        s = _fall(comp, regime, index, poly, peak, high)
+                        s = _downcrossing(comp, regime, index, poly, peak, high)
                 if which == NONE or s < best:
                     best = s
                     which = index
@@ -91,16 +91,16 @@ def first_exit(comp, regime, poly, armed):
     return which, best
 
 
-def _may_fall(comp, regime, which, poly, i, before, last, value):
+def _may_be_negative(comp, regime, which, poly, i, before, last, value):
     """Return True if a guard with these values at three samples may be negative between them, as its tangents are."""
     if value >= last:
         return 2.0 * last < max(before, value)
     if i < SAMPLES:
         return False
-    return value - (value - guard_at(comp, regime, which, poly, 1.0 - NEXT)[0]) / (NEXT * SAMPLES) < 0.0
+    return value - (value - guard_at(comp, regime, which, poly, 1.0 - SLOPE_STEP)[0]) / (SLOPE_STEP * SAMPLES) < 0.0
 
 
-def _between(comp, regime, which, poly, sign, least, low, high):
+def _point_below(comp, regime, which, poly, sign, least, low, high):
     """Return a point where sign × guard, with a minimum between `low` and `high`, is below `least`; `high` if there is none."""
     end = high
     left = low + GOLDEN * (high - low)
@@ -123,7 +123,7 @@ def _between(comp, regime, which, poly, sign, least, low, high):
     return end
 
 
-def _fall(comp, regime, which, poly, low, high):
+def _downcrossing(comp, regime, which, poly, low, high):
     """Return the root of a guard that is positive at `low` and negative at `high`, by the Illinois method."""
     f_low = guard_at(comp, regime, which, poly, low)[0]
     f_high = guard_at(comp, regime, which, poly, high)[0]
@@ -160,7 +160,7 @@ def remaining(comp, regime, which, poly):
     if abs(value) <= 0.1 * floor:
         return 1.0
     if value < 0.0 and guard_at(comp, regime, which, poly, 0.0)[0] > 0.0:
-        return _fall(comp, regime, which, poly, 0.0, 1.0)
+        return _downcrossing(comp, regime, which, poly, 0.0, 1.0)
     slope = (value - guard_at(comp, regime, which, poly, 1.0 - 1e-3)[0]) / 1e-3
     if slope >= 0.0:
         return 1.0

@@ -59,7 +59,7 @@ def fly_state(body, comp, begin, opening, tau, out):
     return turns
 
 
-def _regain(comp, y, vn):
+def _negative_contact_condition(comp, y, vn):
     """Return the negative of the quantity that is positive when the contact acts again below the plane's level."""
     if comp.law == KELVIN_VOIGT:
         return comp.k * y + comp.c * vn
@@ -82,7 +82,7 @@ def fly_below(body, comp, begin, opening, limit, work):
             tau = start + 0.5 * length * (1.0 + NODES[i])
             y, vn = flight_gap(body, s, c, om, begin[Y], begin[VN], opening, tau)
             work.values[0, i] = -y
-            work.values[1, i] = _regain(comp, y, vn)
+            work.values[1, i] = _negative_contact_condition(comp, y, vn)
         what = LASTS
         best = NOT_FOUND
         coefficients(work.values[0], work.series)

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.native.library import library, why_none
+from hophoop.kernel.native.library import library, why_missing
 
 MODES = ("auto", "compiled", "interpreted")
 
@@ -60,7 +60,7 @@ class Entry:
         if found is not None:
             return found.call(self.name)
         if wanted == "compiled":
-            raise InputError(f"HOPHOOP_KERNELS = 'compiled': {why_none()}", field="HOPHOOP_KERNELS", value=wanted)
+            raise InputError(f"HOPHOOP_KERNELS = 'compiled': {why_missing()}", field="HOPHOOP_KERNELS", value=wanted)
         return self._interpret
 
     def _interpret(self, *arguments: Any) -> Any:

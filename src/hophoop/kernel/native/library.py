@@ -21,7 +21,7 @@ from hophoop.kernel.native.calls import caller
 from hophoop.kernel.native.sources import PACKAGE, stamp
 
 HERE = Path(os.environ.get("HOPHOOP_LIBRARY") or PACKAGE / "kernel" / "library")
-TOLD = "kernels.json"
+MANIFEST = "kernels.json"
 BUILD = "python -m hophoop.kernel.build"
 
 
@@ -77,7 +77,7 @@ def library(quiet: bool = False) -> Library | None:
     return found
 
 
-def why_none() -> str:
+def why_missing() -> str:
     """Return why there is no library; empty if there is one."""
     found = _found()
     return found if isinstance(found, str) else ""
@@ -100,7 +100,7 @@ def _loaded(name: str) -> ctypes.CDLL:
 @cache
 def _found() -> Library | str:
     try:
-        told = json.loads((HERE / TOLD).read_text(encoding="utf-8"))
+        told = json.loads((HERE / MANIFEST).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return f"hophoop was installed without compiled kernels. To build them: {BUILD}."
     if not {"machine", "sources", "files", "entries"} <= set(told):

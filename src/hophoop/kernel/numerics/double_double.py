@@ -96,7 +96,7 @@ def square_root(a):
     return add(first, (rest[0] / (2.0 * root), 0.0))
 
 
-def _without(turns, angle):
+def _minus_turns(turns, angle):
     """Return the angle minus whole revolutions."""
     high, error = two_product(turns, TWO_PI)
     rest = add(angle, (-high, -error))
@@ -122,11 +122,11 @@ def turns_and_rest(angle):
         angle *= way
         turns *= way
     turns = nearest_whole(turns)
-    rest = _without(turns, (angle, 0.0))
+    rest = _minus_turns(turns, (angle, 0.0))
     if turns >= MANY:  # the quotient may be one off
         more = nearest_whole(rest[0] / TWO_PI)
         while abs(more) > 0.0:  # each pass smaller by 2^50
-            rest = _without(more, rest)
+            rest = _minus_turns(more, rest)
             turns += more
             more = nearest_whole(rest[0] / TWO_PI)
     return way * turns, way * rest[0], way * rest[1]

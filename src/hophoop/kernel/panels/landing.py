@@ -191,7 +191,7 @@ def search_start(body, flight, rise, start, never):
 
 
 @inline
-def from_top(angle):
+def angle_from_top(angle):
     """Return the angle reduced to within half a revolution of the top."""
     if abs(angle) < MANY_RADIANS:
         return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
@@ -227,7 +227,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
     high = body.eps * om * om
     # within this angle of the top the gap is convex
     half = arccosine(body.gn / high) if high > body.gn else 0.0
-    angle = from_top(th if om > 0.0 else -th)
+    angle = angle_from_top(th if om > 0.0 else -th)
     if order >= 2:
         # the rim leaves the plane because the gap becomes convex; rounding may hide this
         if half == 0.0:
@@ -244,7 +244,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
             if start > begin.tau:
                 begin = moment_of(body, flight, start)
                 passed = turned * start
-                angle = from_top((th if om > 0.0 else -th) + passed)
+                angle = angle_from_top((th if om > 0.0 else -th) + passed)
         if not begin.tau < min(never, limit):
             return -1.0, apex, limit
         bends_up = -half <= angle < half

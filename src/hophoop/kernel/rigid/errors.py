@@ -47,7 +47,7 @@ def _natural_sizes(row: np.void) -> dict[str, float]:
     }
 
 
-def _again(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | None:
+def _recompute(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | None:
     """Return the events of a motion computed again from the event `row`, itself the first; None if there is no room."""
     script = np.array([row, row], EVENT)
     events = np.empty(room, EVENT)
@@ -67,7 +67,7 @@ def _count_alike(first: np.ndarray, second: np.ndarray) -> int:
     return int(np.argmin(same)) if not same.all() else count
 
 
-def _along_impulse(body: Body, row: np.void, following: np.void) -> float:
+def _impulse_fraction(body: Body, row: np.void, following: np.void) -> float:
     """Return the fraction of an impulse at p_σ → 0 that rounding of time and angle moves across the event before it.
 
     N is unbounded there, so that the velocities belong to an instant that is not exactly known.
@@ -113,12 +113,12 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
     squares += own * own
     for i in range(count - 1):
         row = events[i]
-        jump = _along_impulse(body, row, events[i + 1]) * (table[i + 1] - table[i])
+        jump = _impulse_fraction(body, row, events[i + 1]) * (table[i + 1] - table[i])
         squares[i] += jump * jump
         if reached is not None:
             reached[0] = 1.0 - (1.0 - i / count) * (1.0 - i / count)  # each event requires all later events
         sizes = _natural_sizes(row)
-        plain = _again(body, row, t_end, 2 * count + 8)
+        plain = _recompute(body, row, t_end, 2 * count + 8)
         if plain is None:
             continue
         reach = min(_count_alike(plain, events[i:]), len(plain))
@@ -131,7 +131,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
                     rougher = body._replace(mu_s=body.mu_s * (1.0 + change), mu_k=body.mu_k * (1.0 + change))
                 else:
                     moved[name] = row[name] + change * sizes[name]
-                other = _again(rougher, moved, t_end, 2 * count + 8)
+                other = _recompute(rougher, moved, t_end, 2 * count + 8)
                 alike = 0 if other is None else min(_count_alike(other, plain), reach)
                 if alike == reach or change == CHANGES[-1]:
                     break

@@ -146,7 +146,7 @@ def slow_levels(body, sigma, begin):
 
 
 @apart
-def turns_within(body, panel, reach):
+def has_turning_point_within(body, panel, reach):
     """Return True if rolling has θ̇² < 0 at one of a few angles up to `reach` from the panel's start."""
     end = sine(reach)
     while reach >= 0.5 * panel.extent:
@@ -165,7 +165,7 @@ def turning_point_ahead(body, panel, totals, scratch):
     If a panel loses most of θ̇² without reaching the zero, wider panels are searched: panels that end before the turning point
     would shrink towards it forever.
     """
-    if panel.sigma == 0 and body.resist == 0.0 and not turns_within(body, panel, 8.0 * panel.extent):
+    if panel.sigma == 0 and body.resist == 0.0 and not has_turning_point_within(body, panel, 8.0 * panel.extent):
         return 0.0
     for _ in range(4):
         if math.isnan(totals.u):
