@@ -122,7 +122,7 @@ def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
         marker = said.get("marker")
         spot = None if marker is None else np.array(marker, dtype=float).reshape(2)
     except (KeyError, IndexError, TypeError, ValueError, AttributeError):
-        raise InputError("What was clicked cannot be read.") from None
+        raise InputError("The clicks cannot be read.") from None
     if len(rim) < 3:
         raise InputError(f"{len(rim)} points on the rim are not enough: click at least 3.")
     x, y, radius, _ = fit_circle(rim)
@@ -162,7 +162,7 @@ def _read(body: bytes) -> Any:
     try:
         return json.loads(body)
     except (ValueError, RecursionError):
-        raise InputError("What was clicked cannot be read.") from None
+        raise InputError("The clicks cannot be read.") from None
 
 
 class _Answer(BaseHTTPRequestHandler):
@@ -190,7 +190,7 @@ class _Answer(BaseHTTPRequestHandler):
         length = int(self.headers.get("Content-Length") or 0)
         try:
             if not 0 < length <= MOST_BYTES:
-                raise InputError("What was clicked cannot be read.")
+                raise InputError("The clicks cannot be read.")
             self.page.take(_read(self.rfile.read(length)))
         except InputError as error:
             self._send("application/json", json.dumps({"error": str(error)}).encode(), 422)

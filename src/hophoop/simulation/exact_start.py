@@ -28,7 +28,7 @@ LIGHT = 1e-3
 ALL_STEPS = 3500
 MOST_BITS = 100  # with smaller numbers, below 1e-30, double precision decides
 CLEAR = 0.05  # in √(R/g): time without an event after which margins count as clear of zero
-# Beyond FEW events within CLEAR, waiting for a gap of CLEAR might never end: a gap of BETWEEN · CLEAR suffices.
+# With more than FEW events, waiting for a gap of CLEAR might never end: a gap of BETWEEN · CLEAR suffices.
 FEW, BETWEEN = 4, 1.0 / 16.0
 MOST_TURNED = 10.0  # rad: maximum rotation of a fast start within this time
 NO_SCRIPT = np.empty(0, EVENT)

@@ -85,7 +85,7 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
     """Compile a group and write its files, in a process of its own."""
     if group in MODULES:
         (folder / f"{group}.wasm").write_bytes(module_of(group))
-        _write_description(folder / f"{group}.json", {}, stamped())
+        _describe(folder / f"{group}.json", {}, stamped())
         return
     from hophoop.kernel.build.entry_code import group_code
     from hophoop.kernel.build.link import object_of
@@ -96,12 +96,10 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
         for level in TARGETS[name].levels:
             (folder / f"{group}-{name}-{level}.o").write_bytes(object_of(text, names, TARGETS[name], level))
     imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
-    _write_description(
-        folder / f"{group}.json", told, [file for file in files() if file in imported]
-    )  # it depends on no other sources
+    _describe(folder / f"{group}.json", told, [file for file in files() if file in imported])  # it depends on no other sources
 
 
-def _write_description(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
+def _describe(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:
     names = [source.relative_to(PACKAGE).as_posix() for source in sources]
     file.write_text(json.dumps({"entries": entries, "sources": names}), encoding="utf-8")
 
