@@ -11,6 +11,7 @@ import subprocess
 import sys
 from importlib.util import find_spec
 from pathlib import Path
+from shutil import which
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -91,7 +92,7 @@ class CustomBuildHook(BuildHookInterface):
         """Build the library: in place for an editable install, or to be packed into a wheel."""
         try:
             target = self.target()
-            missing = [name for name in TOOLS if find_spec(name) is None]
+            missing = [name for name in TOOLS if find_spec(name) is None and not (name == "ziglang" and which("zig"))]
             if missing:
                 raise NoLibrary(f"{missing[0]} is not installed: {COST}; {LATER}.")
         except NoLibrary as why:

@@ -12,7 +12,7 @@ from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.solving import Choice, slopes
 from hophoop.tracking.table import track_of
 
-pytestmark = [pytest.mark.compiled, pytest.mark.slow]
+pytestmark = [pytest.mark.compiled, pytest.mark.slow, pytest.mark.timeout(1200)]  # 400 fits take some minutes
 
 RADIUS = 0.3
 SIGMA, SIGMA_ANGLE = 1e-3, 3e-3

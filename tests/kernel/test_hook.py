@@ -127,6 +127,7 @@ def test_without_a_library_the_wheel_is_for_any_machine_and_says_its_cost(hook, 
 def test_a_machine_without_tools_gets_no_library(module, hook, built, monkeypatch, capsys):
     monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
     monkeypatch.setattr(module, "find_spec", lambda name: None if name == "ziglang" else name)
+    monkeypatch.setattr(module, "which", lambda name: None)
     assert made_by(hook) == {"force_include": {}}
     assert "ziglang is not installed" in capsys.readouterr().err
     assert not built
@@ -155,3 +156,11 @@ def test_a_build_that_fails_ends_the_installation_and_names_the_way_round(module
         made_by(hook)
     assert stopped.value.code == 1
     assert "HOPHOOP_BUILD=0 installs hophoop without" in capsys.readouterr().err
+
+
+def test_a_zig_on_the_path_builds_as_well(module, hook, built, monkeypatch):
+    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+    monkeypatch.setattr(module, "find_spec", lambda name: None if name == "ziglang" else name)
+    monkeypatch.setattr(module, "which", lambda name: f"/usr/bin/{name}")
+    made_by(hook)
+    assert built

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import hophoop as hh
+from hophoop.kernel.build import link
 from hophoop.kernel.build.link import own_target
 from hophoop.kernel.native import library as native
 from hophoop.kernel.native import sources
@@ -102,19 +103,31 @@ def _own_machine() -> tuple[str, str]:
 def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
     (tmp_path / native.MANIFEST).write_text("before")
     code = (
-        "import importlib.metadata as m, sys\n"
-        "def version(name, real=m.version):\n"
-        "    if name == 'ziglang':\n"
-        "        raise m.PackageNotFoundError(name)\n"
-        "    return real(name)\n"
-        "m.version = version\n"
+        "import importlib.util as u, sys\n"
+        "u.find_spec = lambda name, package=None, real=u.find_spec: None if name == 'ziglang' else real(name, package)\n"
         "from hophoop.kernel.build.__main__ import main\n"
         f"sys.exit(main(['--out', {str(tmp_path)!r}]))"
     )
-    done = python(code)
+    done = python(code, PATH="")
     assert done.returncode == 1
     assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[build]'. The previous build remains.\n"
     assert (tmp_path / native.MANIFEST).read_text() == "before"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the program is a shell script")
+def test_a_zig_on_the_path_serves_as_well(tmp_path, monkeypatch):
+    """As conda has it, which has no package ziglang."""
+    program = tmp_path / "zig"
+    program.write_text('#!/bin/sh\nif [ "$1" = version ]; then echo 0.99.9; else echo "$@" > "$0.said"; fi\n')
+    program.chmod(0o755)
+    monkeypatch.setattr(link, "find_spec", lambda name: None)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    assert link.zig_version() == "0.99.9"
+    link.zig(["-O2"], tmp_path / "library.so")
+    assert (tmp_path / "zig.said").read_text() == f"cc -O2 -o {tmp_path / 'library.so'}\n"
+    program.write_text("#!/bin/sh\necho no memory >&2; exit 1\n")
+    with pytest.raises(RuntimeError, match="zig version failed: no memory"):
+        link.zig_version()
 
 
 def test_an_unknown_target_is_refused(tmp_path):

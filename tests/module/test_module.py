@@ -77,6 +77,7 @@ def test_the_builder_asks_for_what_it_needs_before_it_compiles(missing, monkeypa
         return "1"
 
     monkeypatch.setattr(builder, "version", found)
+    monkeypatch.setattr(builder, "zig_version", lambda: found("ziglang"))
     monkeypatch.setattr(builder, "_compile", lambda *given: pytest.fail("it compiles"))
     assert builder.main(["browser", "--out", str(tmp_path)]) == 1
     said = capsys.readouterr().err

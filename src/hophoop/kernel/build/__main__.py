@@ -21,14 +21,14 @@ from pathlib import Path
 from typing import Any
 
 from hophoop.kernel.build.browser import MODULES, description_of, module_of
-from hophoop.kernel.build.link import TARGETS, linked, own_target
+from hophoop.kernel.build.link import TARGETS, linked, own_target, zig_version
 from hophoop.kernel.entries import GROUPS
 from hophoop.kernel.native.library import HERE, MANIFEST
 from hophoop.kernel.native.sources import PACKAGE, files, stamp
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.lab.wasm.stamp import LAYOUT, stamped
 
-TOOLS = ("numba", "llvmlite", "numpy", "ziglang")
+PACKAGES = ("numba", "llvmlite", "numpy")
 BROWSER = "browser"
 ALL = (*TARGETS, BROWSER)
 TRIED = ((0, 62), (0, 68))  # versions of Numba known to build the library, oldest and newest
@@ -36,14 +36,14 @@ OLD = 600.0  # seconds after which files of earlier builds are deleted
 
 
 def tools() -> dict[str, str]:
-    """Return the versions of the packages that the build depends on.
+    """Return the versions of the packages that the build depends on, and of zig.
 
     Raises
     ------
     PackageNotFoundError
         If one is not installed.
     """
-    return {name: version(name) for name in TOOLS}
+    return {name: version(name) for name in PACKAGES} | {"ziglang": zig_version()}
 
 
 def refuse_older(numba: str) -> None:

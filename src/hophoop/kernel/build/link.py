@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
 from collections.abc import Iterable
+from importlib.metadata import PackageNotFoundError
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -162,6 +164,39 @@ def object_of(text: str, names: Iterable[str], target: Target, level: str) -> by
     return anonymous(machine.emit_object(module))
 
 
+def zig_command() -> list[str]:
+    """Return the command that starts zig: from the package ziglang, else a program on the path, as conda installs it.
+
+    Raises
+    ------
+    PackageNotFoundError
+        If there is neither.
+    """
+    if find_spec("ziglang") is not None:
+        return [sys.executable, "-m", "ziglang"]
+    program = shutil.which("zig")
+    if program is None:
+        raise PackageNotFoundError("ziglang")
+    return [program]
+
+
+def zig_version() -> str:
+    """Return the version of zig.
+
+    Raises
+    ------
+    PackageNotFoundError
+        If there is no zig.
+    RuntimeError
+        If the program does not run.
+    """
+    command = [*zig_command(), "version"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RuntimeError(f"{' '.join(command)} failed: {done.stderr.strip()[-2000:]}")
+    return done.stdout.strip()
+
+
 def zig(arguments: Iterable[str], file: Path) -> None:
     """Compile and link with zig's C compiler into a file.
 
@@ -170,7 +205,7 @@ def zig(arguments: Iterable[str], file: Path) -> None:
     RuntimeError
         If zig fails; the message contains its output.
     """
-    command = [sys.executable, "-m", "ziglang", "cc", *arguments, "-o", str(file)]
+    command = [*zig_command(), "cc", *arguments, "-o", str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise RuntimeError(f"zig could not link {file.name}: {done.stderr.strip()[-2000:]}")
