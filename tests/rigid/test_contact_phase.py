@@ -197,7 +197,7 @@ def solved_panel(body, sigma, th, om):
     """(panel, totals, state at its start, arrays) as the kernel chooses it."""
     scratch = new_scratch()
     state = state_of(th, om, 0.75 * sigma)._replace(**STARTED)
-    state = contact_phase.anchored(body, sigma, state, *sines_of(state), scratch)
+    state = contact_phase.set_anchor(body, sigma, state, *sines_of(state), scratch)
     panel, totals, _ = contact_phase.choose_panel(body, sigma, state, *sines_of(state), 2, scratch)
     assert totals.tail < 2e-13
     contact_phase.fill_inside(panel, scratch.work)
