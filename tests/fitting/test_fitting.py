@@ -186,9 +186,9 @@ def test_the_least_friction_is_where_the_sum_of_squares_has_risen(hop):
     motion = hopping(plane=hh.Plane(mu=0.9, restitution=0.2), start=hh.Start.rolling(1.0), duration=0.9)
     track = filmed(motion)
     known = {"mu_excess": 0.0, "restitution": 0.0}
-    fit = hh.fit(track, fixed=known, soft=False)
+    fit = hh.fit(track, fixed=known, robust=False)
     least = fit.limits["mu_static"][1]
-    rise = [hh.fit(track, fixed={**known, "mu_kinetic": least * part}, soft=False).chi_square for part in (0.99, 1.01)]
+    rise = [hh.fit(track, fixed={**known, "mu_kinetic": least * part}, robust=False).chi_square for part in (0.99, 1.01)]
     assert rise[0] - fit.chi_square > 2.6
     assert rise[1] - fit.chi_square < 2.8
 
@@ -233,9 +233,9 @@ def test_near_an_end_an_uncertainty_is_at_least_what_the_sum_of_squares_there_sa
 def test_the_limit_is_where_the_sum_of_squares_has_risen():
     """By 2.71, above what it is at least; friction, that the restitution does not change, is known."""
     track, fixed = plastic(1), {"mu_excess": 0.0}
-    limit = hh.fit(track, fixed=fixed, soft=False).limits["restitution"][1]
+    limit = hh.fit(track, fixed=fixed, robust=False).limits["restitution"][1]
     grid = np.append(np.linspace(0.0, 1.1, 12), [0.98, 1.02]) * limit
-    costs = [hh.fit(track, fixed={**fixed, "restitution": value}, soft=False).chi_square for value in grid]
+    costs = [hh.fit(track, fixed={**fixed, "restitution": value}, robust=False).chi_square for value in grid]
     assert costs[-2] - min(costs) < 2.8
     assert costs[-1] - min(costs) > 2.6
 
@@ -296,7 +296,7 @@ def test_outliers_count_little(hop):
     places, rng = track.centre.copy(), np.random.default_rng(2)
     places[rng.choice(len(track.t), 12, replace=False)] += 0.02
     spoilt = dataclasses.replace(track, centre=places)
-    soft, hard = hh.fit(spoilt), hh.fit(spoilt, soft=False)
+    soft, hard = hh.fit(spoilt), hh.fit(spoilt, robust=False)
     clean = hh.fit(track)
     off = [abs(one.values["speed"] - clean.values["speed"]) for one in (soft, hard)]
     assert off[0] < 0.3 * off[1]

@@ -16,7 +16,7 @@ CERTAIN = 3.0  # standard deviations from which it is believed
 FIRST = 5  # lags that tell whether there is any
 
 
-def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
+def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust: bool) -> Floats:
     """Covariance of parameters: A⁻¹ B A⁻¹ of an estimator whose equations have the slopes A and the variance B.
 
     With ψ the slope of half the loss, A = Jᵀ ψ' J with the residuals found, which is E[ψ'] times what the data would say
@@ -29,7 +29,7 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
     jacobian : ndarray, shape (count, n)
     residuals : ndarray, shape (count,)
         At the minimum [standard deviations].
-    soft : bool
+    robust : bool
         Whether outliers count less.
 
     Returns
@@ -38,7 +38,7 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
         Infinite where the data say nothing [products of the parameters' units].
     """
     pulls, information, square = residuals, jacobian.T @ jacobian, 1.0
-    if soft:
+    if robust:
         nodes, weights = np.polynomial.hermite_e.hermegauss(40)
         weights = weights / weights.sum()
         pulls = influence(residuals)

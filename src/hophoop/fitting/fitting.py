@@ -32,7 +32,7 @@ def fit(
     plane: Plane | None = None,
     sigma: float | None = None,
     sigma_angle: float | None = None,
-    soft: bool = True,
+    robust: bool = True,
     seed: int = 0,
 ) -> Fit:
     """Find the parameters with which the exact motion is nearest to a track.
@@ -60,7 +60,7 @@ def fit(
         Gravity and the law of impacts.
     sigma, sigma_angle : float, optional
         Standard deviations of places [m] and angles [rad], in place of the track's own.
-    soft : bool, default True
+    robust : bool, default True
         Let outliers count less than by their square.
     seed : int, default 0
         Of the starts that are drawn [1].
@@ -109,13 +109,13 @@ def fit(
     starts = candidates(problem, first, set(choice.free), seed)
     if not starts:
         raise InputError("No motion could be computed from what the data say of themselves: fix or bound some parameters.")
-    solution, blind = best_of(problem, choice, starts, soft)
+    solution, blind = best_of(problem, choice, starts, robust)
     settings: dict[str, object] = {
         "hoop": hoop if isinstance(hoop, str) else hoop.to_dict(),
         "start": problem.start,
         "gravity": plane.gravity,
         "law": plane.impact_law,
-        "soft": soft,
+        "robust": robust,
         "sigma": sigma,
         "sigma_angle": sigma_angle,
         "free": list(choice.free),
@@ -162,10 +162,10 @@ def _told(
     problem: Problem, choice: Choice, solution: Solution, blind: list[str], track: Track, settings: dict[str, object]
 ) -> Fit:
     """The fit with what it does not say: limits of what may be at an end of its range, or is out of sight."""
-    soft, wanted = bool(settings["soft"]), choice
+    robust, wanted = bool(settings["robust"]), choice
     gone = absent(problem.motion(solution.values)) & set(blind)
     names = [name for name in choice.free if name not in gone]
-    solution, limits = one_sided(problem, choice.only(solution.free), solution, names, soft)
+    solution, limits = one_sided(problem, choice.only(solution.free), solution, names, robust)
     limits |= {name: NOT_SEEN for name in choice.free if name in gone or name not in (*solution.free, *limits)}
     motion = problem.motion(solution.values)
     gone = absent(motion)
@@ -173,13 +173,13 @@ def _told(
     if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):
         least = least_static_friction(motion)
         if not choice.tied:
-            least = least_friction(problem, wanted, solution, least, soft)
+            least = least_friction(problem, wanted, solution, least, robust)
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction is not seen.")
     if "restitution" in gone & set(limits):
         notes.append("There is no impact in the film, so that it says nothing about restitution.")
     notes += [f"The film says nothing about {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
-    pulls = influence(solution.residuals) if soft else solution.residuals
+    pulls = influence(solution.residuals) if robust else solution.residuals
     for name, memory in memories(problem, pulls).items():
         if memory.share:
             notes.append(

@@ -44,7 +44,7 @@ def absent(motion: Trajectory) -> set[str]:
 
 
 def one_sided(
-    problem: Problem, choice: Choice, solution: Solution, names: Sequence[str], soft: bool
+    problem: Problem, choice: Choice, solution: Solution, names: Sequence[str], robust: bool
 ) -> tuple[Solution, dict[str, tuple[str, float]]]:
     """Limits of parameters that may be at an end of their range, where they then are, and what they leave of the others.
 
@@ -58,7 +58,7 @@ def one_sided(
         The minimum of `choice`.
     names : sequence of str
         Parameters that may have a limit, free ones and such as change nothing where they are.
-    soft : bool
+    robust : bool
 
     Returns
     -------
@@ -71,17 +71,17 @@ def one_sided(
     limits, changes = {}, []
     for name in names:
         spread = spread_of(problem, solution.cost, len(solution.free))
-        near = _ends(problem, choice, solution, name, soft)
+        near = _ends(problem, choice, solution, name, robust)
         agreed = [end for end in near if end.found.cost - solution.cost <= AGREES * spread]
         if len(agreed) == 1:
             ((side, found, blind),) = agreed
             begin = min((solution.values, solution.cost), (found.values, found.cost), key=lambda one: one[1])
             allowed = begin[1] + CONFIDENT * spread
             step = 0.01 * min(np.subtract(*choice.limits(name)[::-1]), 1.0)
-            values = _reach(problem, choice.at(begin[0]), name, -side * step, allowed, soft)
+            values = _reach(problem, choice.at(begin[0]), name, -side * step, allowed, robust)
             limits[name] = ("≤" if side < 0 else "≥", values[name])
             free = tuple(other for other in solution.free if other != name and other not in blind)
-            solution = solve(problem, choice.at(found.values).only(free), soft)
+            solution = solve(problem, choice.at(found.values).only(free), robust)
             changes.append({other: (values[other] - solution.values[other]) / np.sqrt(CONFIDENT * spread) for other in free})
         elif agreed or name not in solution.free:
             limits[name] = NOT_SEEN
@@ -97,7 +97,7 @@ def one_sided(
     return solution._replace(covariance=covariance), limits
 
 
-def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, soft: bool) -> list[End]:
+def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, robust: bool) -> list[End]:
     """The ends of a parameter's range that are not far, as the sum of squares has it."""
     result = []
     for side, end in zip((-1, 1), choice.limits(name), strict=True):
@@ -105,10 +105,10 @@ def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, soft:
             continue
         held = choice.at(solution.values).without(name, end)
         starts = [held.values, _moved(choice, solution, name, end)]
-        costs = [cost_at(problem, complete(problem, held, values), soft) for values in starts]
+        costs = [cost_at(problem, complete(problem, held, values), robust) for values in starts]
         if min(costs) - solution.cost > problem.count:
             continue  # so far off, adapting does not help
-        found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), soft)
+        found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), robust)
         if found.cost - solution.cost <= NEAR * spread_of(problem, solution.cost, len(solution.free)):
             result.append(End(side, found, blind))
     return result
@@ -127,13 +127,13 @@ def _moved(choice: Choice, solution: Solution, name: str, end: float) -> dict[st
     return values
 
 
-def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: float, soft: bool) -> dict[str, float]:
+def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: float, robust: bool) -> dict[str, float]:
     """The values with one as far away as the sum of squares stays within what is allowed, the others adapting."""
     near, far = dict(choice.values), None
     begin = near[name]
     for _ in range(STEPS):
         value = float(np.clip(near[name] + step, *choice.limits(name)))
-        there = lowest(problem, choice.at(near).without(name, value), soft)
+        there = lowest(problem, choice.at(near).without(name, value), robust)
         if there.cost > allowed:
             far, step = value, 0.5 * (value - near[name])
         else:
@@ -143,7 +143,7 @@ def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: fl
     return near
 
 
-def least_friction(problem: Problem, choice: Choice, solution: Solution, needed: float, soft: bool) -> float:
+def least_friction(problem: Problem, choice: Choice, solution: Solution, needed: float, robust: bool) -> float:
     """The least static friction with which the data agree, of a hoop that was not seen to slip, at 95 %.
 
     Parameters
@@ -155,7 +155,7 @@ def least_friction(problem: Problem, choice: Choice, solution: Solution, needed:
         A motion that never slips.
     needed : float
         Friction that this motion needs [1].
-    soft : bool
+    robust : bool
 
     Returns
     -------
@@ -176,7 +176,7 @@ def least_friction(problem: Problem, choice: Choice, solution: Solution, needed:
             fixed = fixed.without(name, number)
         for name in set(fixed.free) - set(solution.free):
             fixed = fixed.without(name, solution.values[name])
-        if lowest(problem, fixed, soft).cost - solution.cost > CONFIDENT * scale:
+        if lowest(problem, fixed, robust).cost - solution.cost > CONFIDENT * scale:
             far = value
         else:
             near, step = value, 2.0 * step

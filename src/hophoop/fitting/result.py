@@ -61,7 +61,7 @@ class Fit:
     track : Track
         The data.
     settings : dict
-        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle, free, bounds, tied, priors.
+        How it was fitted: start, hoop, gravity, law, robust, sigma, sigma_angle, free, bounds, tied, priors.
     calls : int
         How many motions were computed [1].
     posterior : Posterior or None

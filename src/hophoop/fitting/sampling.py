@@ -98,10 +98,10 @@ def sample(
 
 def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats], float]:
     """Logarithm of the posterior but for a constant; −∞ outside the bounds."""
-    names, soft = choice.free, bool(fit.settings["soft"])
+    names, robust = choice.free, bool(fit.settings["robust"])
     low, high = (np.array([choice.limits(name)[k] for name in names]) for k in (0, 1))
     off = problem.residuals(fit.values)
-    memory = memories(problem, influence(off) if soft else off)
+    memory = memories(problem, influence(off) if robust else off)
     scale = fit.inflation
 
     def likelihood(place: Floats) -> float:
@@ -109,7 +109,7 @@ def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats]
             return -np.inf
         values = complete(problem, choice, dict(zip(names, place.tolist(), strict=True)))
         fresh = news(problem, problem.residuals(values), memory)
-        return -0.5 * loss(fresh, soft) / scale**2
+        return -0.5 * loss(fresh, robust) / scale**2
 
     return likelihood
 

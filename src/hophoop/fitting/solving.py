@@ -98,14 +98,14 @@ class Minimum(NamedTuple):
     residuals: Floats  # as they are [standard deviations]
 
 
-def solve(problem: Problem, choice: Choice, soft: bool) -> Solution:
+def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
     """One minimum and its covariance.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-    soft : bool
+    robust : bool
         Whether outliers count less.
 
     Returns
@@ -117,19 +117,19 @@ def solve(problem: Problem, choice: Choice, soft: bool) -> Solution:
     ValueError
         If an expression makes no sense.
     """
-    values, cost, off = lowest(problem, choice, soft, MOST_CALLS)
+    values, cost, off = lowest(problem, choice, robust, MOST_CALLS)
     found = slopes(problem, choice.at(values), choice.free)
-    return Solution(values, choice.free, covariance_of(problem, found, off, soft), cost, off)
+    return Solution(values, choice.free, covariance_of(problem, found, off, robust), cost, off)
 
 
-def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS) -> Minimum:
+def lowest(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CALLS) -> Minimum:
     """Return one minimum, found by SciPy's trust-region least squares.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-    soft : bool
+    robust : bool
         Whether outliers count less.
     most : int
         Maximum number of calls of the motion [1].
@@ -156,22 +156,22 @@ def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS
     begin = np.array([parameters[name].value for name in choice.free])
     if not choice.free:
         off = residuals(begin)
-        return Minimum(dict(parameters.valuesdict()), loss(off, soft), off)
+        return Minimum(dict(parameters.valuesdict()), loss(off, robust), off)
     found = need("scipy.optimize", "fit").least_squares(
         residuals,
         begin,
         lambda free: slopes_at(problem, choice, at(free), choice.free),
         np.transpose([choice.limits(name) for name in choice.free]),
-        loss="soft_l1" if soft else "linear",
+        loss="soft_l1" if robust else "linear",
         f_scale=SOFT,
         max_nfev=most,
     )
     return Minimum(dict(at(found.x).valuesdict()), 2.0 * float(found.cost), found.fun)
 
 
-def cost_at(problem: Problem, values: dict[str, float], soft: bool) -> float:
+def cost_at(problem: Problem, values: dict[str, float], robust: bool) -> float:
     """The sum of the squares, softened if asked for, at values of all parameters."""
-    return loss(problem.residuals(values), soft)
+    return loss(problem.residuals(values), robust)
 
 
 def spread_of(problem: Problem, cost: float, free: int) -> float:
@@ -304,7 +304,7 @@ def unseen(problem: Problem, choice: Choice) -> list[str]:
     return result
 
 
-def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: bool) -> tuple[Solution, list[str]]:
+def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: bool) -> tuple[Solution, list[str]]:
     """The lowest minimum that is reached from several starts, and the parameters that the data do not see there.
 
     Parameters
@@ -312,7 +312,7 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
     problem : Problem
     choice : Choice
     starts : list of Candidate
-    soft : bool
+    robust : bool
 
     Returns
     -------
@@ -327,37 +327,37 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
         # once the data are explained to their scatter, another sequence may still explain them better
         if explained and sequence in tried:
             continue
-        found.append(approach(problem, choice.at(start.values), soft))
+        found.append(approach(problem, choice.at(start.values), robust))
         tried.add(sequence)
         explained = explained or found[-1][0].cost < 1.15 * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
-    for values in _walks(problem, choice, best, soft):
-        other = approach(problem, choice.at(values), soft)
+    for values in _walks(problem, choice, best, robust):
+        other = approach(problem, choice.at(values), robust)
         if other[0].cost < best.cost - 1e-6:
             best, blind = other
-    plain = _without_slip(problem, choice, best, soft)
+    plain = _without_slip(problem, choice, best, robust)
     if plain is not None:
         best, blind = plain
-    last = solve(problem, _blinded(choice.at(best.values), blind), soft)
+    last = solve(problem, _blinded(choice.at(best.values), blind), robust)
     for _ in range(2):
         now = unseen(problem, choice.at(last.values))
         if now == blind:
             break
         blind = now  # on the way something went out of sight, or came into it
-        last = solve(problem, _blinded(choice.at(last.values), blind), soft)
+        last = solve(problem, _blinded(choice.at(last.values), blind), robust)
     return last, blind
 
 
-def _without_slip(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> tuple[Minimum, list[str]] | None:
+def _without_slip(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
     """A motion that never slips, if the data do not tell it from the best one: slip must be seen to be believed."""
     if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
         return None
     low, high = choice.limits("mu_kinetic")
     for friction in (float(np.clip(ENOUGH, low, high)), high):
         values = {**best.values, "mu_kinetic": friction}
-        cost = cost_at(problem, values, soft)
+        cost = cost_at(problem, values, robust)
         if cost < WORTH_TRYING * best.cost and not _slips(problem, values):
-            other, blind = approach(problem, choice.at(values), soft)
+            other, blind = approach(problem, choice.at(values), robust)
             alike = other.cost < best.cost + CONFIDENT * spread_of(problem, best.cost, len(choice.free))
             return (other, blind) if alike and not _slips(problem, other.values) else None
     return None
@@ -370,7 +370,7 @@ def _slips(problem: Problem, values: dict[str, float]) -> bool:
         return True
 
 
-def _walks(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> list[dict[str, float]]:
+def _walks(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> list[dict[str, float]]:
     """Other places to begin: along one parameter of the contact at a time, the two lowest that are not the minimum itself.
 
     Along these the sum of squares has steps and flats, such as restitution so small that nothing bounces.
@@ -381,17 +381,17 @@ def _walks(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> list[
             continue
         least, most = choice.limits(name)
         grid = np.linspace(max(low, least), min(high, most), WALK)
-        costs = [(cost_at(problem, {**best.values, name: float(value)}, soft), float(value)) for value in grid]
+        costs = [(cost_at(problem, {**best.values, name: float(value)}, robust), float(value)) for value in grid]
         for cost, value in sorted(costs)[:2]:
             if cost < WORTH_TRYING * best.cost:
                 result.append((cost, {**best.values, name: value}))
     return [values for _, values in sorted(result, key=lambda pair: pair[0])[:MOST_WALKS]]
 
 
-def approach(problem: Problem, choice: Choice, soft: bool) -> tuple[Minimum, list[str]]:
+def approach(problem: Problem, choice: Choice, robust: bool) -> tuple[Minimum, list[str]]:
     """A minimum as far as few steps lead to it, and the parameters that change nothing where they began."""
     blind = unseen(problem, choice)
-    return lowest(problem, _blinded(choice, blind), soft), blind
+    return lowest(problem, _blinded(choice, blind), robust), blind
 
 
 def _blinded(choice: Choice, blind: list[str]) -> Choice:
