@@ -17,7 +17,7 @@ from hophoop.claims.claim import decimals, judged, with_unit
 from hophoop.claims.literature import FROM_ARTICLE, claims_of
 from hophoop.claims.pages import END, filled
 from hophoop.cli import app
-from hophoop.cli.claims import COLORS
+from hophoop.cli._tables import VERDICT_STYLES
 
 LITERATURE = Path(__file__).parents[2] / "docs" / "literature"
 CLAIMS = registry()
@@ -96,7 +96,7 @@ def test_the_force_at_the_quasi_jump_by_newton():
 def test_keys_works_and_verdicts():
     assert len({claim.key for claim in CLAIMS}) == len(CLAIMS) >= 30
     assert set(hh.claims.works()) <= set(references())
-    assert set(COLORS) == set(VERDICTS)
+    assert set(VERDICT_STYLES) == set(VERDICTS)
     for claim in CLAIMS:
         assert claim.verdict in VERDICTS
         assert claim.verdict != FAILS

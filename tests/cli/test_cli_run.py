@@ -416,47 +416,6 @@ def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monke
     assert "of which 30 are computed; a shorter duration" in run("run", path, "--json").stderr
 
 
-@pytest.mark.parametrize(("terminal", "soon", "shown"), [(True, 0.0, True), (True, 60.0, False), (False, 0.0, False)])
-def test_a_long_compliant_motion_shows_how_far_it_is(monkeypatch, terminal, soon, shown):
-    """On a terminal, once it has taken a second; the same motion as without."""
-    import io
-
-    from rich.console import Console
-
-    from hophoop.cli import _work
-    from hophoop.simulation import simulate as simulation
-
-    monkeypatch.setattr(_work, "SOON", soon)
-    monkeypatch.setattr(_work, "LOOKS", 0.01)
-    computed = simulation.simulate_watched
-
-    def slowly(*given):
-        motion = computed(*given)
-        time.sleep(0.2)  # compiled, it would be there before anybody looks
-        return motion
-
-    monkeypatch.setattr(simulation, "simulate_watched", slowly)
-    screen = Console(file=io.StringIO(), force_terminal=terminal, width=80)
-    scenario = hh.Scenario(contact=hh.Compliant(), duration=0.5)
-    motion = _work.with_progress(scenario, screen)
-    written = screen.file.getvalue()
-    assert ("motion" in written and "%" in written) == shown
-    assert motion.tables["segments"].tobytes() == hh.simulate(scenario).tables["segments"].tobytes()
-
-
-def test_what_goes_wrong_beside_is_raised(monkeypatch):
-    from rich.console import Console
-
-    from hophoop.cli import _work
-
-    def breaks(scenario, reached=None):
-        raise ValueError("hoop.radius is wrong.")
-
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", breaks)
-    with pytest.raises(ValueError, match=r"^hoop\.radius is wrong\.$"):
-        _work.with_progress(hh.Scenario(contact=hh.Compliant()), Console(quiet=True, force_terminal=True))
-
-
 def test_rolling_resistance_is_an_option_and_told():
     done = run("run", "--v0", 2.0, "--duration", 1.0, "--rolling-resistance", 0.02)
     assert done.exit_code == 0

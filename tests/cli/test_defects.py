@@ -26,7 +26,7 @@ def raising(error):
 
 @pytest.mark.parametrize("error", DEFECTS, ids=lambda error: type(error).__name__)
 def test_a_defect_ends_with_its_traceback(error, monkeypatch):
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", raising(error))
+    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
     done = run("run", "--duration", "1")
     assert done.exit_code == 1
     assert done.stdout == ""
@@ -49,7 +49,7 @@ def test_a_defect_ends_with_its_traceback(error, monkeypatch):
     ids=lambda error: type(error).__name__,
 )
 def test_what_a_user_can_change_is_one_sentence(error, monkeypatch):
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", raising(error))
+    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
     done = run("run", "--duration", "1")
     assert (done.exit_code, done.stderr) == (2, f"Error: {error}\n")
 

@@ -9,7 +9,6 @@ import shutil
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from importlib import import_module
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -279,34 +278,3 @@ def save_png(picture: Bytes, path: Path) -> None:
     """
     image = need("PIL.Image", "films")
     image.fromarray(np.ascontiguousarray(picture[..., :3])).save(path, compress_level=4)
-
-
-@contextmanager
-def bar(title: str) -> Iterator[Progress]:
-    """A progress bar on standard error.
-
-    Parameters
-    ----------
-    title : str
-        What stands before it.
-
-    Returns
-    -------
-    progress : callable
-        To be given to `write`.
-    """
-    progress_module: Any = import_module("rich.progress")
-    console = import_module("rich.console").Console(stderr=True)
-    with progress_module.Progress(
-        *progress_module.Progress.get_default_columns(),
-        progress_module.MofNCompleteColumn(),
-        console=console,
-        transient=True,
-        disable=not (console.is_terminal or console.is_jupyter),  # a file would get an empty line
-    ) as shown:
-        task = shown.add_task(title, total=None)
-
-        def tell(done: int, total: int) -> None:
-            shown.update(task, completed=done, total=total)
-
-        yield tell

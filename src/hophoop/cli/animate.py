@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -127,21 +126,35 @@ def animate(
 
     with named_options({"start": "--from", "panels": "--panel", "labels": "--label"}):
         slow = tuple(_mark(text) for text in slow_at or ())
-        timing = films.Timing(fps, speed, slow, slow_factor, slow_width, begin, end, step)
-        pixels, labels = (int(match[1]), int(match[2])), label or None
-        if three_d:
-            space = films.Look3D(pixels, theme, camera or "chase", labels, traces, forces, shadows)
-        else:
-            layout = "overlay" if overlay else "side"
-            flat = films.Look(pixels, theme, camera or "follow", panel or (), layout, labels, traces, forces)
-        if three_d and out.suffix.lower() in SCENES:
-            films.scene(motions, out, timing, space)
-        else:
-            with nullcontext(None) if quiet else films.bar(out.name) as progress:
-                if three_d:
-                    films.film_3d(motions, out, timing, space, progress)
+        timing = films.Timing(
+            fps=fps,
+            speed=speed,
+            slow_at=slow,
+            slow_factor=slow_factor,
+            slow_width=slow_width,
+            start=begin,
+            end=end,
+            step=step,
+        )
+        common: dict[str, Any] = {
+            "size": (int(match[1]), int(match[2])),
+            "theme": theme,
+            "labels": label or None,
+            "traces": traces,
+            "forces": forces,
+        }
+        with films.bar(out.name, quiet=quiet) as progress:
+            if not three_d:
+                look = films.Look(
+                    camera=camera or "follow", panels=panel or (), layout="overlay" if overlay else "side", **common
+                )
+                films.film(motions, out, timing, look, progress)
+            else:
+                space = films.Look3D(camera=camera or "chase", shadows=shadows, **common)
+                if out.suffix.lower() in SCENES:
+                    films.scene(motions, out, timing, space)
                 else:
-                    films.film(motions, out, timing, flat, progress)
+                    films.film_3d(motions, out, timing, space, progress)
     if not quiet:
         say(f"Wrote {out}.")
     for motion in motions:

@@ -7,7 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_parameters
 from hophoop.vocabulary.laws import NAMED
 
 OUTPUT, DATA, MODEL = "Output", "Data", "Model"
@@ -93,19 +94,19 @@ def fit(
         check_ending("--save", save, (".json",))
     if film is not None and out is None and not lab:
         raise InputError("--film needs --out, the folder of the page that shows it, or --lab.")
-    track = read_track(data, Reading(centre, marker, angle_unit, radius, sigma, sigma_angle))
+    reading = Reading(centre=centre, marker=marker, angle_unit=angle_unit, radius=radius, sigma=sigma, sigma_angle=sigma_angle)
     found = find(
-        track,
-        _hoop(hoop),
-        start,
-        {name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
-        tuple(free or ()),
-        {name: _range(name, text) for name, text in _pairs("--bound", bound)},
-        dict(_pairs("--tie", tie)),
-        Plane(gravity=gravity, impact_law=law),
-        sigma,
-        sigma_angle,
-        not squares,
+        read_track(data, reading),
+        hoop=_hoop(hoop),
+        start=start,
+        fixed={name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
+        free=tuple(free or ()),
+        bounds={name: _range(name, text) for name, text in _pairs("--bound", bound)},
+        tied=dict(_pairs("--tie", tie)),
+        plane=Plane(gravity=gravity, impact_law=law),
+        sigma=sigma,
+        sigma_angle=sigma_angle,
+        robust=not squares,
     )
     if sample is not None:
         found = _sampled(found, sample, quiet)
@@ -117,18 +118,16 @@ def fit(
     if lab:
         from hophoop.cli.lab import open_fit
 
-        open_fit(found, film)
+        open_fit(found, film, browser=True)
     if not found.good:
         raise typer.Exit(NO_ANSWER)
 
 
 def _sampled(found: Any, steps: int, quiet: bool) -> Any:
-    from contextlib import nullcontext
-
-    from hophoop.animate.export import bar
+    from hophoop._support.progress import bar
     from hophoop.fitting import sample
 
-    with nullcontext(None) if quiet else bar("sampling") as progress:
+    with bar("sampling", quiet=quiet) as progress:
         return sample(found, steps, progress=progress)
 
 
@@ -169,45 +168,20 @@ def _range(name: str, text: str) -> tuple[float, float]:
 
 
 def _show(found: Any, json: bool) -> None:
-    import json as json_text
+    from hophoop.fitting.result import plain
 
     if json:
-        whole = {key: value for key, value in found.to_dict().items() if key != "track"}
-        typer.echo(json_text.dumps(finite(whole), indent=1, ensure_ascii=False, allow_nan=False))
+        print_json(plain({key: value for key, value in found.to_dict().items() if key != "track"}), indent=1)
         return
-    table(found.rows())
+    print_parameters(found.rows())
     for sentence in found.sentences():
         typer.echo(sentence)
 
 
-def finite(value: Any) -> Any:
-    """The same for JSON, without nan and infinity."""
-    from hophoop.fitting.result import plain
-
-    return plain(value)
-
-
-def table(rows: list[tuple[str, str, str]]) -> None:
-    """Print parameters, values and meanings."""
-    from rich import box
-    from rich.markup import escape
-    from rich.table import Table
-
-    console = console_of(200)
-    shown = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for name in ("parameter", "value", "meaning"):
-        shown.add_column(name, no_wrap=name != "meaning")
-    for row in rows:
-        shown.add_row(*(escape(cell) for cell in row))
-    console.print(shown)
-
-
 def _write(found: Any, out: Path, film: Path | None, quiet: bool) -> None:
-    from contextlib import nullcontext
-
-    from hophoop.animate.export import bar
+    from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.fitting import report
 
-    with nullcontext(None) if quiet or film is None else bar("drawing") as progress:
+    with bar("drawing", quiet=quiet or film is None) as progress:
         say(f"The page: {report(found, out, film, progress)}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -50,9 +49,10 @@ def lab(
             raise InputError("--film needs a fit to a track of that film, such as fitted/fit.json.")
         from hophoop.lab.app import serve
 
-        serve(host, port, workers, browser, "" if file is None else Scenario.load(file).to_query(), name or ())
+        query = "" if file is None else Scenario.load(file).to_query()
+        serve(host=host, port=port, workers=workers, browser=browser, query=query, names=name or ())
         return
-    open_fit(found, film, host, port, workers, browser, name or ())
+    open_fit(found, film, host=host, port=port, workers=workers, browser=browser, names=name or ())
 
 
 def fit_in(file: str | None) -> Any:
@@ -68,18 +68,10 @@ def fit_in(file: str | None) -> Any:
     return load_fit(file)
 
 
-def open_fit(
-    found: Any,
-    film: Path | None,
-    host: str = "127.0.0.1",
-    port: int = 8765,
-    workers: int = 2,
-    browser: bool = True,
-    names: Sequence[str] = (),
-) -> None:
-    """Open the lab with a fit's scenario, and its film under the hoop."""
+def open_fit(found: Any, film: Path | None, **server: Any) -> None:
+    """Serve the lab with a fit's scenario and its film under the hoop; `server` goes to `hophoop.lab.app.serve`."""
+    from hophoop._support.progress import bar
     from hophoop._support.stopping import temporary_folder
-    from hophoop.animate.export import bar
     from hophoop.lab.app import serve
 
     with temporary_folder() as folder:
@@ -89,4 +81,4 @@ def open_fit(
 
             with bar("preparing the film") as progress:
                 backdrop = prepared(found, film, folder / "film.mp4", progress)
-        serve(host, port, workers, browser, found.scenario.to_query(), names, backdrop)
+        serve(query=found.scenario.to_query(), backdrop=backdrop, **server)

@@ -7,6 +7,8 @@ from typing import Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_parameters
 
 FILM = "The film"
 
@@ -35,19 +37,24 @@ def plan(
     json: Annotated[bool, typer.Option("--json", help="Print it as JSON.", rich_help_panel=FILM)] = False,
 ) -> None:
     """Say which parameters a film of a motion would determine, and how well."""
-    import json as json_text
     from dataclasses import asdict
 
-    from hophoop.cli.fit import finite, table
     from hophoop.fitting import plan as make
+    from hophoop.fitting.result import plain
 
     found = make(
-        scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known,
-        sigma_scale,
-    )  # fmt: skip
+        scenario,
+        rate=rate,
+        sigma=sigma,
+        sigma_angle=None if no_marker else sigma_angle,
+        sigma_scale=sigma_scale,
+        free=tuple(free or ()),
+        fixed=tuple(fixed or ()),
+        hoop_known=hoop_known,
+    )
     if json:
-        typer.echo(json_text.dumps(finite(asdict(found)), indent=1, ensure_ascii=False, allow_nan=False))
+        print_json(plain(asdict(found)), indent=1)
         return
-    table(found.rows())
+    print_parameters(found.rows())
     for sentence in found.sentences():
         typer.echo(sentence)

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
 
 if TYPE_CHECKING:
     from hophoop.prove import Proof
+    from hophoop.prove.proof import ProvedEvent
 
 OUTPUT, INSTEAD = "Output", "Instead of one motion"
 
@@ -108,7 +109,7 @@ def prove(
     if out is not None and proof.proved:
         proof.save(out)
     if json and proof.certificate is not None:
-        typer.echo(json_text.dumps(proof.certificate, ensure_ascii=False))
+        print_json(proof.certificate, indent=None)
     elif not json:
         _show(proof)
     if not proof.proved:
@@ -143,18 +144,14 @@ def _verify(path: Path) -> None:
 
 def _show(proof: Proof) -> None:
     """The events with their enclosures."""
-    from rich import box
-    from rich.table import Table
+    from hophoop.cli._motion import print_events
+    from hophoop.results.event_table import change_of
+    from hophoop.vocabulary.words import plain
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title in ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)"):
-        table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
-    for event in proof.events:
-        change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-        numbers = (event.t, event.angle, event.x, event.vx, event.omega)
-        table.add_row(event.kind.replace("_", " "), change, *map(str, numbers))
-    console = console_of(4000)
-    console.print(table)
+    def cells(event: ProvedEvent) -> list[str]:
+        return [plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x, event.vx, event.omega))]
+
+    print_events(("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)"), proof.events, cells, everything=True)
     typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
     if proof.proved:
         typer.echo(f"status  {proof.status.replace('_', ' ')}\ndigits  {proof.digits_proved}")

@@ -198,8 +198,8 @@ def run(
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop._support.fingerprint import DIGITS, is_fingerprint
-    from hophoop.cli import NO_ANSWER, _tables, say
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
+    from hophoop.cli import NO_ANSWER, _motion, say
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options, print_json
     from hophoop.scenario import InputError
 
     if plot is not None:
@@ -237,24 +237,24 @@ def run(
         return
     shown = not quiet and json != "-"
     explained = _phases(scenario) if explain else None  # says at once what it cannot explain
-    motion = _computed(scenario, quiet)
+    motion = _simulate(scenario, quiet)
     with named_options({"of": "--sensitivity"}):
         derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
     if json == "-":
-        typer.echo(json_text.dumps(motion.to_dict() | more, indent=2, ensure_ascii=False, allow_nan=False))
+        print_json(motion.to_dict() | more)
     _write(motion, outputs, samples, more)
     if shown:
-        _tables.print_motion(motion, everything)
+        _motion.print_motion(motion, everything)
         if errors:
-            _tables.print_errors(motion, _errors(motion), everything)
+            _motion.print_errors(motion, _errors(motion), everything)
         if explained is not None:
-            _tables.print_phases(explained, everything)
+            _motion.print_phases(explained, everything)
         if derived is not None:
             typer.echo(derived)
     same = check_fingerprint is None or _compare_fingerprints(motion, check_fingerprint.lower(), json == "-")
     if not motion.ok:
-        say(_tables.unanswered(motion.duration, motion.status))
+        say(_motion.no_answer(motion.duration, motion.status))
     if not (motion.ok and same):
         raise typer.Exit(NO_ANSWER)
 
@@ -280,26 +280,26 @@ def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     return phases(scenario)
 
 
-def _computed(scenario: Scenario, quiet: bool) -> Trajectory:
-    """The motion, after a word on how long it will take."""
-    from rich.console import Console
-
+def _simulate(scenario: Scenario, quiet: bool) -> Trajectory:
+    """Compute the motion; announce the work of a long one."""
+    from hophoop._support.progress import bar
     from hophoop.cli import say
-    from hophoop.cli._work import with_progress, work_ahead
+    from hophoop.cli._work import work_ahead
+    from hophoop.simulation.simulate import simulate
 
     ahead = work_ahead(scenario)
     if ahead is not None and not quiet:
         say(ahead)
-    return with_progress(scenario, Console(stderr=True, quiet=quiet))
+    with bar("motion", quiet=quiet, share=True) as progress:
+        return simulate(scenario, progress=progress)
 
 
 def _errors(motion: Trajectory) -> EventErrors:
-    from rich.console import Console
+    from hophoop._support.progress import bar
+    from hophoop.simulation.event_errors import event_errors
 
-    from hophoop.cli._work import watched
-    from hophoop.simulation.event_errors import event_errors_watched
-
-    return watched(lambda reached: event_errors_watched(motion, reached), Console(stderr=True), "errors")
+    with bar("errors", share=True) as progress:
+        return event_errors(motion, progress)
 
 
 def _write(motion: Trajectory, outputs: Mapping[str, Path | None], samples: int, more: Mapping[str, Any]) -> None:

@@ -62,6 +62,7 @@ def track(
     focal: Annotated[float | None, typer.Option(help="Focal length, pixels.", rich_help_panel=CAMERA)] = None,
 ) -> None:
     """Find a hoop in a film: time, centre and angle with an uncertainty a frame, printed as CSV or saved."""
+    from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.cli._output import named_options
     from hophoop.tracking import Hints
@@ -71,13 +72,23 @@ def track(
     tilt = _numbers("--tilt-deg", tilt_deg, 2)
     with named_options({"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}):
         hints = Hints(
-            marker, ring, _numbers("--centre", centre, 2), rim, at, _numbers("--ground", ground, 4), math.radians(level_deg),
-            None if slope_deg is None else math.radians(slope_deg), exposure, row_delay, rate,
-            None if tilt is None else (math.radians(tilt[0]), math.radians(tilt[1])), focal,
-        )  # fmt: skip
+            marker=marker,
+            ring=ring,
+            centre=_numbers("--centre", centre, 2),
+            rim=rim,
+            at=at,
+            ground=_numbers("--ground", ground, 4),
+            level=math.radians(level_deg),
+            slope=None if slope_deg is None else math.radians(slope_deg),
+            exposure=exposure,
+            row_delay=row_delay,
+            rate=rate,
+            tilt=None if tilt is None else (math.radians(tilt[0]), math.radians(tilt[1])),
+            focal=focal,
+        )
         if pick:
             hints = _picked(video, hints)
-        with _bar("tracking", quiet) as progress:
+        with bar("tracking", quiet=quiet) as progress:
             found = find(video, radius, hints, progress)
     say(f"Found in {int(found.found.sum())} of {len(found.t)} frames. " + " ".join(found.notes))
     _write(found, video, out, save, film, quiet)
@@ -101,6 +112,7 @@ def _check(out: Path | None, save: Path | None, film: Path | None, video: Path) 
 
 
 def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: Path | None, quiet: bool) -> None:
+    from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.tracking import overlay
 
@@ -113,7 +125,7 @@ def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: P
     if save is not None:
         found.save(save)
     if film is not None:
-        with _bar("drawing", quiet) as progress:
+        with bar("drawing", quiet=quiet) as progress:
             overlay(video, found, film, page, progress)
     if out is not None:
         say(f"The page: {out / 'index.html'}")
@@ -146,11 +158,3 @@ def _numbers(option: str, text: str | None, count: int) -> Any:
     if len(values) != count:
         raise InputError(f"{option} {text} must be {count} numbers with commas between them.")
     return values
-
-
-def _bar(words: str, quiet: bool) -> Any:
-    from contextlib import nullcontext
-
-    from hophoop.animate.export import bar
-
-    return nullcontext(None) if quiet else bar(words)
