@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -383,7 +384,7 @@ def test_a_saved_fit_is_the_same(found, tmp_path):
 def test_a_page_of_a_fit(found, tmp_path):
     page = report(found, tmp_path / "out")
     text = page.read_text(encoding="utf-8")
-    assert text.count("<svg class='wide'") == text.count("<svg class='narrow'") == 5
+    assert text.count('<svg class="wide"') == text.count('<svg class="narrow"') == 5
     assert "mu_static" in text
     assert json.loads((tmp_path / "out" / "fit.json").read_text())["good"] is True
     assert hh.Scenario.load(tmp_path / "out" / "scenario.toml") == found.scenario
@@ -391,6 +392,13 @@ def test_a_page_of_a_fit(found, tmp_path):
     assert np.nanmax(np.abs(centre - found.track.centre)) < 5 * SIGMA
     assert np.nanmax(np.abs(angle - found.track.angle)) < 5 * SIGMA_ANGLE
     assert "<table>" in found._repr_html_()
+
+
+def test_a_page_of_a_fit_escapes_names(found, tmp_path):
+    named = replace(found, track=replace(found.track, source="<script>&\"'.mp4"))
+    text = report(named, tmp_path).read_text(encoding="utf-8")
+    assert text.count("Fit of &lt;script&gt;&amp;&#34;&#39;.mp4") == 2
+    assert "<script" not in text
 
 
 # --- what goes wrong is one sentence ---------------------------------------------------------------

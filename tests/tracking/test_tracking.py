@@ -148,6 +148,10 @@ def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
     assert seen[-1] == (18, 18)
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert page.count("data:image/jpeg") >= 9
+    overlay(path, dataclasses.replace(track, source="<script>.mp4"), page=tmp_path / "named.html")
+    named = (tmp_path / "named.html").read_text(encoding="utf-8")
+    assert named.count("Track of &lt;script&gt;.mp4") == 2
+    assert "<script" not in named
     assert "lost" in page
     drawn = list(pictures(tmp_path / "over.mp4"))
     assert len(drawn) == 18

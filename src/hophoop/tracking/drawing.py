@@ -5,17 +5,18 @@ from __future__ import annotations
 import base64
 from collections.abc import Callable, Iterator
 from contextlib import nullcontext
-from html import escape
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.extras import need
 from hophoop._support.files import replacing
+from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.scenario import InputError
-from hophoop.tracking.page import STYLE, Curve, plot
+from hophoop.tracking.plots import Curve, plot
 from hophoop.tracking.table import FOUND, LOST, Track, View
 from hophoop.tracking.video import Bytes, Writer, jpeg, pictures, rgb, writing
 
@@ -197,29 +198,22 @@ def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> st
     if np.isfinite(usual[1]):
         words[-1] += f", of the angle {1e3 * usual[1]:.2g} mrad."
     words += track.notes
-    parts = [
-        "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
-        f"<meta name='viewport' content='width=device-width'><title>Track of {escape(track.source)}</title>",
-        f"<style>{STYLE}</style>",
-        f"</head><body><h1>Track of {escape(track.source)}</h1><p>{escape(' '.join(words))}</p>",
-    ]
-    if film is not None:
-        parts.append(f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>")
-    parts.append("<h2>Stills</h2><div class='stills'>")
-    for row, image in stills:
-        caption = f"t = {track.t[row]:.3f} s, {track.state[row]}"
+    captions = [f"t = {track.t[row]:.3f} s, {track.state[row]}" for row, _ in stills]
+    for k, (row, _) in enumerate(stills):
         if np.isfinite(track.angle[row]):
-            caption += f", {np.degrees(track.angle[row]):.1f}°"
-        code = base64.b64encode(image).decode("ascii")
-        parts.append(
-            f"<figure><img alt='' src='data:image/jpeg;base64,{code}'><figcaption>{escape(caption)}</figcaption></figure>"
-        )
-    parts.append("</div><h2>Motion</h2>")
-    parts.append(plot([Curve(track.t, track.centre[:, 0], POINTS)], "x (m)"))
-    parts.append(
-        plot([Curve(track.t, 1e3 * (track.centre[:, 1] - track.radius), POINTS)], "height of the rim above the plane (mm)")
+            captions[k] += f", {np.degrees(track.angle[row]):.1f}°"
+    curves = {
+        "x (m)": track.centre[:, 0],
+        "height of the rim above the plane (mm)": 1e3 * (track.centre[:, 1] - track.radius),
+        "angle (°)": np.degrees(track.angle),
+    }
+    return render(
+        need("jinja2", "track"),
+        "tracking/track.html",
+        version=__version__,
+        source=track.source,
+        summary=" ".join(words),
+        film=film,
+        stills=[(base64.b64encode(image).decode("ascii"), text) for (_, image), text in zip(stills, captions, strict=True)],
+        plots=[plot([Curve(track.t, values, POINTS)], label) for label, values in curves.items() if np.isfinite(values).any()],
     )
-    if np.isfinite(track.angle).any():
-        parts.append(plot([Curve(track.t, np.degrees(track.angle), POINTS)], "angle (°)"))
-    parts.append(f"<footer>hophoop {__version__}</footer></body></html>")
-    return "".join(parts)
