@@ -414,6 +414,9 @@ def test_a_page_of_a_fit_escapes_names(found, tmp_path):
         ({"fixed": {"gamma": float("nan")}}, "fixed gamma = nan must be a finite number"),
         ({"bounds": {"gamma": (0.5, 0.2)}}, "bounds of gamma = 0.5, 0.2"),
         ({"tied": {"mu_excess": "nonsense +"}}, "tied mu_excess = 'nonsense \\+' is no expression"),
+        ({"tied": {"mu_excess": "log(restitution)"}}, "tied mu_excess = 'log\\(restitution\\)' is no expression"),
+        ({"tied": {"mu_excess": "len(open('/dev/null').read())"}}, "is no expression"),
+        ({"tied": {"mu_excess": "gamma * restitution", "restitution": "mu_excess / 2"}}, "depend on each other in a circle"),
         ({"free": ["row_delay"]}, "row_delay cannot be fitted"),
     ],
 )

@@ -74,7 +74,7 @@ def fit(
     ValueError
         If a name is not known, cannot be fitted, or the data are too few.
     ImportError
-        If SciPy or lmfit is missing.
+        If SciPy or asteval is missing.
 
     Examples
     --------

@@ -105,7 +105,7 @@ def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, robus
             continue
         held = choice.at(solution.values).without(name, end)
         starts = [held.values, _moved(choice, solution, name, end)]
-        costs = [cost_at(problem, complete(problem, held, values), robust) for values in starts]
+        costs = [cost_at(problem, complete(held, values), robust) for values in starts]
         if min(costs) - solution.cost > problem.count:
             continue  # so far off, adapting does not help
         found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), robust)

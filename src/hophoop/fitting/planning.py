@@ -130,8 +130,6 @@ def plan(
     ------
     ValueError
         If a name is not known, a number is not allowed, or the motion is too short.
-    ImportError
-        If lmfit is missing.
 
     Examples
     --------

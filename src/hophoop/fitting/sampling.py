@@ -107,7 +107,7 @@ def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats]
     def likelihood(place: Floats) -> float:
         if (place < low).any() or (place > high).any():
             return -np.inf
-        values = complete(problem, choice, dict(zip(names, place.tolist(), strict=True)))
+        values = complete(choice, dict(zip(names, place.tolist(), strict=True)))
         fresh = news(problem, problem.residuals(values), memory)
         return -0.5 * loss(fresh, robust) / scale**2
 
@@ -186,7 +186,7 @@ def _inside(choice: Choice, place: Floats) -> Floats:
 def _shares(problem: Problem, choice: Choice, samples: Floats, rng: np.random.Generator) -> dict[str, float]:
     found: dict[str, int] = {}
     for place in samples[rng.choice(len(samples), min(DRAWN, len(samples)), replace=False)]:
-        values = complete(problem, choice, dict(zip(choice.free, place.tolist(), strict=True)))
+        values = complete(choice, dict(zip(choice.free, place.tolist(), strict=True)))
         sequence = gathered(problem.motion(values).sequence)
         found[sequence] = found.get(sequence, 0) + 1
     total = sum(found.values())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from hophoop.fitting.guess import SPREADS, Candidate, gathered
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.problem import Problem
+from hophoop.fitting.problem import FAR, Problem
 from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
@@ -143,30 +143,30 @@ def lowest(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CAL
     ValueError
         If an expression makes no sense.
     """
-    parameters = _parameters(need("lmfit", "fit"), problem, choice)
+    begin = complete(choice, {})
+    if not choice.free:
+        off = problem.residuals(begin)
+        return Minimum(begin, loss(off, robust), off)
 
-    def at(free: Floats) -> Any:
-        for name, value in zip(choice.free, free, strict=True):
-            parameters[name].value = value
-        return parameters
+    def at(free: Floats) -> dict[str, float]:
+        return complete(choice, dict(zip(choice.free, free.tolist(), strict=True)))
 
     def residuals(free: Floats) -> Floats:
-        return problem.residuals(dict(at(free).valuesdict()))
+        try:
+            return problem.residuals(at(free))
+        except InputError:  # an expression has no value there
+            return np.full(problem.count, FAR)
 
-    begin = np.array([parameters[name].value for name in choice.free])
-    if not choice.free:
-        off = residuals(begin)
-        return Minimum(dict(parameters.valuesdict()), loss(off, robust), off)
     found = need("scipy.optimize", "fit").least_squares(
         residuals,
-        begin,
-        lambda free: slopes_at(problem, choice, at(free), choice.free),
+        [begin[name] for name in choice.free],
+        lambda free: slopes(problem, choice.at(at(free)), choice.free),
         np.transpose([choice.limits(name) for name in choice.free]),
         loss="soft_l1" if robust else "linear",
         f_scale=SOFT,
         max_nfev=most,
     )
-    return Minimum(dict(at(found.x).valuesdict()), 2.0 * float(found.cost), found.fun)
+    return Minimum(at(found.x), 2.0 * float(found.cost), found.fun)
 
 
 def cost_at(problem: Problem, values: dict[str, float], robust: bool) -> float:
@@ -179,31 +179,11 @@ def spread_of(problem: Problem, cost: float, free: int) -> float:
     return max(1.0, cost / max(problem.count - free, 1))
 
 
-def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:
-    """Parameters for lmfit, which evaluates the expressions of those that are tied."""
-    parameters = lmfit.Parameters()
-    for name in problem.names:
-        low, high = choice.limits(name)
-        if name in choice.free:
-            parameters.add(name, value=float(np.clip(choice.values[name], low, high)), min=low, max=high)
-        else:
-            parameters.add(name, value=choice.values[name], vary=False)
-    for name, text in choice.tied.items():
-        try:
-            parameters[name].set(expr=text)
-            if not np.isfinite(parameters[name].value):
-                raise ValueError
-        except Exception:
-            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters.") from None
-    return parameters
-
-
-def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
-    """All values, those that are tied following from the free ones.
+def complete(choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
+    """Return all values: the free ones within their limits, the tied ones computed from the others.
 
     Parameters
     ----------
-    problem : Problem
     choice : Choice
     free : mapping of str to float
 
@@ -215,23 +195,44 @@ def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dic
     Raises
     ------
     ValueError
-        If an expression makes no sense.
+        If an expression has no value.
     """
-    if not choice.tied:
-        return {**choice.values, **free}
-    return dict(_parameters(need("lmfit", "fit"), problem, choice.at(free)).valuesdict())
+    values = {**choice.values, **free}
+    for name in choice.free:
+        low, high = choice.limits(name)
+        values[name] = min(max(values[name], low), high)
+    for _ in choice.tied:  # one may depend on another
+        values |= _tied_values(choice, values)
+    if choice.tied and _tied_values(choice, values).items() - values.items():
+        raise InputError(f"tied parameters ({', '.join(choice.tied)}) depend on each other in a circle.")
+    return values
+
+
+def _tied_values(choice: Choice, values: dict[str, float]) -> dict[str, float]:
+    """Return the tied values, each computed once from the given ones."""
+    evaluator = need("asteval", "fit").Interpreter(user_symbols=values, minimal=True)
+    evaluator.symtable.pop("open", None)
+    result = {}
+    for name, text in choice.tied.items():
+        try:
+            result[name] = float(evaluator.eval(text, show_errors=False, raise_errors=True))
+            if not np.isfinite(result[name]):
+                raise ValueError
+        except Exception:
+            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters.") from None
+    return result
 
 
 def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
-    """Derivatives of the residuals by parameters, those that are tied to them going along.
+    """Derivatives of the residuals by parameters, with those tied to them changing as well.
 
-    They are exact where the motion has derivatives, and from differences, both ways where there is room, elsewhere.
+    They are exact where the motion has derivatives. Elsewhere they are differences, both ways if the limits allow.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-        Where.
+        Its values are the point.
     names : tuple of str
 
     Returns
@@ -239,46 +240,32 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
     jacobian : ndarray, shape (count, len(names))
         [1 over the parameter's unit]
     """
-    parameters = _parameters(need("lmfit", "fit"), problem, choice)
-    return slopes_at(problem, choice, parameters, names)
-
-
-def slopes_at(problem: Problem, choice: Choice, parameters: Any, names: tuple[str, ...]) -> Floats:
-    """As `slopes`, at values that lmfit holds."""
-    values = dict(parameters.valuesdict())
     tied = tuple(choice.tied)
     try:
-        jacobian = exact_slopes(problem, values, (*names, *tied))
+        jacobian = exact_slopes(problem, complete(choice, {}), (*names, *tied))
     except InputError:
         jacobian = np.full((problem.count, len(names) + len(tied)), np.nan)
     result = jacobian[:, : len(names)]
     if tied:
-        together = _differences(choice, parameters, names, lambda now: [now[name] for name in tied])
+        together = _differences(choice, names, lambda values: [values[name] for name in tied])
         result = result + jacobian[:, len(names) :] @ together
     missing = tuple(name for k, name in enumerate(names) if not np.isfinite(result[:, k]).all())
     if missing:
         places = [names.index(name) for name in missing]
-        result[:, places] = _differences(choice, parameters, missing, problem.residuals)
+        result[:, places] = _differences(choice, missing, problem.residuals)
     return result
 
 
-def _differences(
-    choice: Choice, parameters: Any, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]
-) -> Floats:
+def _differences(choice: Choice, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]) -> Floats:
     """Derivatives by differences."""
-
-    def at(name: str, value: float) -> Floats:
-        parameters[name].value = value
-        return np.asarray(of(dict(parameters.valuesdict())), dtype=float)
-
     columns = []
     for name in names:
         low, high = choice.limits(name)
-        here = float(parameters[name].value)
+        here = min(max(choice.values[name], low), high)
         step = PARAMETERS[name].step * max(1.0, abs(here))
         above, below = min(here + step, high), max(here - step, low)
-        columns.append((at(name, above) - at(name, below)) / (above - below))
-        parameters[name].value = here
+        ends = [np.asarray(of(complete(choice, {name: value})), dtype=float) for value in (above, below)]
+        columns.append((ends[0] - ends[1]) / (above - below))
     return np.column_stack(columns)
 
 
