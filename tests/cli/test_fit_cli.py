@@ -93,7 +93,7 @@ def test_no_good_fit_is_status_1(table):
         (["--fix", "restitution"], "--fix restitution must be a name and a value"),
         (["--fix", "restitution=much"], "--fix restitution=much must be a number"),
         (["--bound", "gamma=1"], "--bound gamma=1 must be two numbers"),
-        (["--free", "t0"], "t0 is no parameter of a fit: the time of the start says the same as its place"),
+        (["--free", "t0"], "t0 is no parameter of a fit: the time of the start is redundant with its position"),
         (["--sample", "3"], "steps = 3 must be from 10"),
         (["--film", "film.mp4"], "--film needs --out"),
         (["--save", "fit.txt"], "--save = fit.txt must end in .json"),

@@ -10,10 +10,10 @@ import pytest
 import hophoop as hh
 from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
 from hophoop.fitting import report
-from hophoop.fitting.channels import Lasting, scatter
-from hophoop.fitting.covariance import covariance_of, memories
-from hophoop.fitting.guess import gathered, rates
-from hophoop.fitting.judging import least_static_friction, runs
+from hophoop.fitting.channels import Autocorrelation, scatter
+from hophoop.fitting.covariance import autocorrelations, covariance_of
+from hophoop.fitting.guess import merge_bounces, rates
+from hophoop.fitting.judging import least_static_friction, runs_deviation
 from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.reporting import energies, places_in_film
 from hophoop.fitting.solving import Choice, slopes
@@ -32,7 +32,7 @@ def test_the_truth_is_found_within_its_uncertainties(found):
         assert abs(found.values[name] - value) < 4 * found.error(name), name
     assert found.error("gamma") < 1e-3
     assert found.error("mu_static") < 0.02
-    assert gathered(found.motion.sequence) == "RKRSH+KR"
+    assert merge_bounces(found.motion.sequence) == "RKRSH+KR"
     assert found.shares["RKRSH+KR"] > 0.9
     assert found.scenario.plane.mu_static == pytest.approx(0.55, abs=0.04)
 
@@ -44,7 +44,7 @@ def test_the_centre_alone_tells_as_well(hop):
     assert np.cos(fit.values["angle0"]) == pytest.approx(np.cos(0.1), abs=0.01)
     # and says what it cannot tell apart
     assert {"gamma", "speed"} in [{first, second} for first, second, _ in fit.correlated]
-    assert any("can hardly be told apart" in sentence for sentence in fit.sentences())
+    assert any("can hardly be distinguished" in sentence for sentence in fit.sentences())
 
 
 def test_a_plan_says_what_the_fit_then_has(hop, found):
@@ -119,11 +119,11 @@ def test_a_share_of_the_errors_that_lasts_is_found():
     problem = problem_of(track, "ideal", "rolling", PLANE, (1.0, None))
     rng = np.random.default_rng(6)
     slow = np.sqrt(0.3) * lasting(rng, 1000, 1.0, 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
-    found = memories(problem, np.concatenate([slow, rng.normal(size=1000)]))
+    found = autocorrelations(problem, np.concatenate([slow, rng.normal(size=1000)]))
     assert found["x"].frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert found["x"].share < 0.6
     assert found["y"].share == 0.0
-    assert Lasting(0.3, 0.9).frames == pytest.approx(1 + 2 * sum(0.3 * 0.9**k for k in range(1, 200)))
+    assert Autocorrelation(0.3, 0.9).frames == pytest.approx(1 + 2 * sum(0.3 * 0.9**k for k in range(1, 200)))
 
 
 def test_errors_that_last_over_frames_count_less(hop):
@@ -137,7 +137,7 @@ def test_errors_that_last_over_frames_count_less(hop):
     values, _ = defaults(problem, track)
     values |= TRUTH
     off = problem.residuals(values)
-    found = memories(problem, off)
+    found = autocorrelations(problem, off)
     for name in ("x", "y"):  # (1 + 0.7)/(1 − 0.7) of them say as much as one
         assert found[name].share * found[name].fade == pytest.approx(0.7, abs=0.2)
         assert found[name].frames == pytest.approx(17 / 3, rel=0.5)
@@ -156,7 +156,7 @@ def test_errors_that_last_over_frames_count_less(hop):
     assert covariance_of(problem, jacobian, off, False) == pytest.approx(expected, rel=1e-6)
     fit = hh.fit(track)
     assert fit.error("gamma") > 1.3 * hh.fit(filmed(hop)).error("gamma")
-    assert any("Errors of x last over several frames" in note for note in fit.notes)
+    assert any("Errors of x are correlated" in note for note in fit.notes)
 
 
 # --- what the film does not tell -------------------------------------------------------------------
@@ -177,7 +177,7 @@ def test_a_hoop_that_never_slips_gives_a_lower_limit(hop):
     assert fit.free == ("gamma", "x0", "angle0", "speed")
     assert any("never slips: static friction is at least" in note for note in fit.sentences())
     assert any("no impact" in note for note in fit.sentences())
-    assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not seen"
+    assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not determined"
     assert least_static_friction(motion) == pytest.approx(expected, rel=1e-4)
     assert least_static_friction(fit.motion) == pytest.approx(expected, rel=0.02)
 
@@ -257,16 +257,16 @@ def test_what_cannot_be_told_is_refused(hop, name):
 
 def test_residuals_that_run_together_are_told(hop):
     # pieces of one sign, and signs that change as chance has it
-    assert runs(np.repeat([1.0, -1.0], 50)) < -9
-    assert abs(runs(np.random.default_rng(1).normal(size=1000))) < 3
+    assert runs_deviation(np.repeat([1.0, -1.0], 50)) < -9
+    assert abs(runs_deviation(np.random.default_rng(1).normal(size=1000))) < 3
     # 3 runs of 10 and 10: expected 11 ± √(10·9/19)
-    assert runs(np.array([1.0] * 5 + [-1.0] * 10 + [1.0] * 5)) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
+    assert runs_deviation(np.array([1.0] * 5 + [-1.0] * 10 + [1.0] * 5)) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
     track = filmed(hop)
     braked = track.centre.copy()
     braked[:, 0] -= 0.05 * track.t**2  # something that the model has not
     fit = hh.fit(dataclasses.replace(track, centre=braked), fixed={"restitution": 0.3})
     assert not fit.good
-    assert any(place["quantity"] == "x" for place in fit.lacking)
+    assert any(place["quantity"] == "x" for place in fit.misfits)
     assert any("No fit is good" in sentence for sentence in fit.sentences())
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-SOFT = 3.0  # standard deviations from which a residual counts less than its square
+SOFT = 3.0  # scale of the robust loss [standard deviations]
 
 
 def loss(residuals: Floats, robust: bool) -> float:
@@ -31,7 +31,7 @@ def loss(residuals: Floats, robust: bool) -> float:
 
 
 def influence(residuals: Floats) -> Floats:
-    """Slope of half the robust loss: how much a residual pulls.
+    """Return the slope of half the robust loss.
 
     Parameters
     ----------
@@ -41,13 +41,13 @@ def influence(residuals: Floats) -> Floats:
     Returns
     -------
     pull : ndarray
-        The residual itself where it is small [1].
+        For small residuals the residual itself [1].
     """
     return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
 
 
 def influence_slope(residuals: Floats) -> Floats:
-    """Derivative of `influence`.
+    """Return the derivative of `influence`.
 
     Parameters
     ----------

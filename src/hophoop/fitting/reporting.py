@@ -1,4 +1,4 @@
-"""The page of a fit: what it found, how far the data are from the motion, energies, and the film with both hoops."""
+"""The page of a fit: parameters, residuals, energies, and the film with the fitted hoop."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ def report(
     ----------
     fit : Fit
     folder : str or Path
-        Made if it is not there: index.html, fit.json, scenario.toml, and fitted.mp4 with a film.
+        Created if missing: index.html, fit.json, scenario.toml, and fitted.mp4 with a film.
     video : str or Path, optional
-        The film of the track, over which the fitted hoop is drawn.
+        The film of the track, to draw the fitted hoop over.
     progress : callable, optional
         Called with the number of frames drawn and of all.
 
@@ -48,7 +48,7 @@ def report(
     Raises
     ------
     ValueError
-        If the track is not of a film and there is one.
+        If a film is given and the track is not of a film.
     OSError
         If a file cannot be written.
     """

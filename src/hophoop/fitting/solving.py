@@ -1,4 +1,4 @@
-"""Least squares of the exact motion against the data, from several starts, and what the data cannot see."""
+"""Least squares of the exact motion against the data, from several starts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.fitting.covariance import covariance_of
-from hophoop.fitting.guess import SPREADS, Candidate, gathered
+from hophoop.fitting.guess import SPREADS, Candidate, merge_bounces
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import PARAMETERS
@@ -20,25 +20,25 @@ from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
 
-FIRST_CALLS, MOST_CALLS = 12, 100  # of the motion: in the first approach, and in the last
-BLIND = 1e-3  # rise of the sum of squares over the whole range of a parameter that the data do not see
+FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
+BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
 WALK = 15  # steps along a parameter
-WORTH_TRYING, MOST_WALKS = 4.0, 4  # how much worse a step may be, and how many are tried
+WORTH_TRYING, MOST_WALKS = 4.0, 4  # maximum factor of the cost of a step, and maximum number of such starts
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
 ENOUGH = 1.0  # friction with which most motions never slip
 
 
 @dataclass(frozen=True)
 class Choice:
-    """What is fitted and within what.
+    """Free, bounded and tied parameters.
 
     Attributes
     ----------
     values : dict
-        Values to begin with, or to stay at.
+        Start values of free parameters, values of the others.
     free : tuple of str
     bounds : dict
-        Least and greatest value.
+        Minimum and maximum.
     tied : dict
         Expressions of other parameters.
     """
@@ -49,22 +49,22 @@ class Choice:
     tied: dict[str, str]
 
     def limits(self, name: str) -> tuple[float, float]:
-        """Least and greatest value of a parameter."""
+        """Return minimum and maximum of a parameter."""
         kind = PARAMETERS[name]
         low, high = self.bounds.get(name, (kind.low, kind.high))
         return max(low, kind.low), min(high, kind.high)
 
     def without(self, name: str, value: float) -> Choice:
-        """The same with a parameter that stays."""
+        """Return the choice with one parameter fixed."""
         free = tuple(other for other in self.free if other != name)
         return Choice({**self.values, name: value}, free, self.bounds, self.tied)
 
     def only(self, names: tuple[str, ...]) -> Choice:
-        """The same with these parameters alone free."""
+        """Return the choice with only these parameters free."""
         return Choice(self.values, names, self.bounds, self.tied)
 
     def at(self, values: Mapping[str, float]) -> Choice:
-        """The same from other values."""
+        """Return the choice with other values."""
         return Choice({**self.values, **values}, self.free, self.bounds, self.tied)
 
 
@@ -74,32 +74,32 @@ class Solution(NamedTuple):
     values: dict[str, float]
     free: tuple[str, ...]
     covariance: Floats  # of the free ones
-    cost: float  # sum of the squares, softened
-    residuals: Floats  # as they are [standard deviations]
+    cost: float  # sum of the squares, or the robust loss
+    residuals: Floats  # [standard deviations]
 
     def without(self, name: str) -> Solution:
-        """The same with a parameter of which nothing is told."""
+        """Return the solution without the uncertainty of one parameter."""
         kept = [k for k, other in enumerate(self.free) if other != name]
         free = tuple(self.free[k] for k in kept)
         return self._replace(free=free, covariance=self.covariance[np.ix_(kept, kept)])
 
     def with_error(self, name: str, least: float) -> Solution:
-        """The same with a standard deviation that is at least so large; correlations stay."""
+        """Return the solution with a minimum standard deviation of one parameter; correlations stay."""
         place, factors = self.free.index(name), np.ones(len(self.free))
         factors[place] = max(1.0, least / np.sqrt(self.covariance[place, place]))
         return self._replace(covariance=self.covariance * np.outer(factors, factors))
 
 
 class Minimum(NamedTuple):
-    """A minimum, without what it leaves uncertain."""
+    """A minimum without uncertainties."""
 
     values: dict[str, float]
-    cost: float  # sum of the squares, softened
-    residuals: Floats  # as they are [standard deviations]
+    cost: float  # sum of the squares, or the robust loss
+    residuals: Floats  # [standard deviations]
 
 
 def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
-    """One minimum and its covariance.
+    """Find one minimum and its covariance.
 
     Parameters
     ----------
@@ -115,14 +115,14 @@ def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
     Raises
     ------
     ValueError
-        If an expression makes no sense.
+        If an expression has no value.
     """
-    values, cost, off = lowest(problem, choice, robust, MOST_CALLS)
+    values, cost, off = minimize(problem, choice, robust, MOST_CALLS)
     found = slopes(problem, choice.at(values), choice.free)
     return Solution(values, choice.free, covariance_of(problem, found, off, robust), cost, off)
 
 
-def lowest(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CALLS) -> Minimum:
+def minimize(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CALLS) -> Minimum:
     """Return one minimum, found by SciPy's trust-region least squares.
 
     Parameters
@@ -141,7 +141,7 @@ def lowest(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CAL
     Raises
     ------
     ValueError
-        If an expression makes no sense.
+        If an expression has no value.
     """
     begin = complete(choice, {})
     if not choice.free:
@@ -170,12 +170,12 @@ def lowest(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CAL
 
 
 def cost_at(problem: Problem, values: dict[str, float], robust: bool) -> float:
-    """The sum of the squares, softened if asked for, at values of all parameters."""
+    """Return the sum of squares or the robust loss at values of all parameters."""
     return loss(problem.residuals(values), robust)
 
 
 def spread_of(problem: Problem, cost: float, free: int) -> float:
-    """By how much the sum of squares with so many free parameters exceeds what the data's errors say; at least 1."""
+    """Return the sum of squares over the degrees of freedom, at least 1."""
     return max(1.0, cost / max(problem.count - free, 1))
 
 
@@ -257,7 +257,7 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
 
 
 def _differences(choice: Choice, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]) -> Floats:
-    """Derivatives by differences."""
+    """Return derivatives by central differences."""
     columns = []
     for name in names:
         low, high = choice.limits(name)
@@ -269,8 +269,8 @@ def _differences(choice: Choice, names: tuple[str, ...], of: Callable[[dict[str,
     return np.column_stack(columns)
 
 
-def unseen(problem: Problem, choice: Choice) -> list[str]:
-    """Free parameters that change nothing in the data where the motion is now.
+def insensitive(problem: Problem, choice: Choice) -> list[str]:
+    """Return the free parameters without effect on the data at the present values.
 
     Parameters
     ----------
@@ -292,7 +292,7 @@ def unseen(problem: Problem, choice: Choice) -> list[str]:
 
 
 def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: bool) -> tuple[Solution, list[str]]:
-    """The lowest minimum that is reached from several starts, and the parameters that the data do not see there.
+    """Find the lowest minimum from several starts, and the parameters without effect there.
 
     Parameters
     ----------
@@ -310,8 +310,8 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: b
     explained = False
     tried: set[str] = set()
     for start in starts:
-        sequence = gathered(start.sequence)
-        # once the data are explained to their scatter, another sequence may still explain them better
+        sequence = merge_bounces(start.sequence)
+        # another sequence may explain the data better, also if they are explained to their scatter
         if explained and sequence in tried:
             continue
         found.append(approach(problem, choice.at(start.values), robust))
@@ -325,18 +325,18 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: b
     plain = _without_slip(problem, choice, best, robust)
     if plain is not None:
         best, blind = plain
-    last = solve(problem, _blinded(choice.at(best.values), blind), robust)
+    last = solve(problem, _without_all(choice.at(best.values), blind), robust)
     for _ in range(2):
-        now = unseen(problem, choice.at(last.values))
+        now = insensitive(problem, choice.at(last.values))
         if now == blind:
             break
-        blind = now  # on the way something went out of sight, or came into it
-        last = solve(problem, _blinded(choice.at(last.values), blind), robust)
+        blind = now  # parameters have lost or gained effect on the way
+        last = solve(problem, _without_all(choice.at(last.values), blind), robust)
     return last, blind
 
 
 def _without_slip(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
-    """A motion that never slips, if the data do not tell it from the best one: slip must be seen to be believed."""
+    """Return a motion that never slips if the data agree with it as well as with the best one."""
     if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
         return None
     low, high = choice.limits("mu_kinetic")
@@ -358,9 +358,9 @@ def _slips(problem: Problem, values: dict[str, float]) -> bool:
 
 
 def _walks(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> list[dict[str, float]]:
-    """Other places to begin: along one parameter of the contact at a time, the two lowest that are not the minimum itself.
+    """Other starts: along each parameter of the contact, the two lowest values apart from the minimum.
 
-    Along these the sum of squares has steps and flats, such as restitution so small that nothing bounces.
+    Along these the sum of squares has steps and plateaus, such as restitution so small that nothing bounces.
     """
     result = []
     for name, (low, high) in SPREADS.items():
@@ -376,12 +376,12 @@ def _walks(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> lis
 
 
 def approach(problem: Problem, choice: Choice, robust: bool) -> tuple[Minimum, list[str]]:
-    """A minimum as far as few steps lead to it, and the parameters that change nothing where they began."""
-    blind = unseen(problem, choice)
-    return lowest(problem, _blinded(choice, blind), robust), blind
+    """Return an approximate minimum after few steps, and the parameters without effect at the start."""
+    blind = insensitive(problem, choice)
+    return minimize(problem, _without_all(choice, blind), robust), blind
 
 
-def _blinded(choice: Choice, blind: list[str]) -> Choice:
+def _without_all(choice: Choice, blind: list[str]) -> Choice:
     for name in blind:
         choice = choice.without(name, choice.values[name])
     return choice
