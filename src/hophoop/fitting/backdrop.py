@@ -12,7 +12,7 @@ import numpy as np
 from hophoop.fitting.reporting import first_row, on_plane
 from hophoop.fitting.result import Fit
 from hophoop.scenario import InputError
-from hophoop.tracking.video import pictures, rgb, writing
+from hophoop.tracking.video import open_writer, pictures, rgb
 
 EVERY = 12  # frames between key frames, so that a browser seeks fast
 
@@ -81,7 +81,7 @@ def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[
         raise InputError("The fit is not to a track of a film, so that no film can be laid under it.")
     camera, target = view.camera, Path(film)
     size, first, start = (camera.width, camera.height), first_row(fit), 0.0
-    with writing(target, size, EVERY) as writer:
+    with open_writer(target, size, EVERY) as writer:
         for row, picture in enumerate(pictures(video, view.rate)):
             if picture.size != size:
                 raise InputError(f"{video} is not the film of the track, whose pictures have {size[0]} × {size[1]} pixels.")
