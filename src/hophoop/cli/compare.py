@@ -54,7 +54,7 @@ def compare(
     from hophoop.engines.adapters.npm import FOLDER
     from hophoop.engines.registry import command_engine, engines, physics_engines
     from hophoop.engines.registry import engine as one_engine
-    from hophoop.engines.scenarios import chosen
+    from hophoop.engines.scenarios import scenarios_named
     from hophoop.scenario import InputError
 
     if score is not None:
@@ -74,7 +74,7 @@ def compare(
         raise typer.Exit(NO_ANSWER)
     known = [one_engine(name) for name in engine] if engine else [] if command else list(engines().values())
     known += [command_engine(text) for text in command or ()]
-    result = _run(known, chosen(scenario), dt, ladder, quiet or json)
+    result = _run(known, scenarios_named(scenario), dt, ladder, quiet or json)
     if json:
         print_json(result.to_dict(), indent=1)
     elif not quiet:

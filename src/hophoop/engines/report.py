@@ -1,4 +1,4 @@
-"""What a comparison leaves in a folder: index.html, the film, pictures, the table and all scores."""
+"""The report of a comparison: index.html, the film, figures, the table and all scores."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.engines import figures
 from hophoop.engines.comparing import COMMON_STEP, LADDER_SCENARIO, Comparison
-from hophoop.engines.recorded import Recorded
+from hophoop.engines.recorded import RecordedMotion
 from hophoop.engines.scenarios import BENCHMARK, bench_scenarios
 from hophoop.engines.tables import cells, compact, heads, markdown, scenario_rows, settings_words, summary
 from hophoop.engines.task import task_of
@@ -34,7 +34,7 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
     ----------
     comparison : Comparison
     folder : Path
-        Made if it is not there.
+        Created if missing.
     film : bool, default True
         Whether to make the film of the hoops side by side.
     progress : callable, optional
@@ -99,7 +99,7 @@ def _film(comparison: Comparison, folder: Path, progress: Callable[[int, int], N
     for name, one in comparison.engines.items():
         row = comparison.row(name, next(iter(one.settings)), LADDER_SCENARIO, COMMON_STEP)
         if one.name != "hophoop" and row is not None and row.states is not None:
-            motions.append(Recorded(bench.scenario, task, row.states))
+            motions.append(RecordedMotion(bench.scenario, task, row.states))
             labels.append(one.title)
     if len(motions) == 1:
         return None
