@@ -347,7 +347,7 @@ def test_a_failing_statement_is_told_by_the_exit_status(tmp_path, monkeypatch):
         return [films / "v3.1.mp4"]
 
     monkeypatch.setattr(module, "films", fake)
-    monkeypatch.setattr(module, "_films_beside", lambda out: None)  # no process could be started
+    monkeypatch.setattr(module, "_films_in_background", lambda out: None)  # no process could be started
     done = CliRunner().invoke(app, ["reproduce", "--out", str(tmp_path), "--quiet"])
     assert done.exit_code == 1
     assert "slow_motion" in done.stderr

@@ -1,4 +1,4 @@
-"""The report: a story on one page that holds everything but the films, which lie beside it."""
+"""The report: a story on one page, with the films in files next to it."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ from hophoop.vocabulary.words import FLIGHT, ROLL, SKID, SPIN
 
 ARTICLE_URL = "https://www.comsol.com/blogs/the-physics-of-a-hopping-hoop"
 STARTS = ("slip_start", "takeoff")  # events of the table of motions
-# in the text: the name of the file, and what is to be seen
+# names in the text: name of the file, and caption
 FILMS = {
     "hop": ("v3.1", "The hop, at 3.1 m/s. It runs slower around take-off and landing, where a ring spreads."),
-    "slow": ("v0.1", "A nudge of 0.1 m/s. The arrows are the forces of the floor; their scale follows them and stands above."),
+    "slow": ("v0.1", "A nudge of 0.1 m/s. The arrows are the forces of the floor; their scale, shown above, follows them."),
     "faster": ("v2", "At 2 m/s it rolls as before, only faster and more evenly."),
-    "slipping": ("v2.8", "At 2.8 m/s it slips twice a turn. Watch the word at the upper left."),
+    "slipping": ("v2.8", "At 2.8 m/s it slips twice per revolution. Watch the word at the upper left."),
     "low": ("v0.1-mu0.3", "0.1 m/s on μ = 0.3: it slips, turns back, and rocks."),
     "hop3d": ("v3.1-3d", "The hop once more, in three dimensions."),
 }
-# figures beside those in the text, by the step that they belong to
+# figures in addition to those in the text, by section
 MORE = {
     "rolling": ("path_slow", "velocity_time_slow", "energy_slow"),
     "slipping": ("forces_slow", "friction_slow", "path_faster", "path_slipping", "friction_slipping", "energy_slipping"),
@@ -56,26 +56,26 @@ VERDICTS = {
 }
 MODES = {
     ROLL: "the contact point is at rest",
-    SPIN: "slips, the rim turning too fast for the way it goes",
+    SPIN: "slips, with the rim rotating faster than it advances",
     SKID: "slides ahead",
     FLIGHT: "in the air",
 }
 MOST_PHASES = 12  # in the table of motions
-DARK_TEXT = 0.45  # lightness of a colour from which on letters on it are black
+DARK_TEXT = 0.45  # minimum lightness of a colour under black letters
 
 
 def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], runs: Runs | None = None) -> str:
-    """The whole page, with the figures in `folder` inside and links to the films.
+    """Return the page, with the figures in `folder` and links to the films.
 
     Parameters
     ----------
     statements : sequence of Statement
     folder : Path
-        Holds ``figures/NAME.svg``.
+        Folder with ``figures/NAME.svg``.
     films : sequence of Path
-        Films that are there; a picture of the same name beside one is its poster.
+        Existing films; a picture of the same name is the poster.
     runs : Runs, optional
-        The motions, where they have been computed already.
+        The motions, if already computed.
 
     Returns
     -------
@@ -122,7 +122,7 @@ class _Run(NamedTuple):
 
     speed: str
     mu: str
-    phases: list[tuple[str, str, str, bool]]  # letter, word, colour, whether letters on the colour are white
+    phases: list[tuple[str, str, str, bool]]  # letter, word, colour, whether the letter is white
     cut: bool
     cells: list[str]
 
