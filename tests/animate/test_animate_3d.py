@@ -11,7 +11,7 @@ from hophoop.animate import film_3d, player, scene3d
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import CAMERAS_3D, Look3D
 from hophoop.animate.scene3d import Film3D
-from hophoop.animate.shapes3d import SUN, flattened, torus, torus_faces
+from hophoop.animate.shapes3d import SUN, shadow_matrix, torus, torus_faces
 from hophoop.vocabulary import colors
 
 SIZE = (400, 224)
@@ -190,7 +190,7 @@ def test_the_torus():
 
 @pytest.mark.parametrize("slope", [0.0, 0.3])
 def test_shadows_lie_on_the_plane_along_the_light(slope):
-    matrix = flattened(slope, 0.0)
+    matrix = shadow_matrix(slope, 0.0)
     normal = np.array([np.sin(slope), 0.0, np.cos(slope)])
     for point in ([0.3, 0.1, 1.2], [-2.0, 0.5, 2.0]):
         shadow = matrix[:3, :3] @ point + matrix[:3, 3]

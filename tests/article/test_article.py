@@ -16,8 +16,8 @@ import hophoop as hh
 from hophoop.article import rolling, slipping
 from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
-from hophoop.article.slow_end import slow_end
 from hophoop.article.scenarios import scenarios
+from hophoop.article.slow_end import slow_end
 from hophoop.article.statements import count
 from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, VERDICTS, WITHIN_READING, agreement, difference
 from hophoop.cli import app

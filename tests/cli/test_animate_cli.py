@@ -79,7 +79,7 @@ def test_comparisons(hop, tmp_path):
         (["--out", "a.mp4", "--theme", "blue"], "--theme = 'blue' must be one of"),
         (["--out", "a.mp4", "--to", "9"], "--to = 9.0 must be from the start at 0.0 s to"),
         (["--out", "a.mp4", "--panel", "speed"], "--panel = 'speed' must be one of velocity"),
-        (["--out", "a.mp4", "--label", "a", "--label", "b"], "--label holds 2 texts"),
+        (["--out", "a.mp4", "--label", "a", "--label", "b"], "--label has 2 texts"),
         (["--out", "a.mp4", "--fps", "0"], "--fps = 0.0 must be a positive number"),
         (["--v0", "1"], "Missing option '--out'"),
     ],
