@@ -13,7 +13,7 @@ import numpy as np
 
 from hophoop._support.checksum import CHECKSUM, checksum, is_broken
 from hophoop._support.extras import need
-from hophoop._support.files import strangers_unsaid
+from hophoop._support.files import ignore_foreign_zarr_files
 from hophoop._version import __version__
 from hophoop.kernel.physics.body import Status
 from hophoop.results.save import (
@@ -202,7 +202,7 @@ def _read(file: Path, kind: str) -> dict[str, Any]:
     try:
         for name in ("/", *TABLES):
             try:
-                with strangers_unsaid(), xr.open_dataset(store, group=name, **options) as dataset:
+                with ignore_foreign_zarr_files(), xr.open_dataset(store, group=name, **options) as dataset:
                     if name == "/":  # what another schema has further on is not known here
                         _check_schema(file, dataset.attrs.get("schema"))
                     groups[name] = dataset.load()

@@ -246,7 +246,7 @@ def test_a_number_that_no_longer_holds_ends_with_status_1(monkeypatch):
     monkeypatch.setattr("hophoop.claims.literature.registry", lambda: (wrong,))
     done = run("Kane1984")
     assert done.exit_code == 1
-    assert "A number of ours no longer holds: kane_gain." in done.stderr
+    assert "Numbers of ours that have changed: kane_gain." in done.stderr
     assert json.loads(run("Kane1984", "--json").stdout)["holds"] is False
 
 

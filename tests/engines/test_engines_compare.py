@@ -342,7 +342,7 @@ def test_a_row_doctored_by_hand_is_no_longer_right(tmp_path):
         (["physx"], "engine = 'physx' is not one of"),
         (["hophoop", "--scenario", "jump"], "scenario = 'jump' is not one of"),
         (["hophoop", "--dt", "0"], "--dt = 0.0 must be above 0"),
-        (["hophoop", "--npm", "/no/such/folder"], "must be a folder that is there"),
+        (["hophoop", "--npm", "/no/such/folder"], "must be an existing folder"),
         (["--command", "mine"], "must be NAME=COMMAND"),
     ],
 )

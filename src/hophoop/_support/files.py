@@ -19,8 +19,8 @@ from hophoop._support.stopping import temporary, temporary_folder
 
 
 @contextmanager
-def strangers_unsaid() -> Iterator[None]:
-    """Without the warnings of Zarr about what stands in a store and is not its own: a damaged name, a note of the system."""
+def ignore_foreign_zarr_files() -> Iterator[None]:
+    """Silence Zarr's warnings about foreign files in a store."""
     with warnings.catch_warnings():
         # no more than these: filters are of the whole process, also of its other threads
         warnings.filterwarnings("ignore", "Object at .* is not recognized as a component of a Zarr hierarchy", UserWarning)

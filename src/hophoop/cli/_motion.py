@@ -39,7 +39,7 @@ def print_events(
 ) -> None:
     """Print a table with one row per event, of a long one the first and the last rows.
 
-    Where there is no room, columns of `spare` are dropped; without it the table is as wide as its numbers.
+    Columns of `spare` are dropped if there is no room; without it the table has the width of its numbers.
     """
     console = console_of(4000 if spare is None else 120)
     left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
@@ -95,15 +95,15 @@ def print_phases(phases: Iterator[PhaseRecord], everything: bool) -> None:
 
 
 def _margins(found: Margins) -> str:
-    slip = f"v_t = {_rounded(found.slip)} m/s"
+    slip = f"v_t = {_format(found.slip)} m/s"
     if found.height > 0.0 or (found.normal_force == 0.0 and found.friction_limit == 0.0):
-        return f"gap {found.height:.6g} m, {slip}, f_n = {_rounded(found.free_acceleration)} m/s²"
-    limit = _rounded(found.friction_limit)
-    text = f"N = {_rounded(found.normal_force)} N, F = {_rounded(found.friction_force)} N of {limit} N"
+        return f"gap {found.height:.6g} m, {slip}, f_n = {_format(found.free_acceleration)} m/s²"
+    limit = _format(found.friction_limit)
+    text = f"N = {_format(found.normal_force)} N, F = {_format(found.friction_force)} N of {limit} N"
     return text if math.isnan(found.p_sigma) else f"{text}, {slip}, p_σ = {found.p_sigma:.6g}"
 
 
-def _rounded(number: float) -> str:
+def _format(number: float) -> str:
     return f"{0.0 if abs(number) < 1e-12 else number:.6g}"
 
 

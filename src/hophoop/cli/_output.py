@@ -25,7 +25,7 @@ def check_folder(option: str, path: Path) -> None:
     """Refuse a name in a folder that does not exist, before anything long is computed."""
     if not path.absolute().parent.is_dir():
         raise InputError(
-            f"{option} = {path} must be in a folder that is there; {path.parent} is not.", field=option, value=path
+            f"{option} = {path} must be in an existing folder; {path.parent} does not exist.", field=option, value=path
         )
 
 
@@ -34,7 +34,7 @@ def check_apart(paths: list[Path], source: str | None = None) -> None:
     whole = [path.absolute() for path in paths]
     for k, path in enumerate(whole):
         if path in whole[:k]:
-            raise InputError(f"{paths[k]} is named for two outputs.")
+            raise InputError(f"{paths[k]} is used for two outputs.")
         if source not in (None, "-") and path == Path(str(source)).absolute():
             raise InputError(f"{paths[k]} is the scenario itself: name another file for the output.")
 

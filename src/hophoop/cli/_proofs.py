@@ -18,7 +18,7 @@ ALL = "all"
 
 
 def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None, out: Path | None, json: bool) -> None:
-    """Prove a window of parameters box by box; the share that is proved, and of which sequences."""
+    """Prove a window of parameters box by box; print the proved share of each sequence."""
     from hophoop._version import __version__
     from hophoop.cli._output import named_options
     from hophoop.prove import prove_map
@@ -43,7 +43,7 @@ def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None
 
 
 def _ranges(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
-    """`plane.mu=0.1:1.5` and so on."""
+    """Read ranges such as `plane.mu=0.1:1.5`."""
     from hophoop.scenario import InputError
 
     ranges: dict[str, tuple[float, float]] = {}
@@ -55,7 +55,7 @@ def _ranges(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
         except ValueError:
             colon = ""
         if not colon:
-            raise InputError(f"--boxes {text} must be PATH=LEAST:GREATEST, such as plane.mu=0.9:1.1.")
+            raise InputError(f"--boxes {text} must be PATH=LOW:HIGH, such as plane.mu=0.9:1.1.")
         if path in ranges:
             raise InputError(f"--boxes names {path} twice.")
         ranges[path] = ends
@@ -72,7 +72,7 @@ def _print_boxes(found: ProvedMap) -> None:
 
 
 def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bool) -> None:
-    """Prove critical speeds and thresholds; status 1 where one of those asked for is not proved."""
+    """Prove critical speeds and thresholds; status 1 if one of them is not proved."""
     from hophoop._version import __version__
     from hophoop.cli import NO_ANSWER, say
     from hophoop.prove.thresholds import KEYS, decided
@@ -81,7 +81,7 @@ def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bo
     wanted = list(KEYS) if text == ALL else text.split(",")
     unknown = [key for key in wanted if key not in KEYS]
     if unknown:
-        raise InputError(f"--thresholds has {unknown[0]!r}, which must be {ALL} or some of {', '.join(KEYS)}.")
+        raise InputError(f"--thresholds has {unknown[0]!r}, which must be {ALL} or names of {', '.join(KEYS)}.")
     numbers, reasons = decided(scenario, digits, wanted)
     result = {
         "schema": "hophoop-thresholds/1",
@@ -114,7 +114,7 @@ def _as_json(number: ProvedNumber) -> dict[str, str]:
 
 
 def statements(out: Path | None, json: bool) -> None:
-    """Prove the article's statements that are inequalities or sequences; status 1 where one is not proved."""
+    """Prove the article's statements that are inequalities or sequences; status 1 if one is not proved."""
     from hophoop._version import __version__
     from hophoop.cli import NO_ANSWER
     from hophoop.prove import statements as proved

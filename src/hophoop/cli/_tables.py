@@ -67,7 +67,7 @@ def print_table(table: RenderableType, width: int) -> None:
 
 
 def drop_columns(table: Table, console: Console, spare: Sequence[str]) -> list[str]:
-    """Remove spare columns until the table fits, since half of a number is of no use; return their titles."""
+    """Remove spare columns until the table fits, since cut numbers are useless; return their titles."""
     from rich.measure import Measurement
 
     dropped: list[str] = []

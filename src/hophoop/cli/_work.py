@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from hophoop.scenario import Scenario
 
 PART = 0.05  # share of the motion that is tried
-MANY = 100_000  # steps, about a second: of fewer nothing is said
+MANY = 100_000  # steps, about 1 s; shorter motions are not announced
 
 
 def work_ahead(scenario: Scenario) -> str | None:

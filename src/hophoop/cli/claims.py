@@ -1,4 +1,4 @@
-"""`hophoop claims`: what the literature claims, our number computed now, the verdict."""
+"""`hophoop claims`: claims of the literature, our numbers computed now, verdicts."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ def claims(
         list[str] | None,
         typer.Argument(
             metavar="[WORK]...",
-            help="Works to look at, by their keys, such as Littlewood1953; all of them if none is named.",
+            help="Works by key, such as Littlewood1953; all by default.",
             show_default=False,
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON, numbers in full precision.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Print no table: the exit status tells.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Print no table; see the exit status.")] = False,
 ) -> None:
-    """What the literature claims, our number computed now, the verdict; status 1 where a number does not hold."""
+    """Compare claims of the literature with numbers computed now; status 1 if a number of ours has changed."""
     from hophoop._support.progress import bar
     from hophoop.claims import findings
     from hophoop.cli import NO_ANSWER, say
@@ -41,7 +41,7 @@ def claims(
         _print_hint(found)
     failed = [one.key for one in found if not one.holds]
     if failed:
-        say(f"A number of ours no longer holds: {', '.join(failed)}.")
+        say(f"Numbers of ours that have changed: {', '.join(failed)}.")
         raise typer.Exit(NO_ANSWER)
 
 
@@ -70,4 +70,4 @@ def _print_hint(found: Sequence[Finding]) -> None:
     from hophoop.cli import say
 
     if any(one.work == ARTICLE for one in found):
-        say("Of the article only some statements stand here; hophoop reproduce checks all of them.")
+        say("This table has some statements of the article; hophoop reproduce checks all of them.")

@@ -34,15 +34,15 @@ def compare(
         list[str] | None, typer.Argument(metavar="[ENGINE …]", help="All by default.", autocompletion=_engine_names)
     ] = None,
     scenario: Annotated[
-        list[str] | None, typer.Option(help="A motion; may be repeated; all by default.", autocompletion=_scenario_names)
+        list[str] | None, typer.Option(help="A motion; may be repeated; by default all.", autocompletion=_scenario_names)
     ] = None,
-    dt: Annotated[list[float] | None, typer.Option(help="Time step in place of the usual ones, s; may be repeated.")] = None,
+    dt: Annotated[list[float] | None, typer.Option(help="Time step instead of the usual ones, s; may be repeated.")] = None,
     out: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for index.html, film and scores.json.")] = None,
     command: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME=COMMAND", help="An engine that reads JSON and writes CSV; may be repeated."),
     ] = None,
-    npm: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder in which npm installed engines.")] = None,
+    npm: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder with node_modules of installed engines.")] = None,
     score: Annotated[Path | None, typer.Option(metavar="FILE.csv", help="Score a record, without any engine.")] = None,
     ladder: Annotated[bool, typer.Option(help="Run the hop over ten time steps, for the limits and orders.")] = True,
     film: Annotated[bool, typer.Option(help="Make the film.")] = True,
@@ -64,7 +64,7 @@ def compare(
         return
     if npm is not None:
         if not npm.is_dir():
-            raise InputError(f"--npm = {npm} must be a folder that is there.", field="--npm", value=npm)
+            raise InputError(f"--npm = {npm} must be an existing folder.", field="--npm", value=npm)
         os.environ[FOLDER] = str(npm.absolute())
     for step in dt or ():
         if not 0.0 < step <= 0.1:

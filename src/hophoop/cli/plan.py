@@ -1,4 +1,4 @@
-"""`hophoop plan`: what a film that you intend to take would determine."""
+"""`hophoop plan`: predicted uncertainties of a fit to a planned film."""
 
 from __future__ import annotations
 
@@ -16,27 +16,33 @@ FILM = "The film"
 @with_scenario
 def plan(
     scenario: Any,
-    rate: Annotated[float, typer.Option(help="Frames a second.", rich_help_panel=FILM)] = 240.0,
+    rate: Annotated[float, typer.Option(help="Frames per second.", rich_help_panel=FILM)] = 240.0,
     sigma: Annotated[
         float, typer.Option(help="Standard deviation of each coordinate in a frame, m.", rich_help_panel=FILM)
     ] = 2e-4,
-    sigma_angle: Annotated[float, typer.Option(help="The same of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
+    sigma_angle: Annotated[float, typer.Option(help="Standard deviation of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
     sigma_scale: Annotated[
-        float, typer.Option(help="The same of the scale over the scale, one for all frames; 0 if known.", rich_help_panel=FILM)
+        float,
+        typer.Option(
+            help="Relative standard deviation of the scale, one error for all frames; 0 if known.", rich_help_panel=FILM
+        ),
     ] = 1e-3,
     no_marker: Annotated[
-        bool, typer.Option("--no-marker", help="There is no marker, so no angle.", rich_help_panel=FILM)
+        bool, typer.Option("--no-marker", help="Without marker, so without angle.", rich_help_panel=FILM)
     ] = False,
     free: Annotated[
-        list[str] | None, typer.Option(metavar="NAME", help="Fit this as well, such as slope.", rich_help_panel=FILM)
+        list[str] | None,
+        typer.Option(metavar="NAME", help="Another parameter to fit, such as slope; may be repeated.", rich_help_panel=FILM),
     ] = None,
-    fixed: Annotated[list[str] | None, typer.Option(metavar="NAME", help="This is known.", rich_help_panel=FILM)] = None,
+    fixed: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="A known parameter; may be repeated.", rich_help_panel=FILM)
+    ] = None,
     hoop_known: Annotated[
         bool, typer.Option("--hoop-known", help="The hoop is known from its parts.", rich_help_panel=FILM)
     ] = False,
-    json: Annotated[bool, typer.Option("--json", help="Print it as JSON.", rich_help_panel=FILM)] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print the plan as JSON.", rich_help_panel=FILM)] = False,
 ) -> None:
-    """Say which parameters a film of a motion would determine, and how well."""
+    """Predict which parameters a film of a motion determines, and how accurately."""
     from dataclasses import asdict
 
     from hophoop.fitting import plan as make

@@ -1,4 +1,4 @@
-"""`hophoop run --digits` and `--check`: the motion in many digits, and what of the kernel's answer is right."""
+"""`hophoop run --digits` and `--check`: the motion in arbitrary precision, and the correct digits of the kernel."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, everything: bool) -> None:
-    """Solve in many digits; print or write it, or compare the kernel's motion with it."""
+    """Solve in arbitrary precision; print or write the motion, or compare the kernel's motion with it."""
     from hophoop.cli import NO_ANSWER, say
     from hophoop.simulation.simulate import simulate
 

@@ -1,4 +1,4 @@
-"""`hophoop reproduce`: the article's figures, films and statements, computed again, in one report."""
+"""`hophoop reproduce`: the article's figures, films and statements, in one report."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ STAGES = {
 
 def reproduce(
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the report.")] = Path("article"),
-    films: Annotated[bool, typer.Option(help="Make the films, where the extra 'films' is installed.")] = True,
+    films: Annotated[bool, typer.Option(help="Make the films, if the extra 'films' is installed.")] = True,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress and no table.")] = False,
 ) -> None:
-    """Compute the article again: figures, films, statements beside ours, one HTML report."""
+    """Reproduce the article: figures, films, checked statements, one HTML report."""
     from hophoop import article
     from hophoop._support.progress import bar
     from hophoop.cli import NO_ANSWER, say

@@ -39,7 +39,7 @@ def _cells(row: Quantity) -> list[str]:
 
 
 def as_json(scenario: Any, rows: Sequence[Quantity]) -> dict[str, Any]:
-    """The rows as JSON: numbers in SI units, "inf" where there is no bound, null where there is no value."""
+    """Convert the rows for JSON: numbers in SI units, "inf" without a bound, null without a value."""
     from hophoop._version import __version__
 
     def plain(value: float | None) -> float | str | None:

@@ -8,12 +8,12 @@ from typing import Annotated, Any
 
 import typer
 
-OUTPUT, FILM, HINTS, CAMERA = "Output", "The film", "Hints, where it does not find the hoop by itself", "Camera"
+OUTPUT, FILM, HINTS, CAMERA = "Output", "The film", "Hints, if the hoop is not found", "Camera"
 
 
 def track(
-    video: Annotated[Path, typer.Argument(metavar="VIDEO", help="A film, anything that FFmpeg reads.", show_default=False)],
-    radius: Annotated[float, typer.Option(help="Of the outside of the rim, m; it gives the scale.", show_default=False)],
+    video: Annotated[Path, typer.Argument(metavar="VIDEO", help="A film in any format of FFmpeg.", show_default=False)],
+    radius: Annotated[float, typer.Option(help="Outer radius of the rim, m, for the scale.", show_default=False)],
     out: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="Folder for index.html, overlay.mp4, track.json, track.csv.", rich_help_panel=OUTPUT),
@@ -22,15 +22,17 @@ def track(
         Path | None, typer.Option(metavar="FILE", help="The track: .json (everything) or .csv.", rich_help_panel=OUTPUT)
     ] = None,
     film: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The film with what was found, .mp4.", rich_help_panel=OUTPUT)
+        Path | None, typer.Option(metavar="FILE", help="Film with the track drawn over it, .mp4.", rich_help_panel=OUTPUT)
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
     rate: Annotated[
-        float | None, typer.Option(help="Frames a second as taken, if the file shows slow motion.", rich_help_panel=FILM)
+        float | None, typer.Option(help="Frames per second as taken, if the file is in slow motion.", rich_help_panel=FILM)
     ] = None,
-    exposure: Annotated[float, typer.Option(help="How long the shutter is open, s.", rich_help_panel=FILM)] = 0.0,
-    row_delay: Annotated[float, typer.Option(help="Rolling shutter, s from row to row.", rich_help_panel=FILM)] = 0.0,
-    pick: Annotated[bool, typer.Option("--pick", help="Open a page and click in a still.", rich_help_panel=HINTS)] = False,
+    exposure: Annotated[float, typer.Option(help="Exposure time, s.", rich_help_panel=FILM)] = 0.0,
+    row_delay: Annotated[float, typer.Option(help="Rolling shutter: delay from row to row, s.", rich_help_panel=FILM)] = 0.0,
+    pick: Annotated[
+        bool, typer.Option("--pick", help="Click on the hoop in a still, on a page.", rich_help_panel=HINTS)
+    ] = False,
     marker: Annotated[
         str, typer.Option(help="Colour of the marker: auto, none, a name such as red, or #rrggbb.", rich_help_panel=HINTS)
     ] = "auto",
@@ -42,10 +44,10 @@ def track(
     at: Annotated[float, typer.Option(help="Time of that frame, s.", rich_help_panel=HINTS)] = 0.0,
     ground: Annotated[
         str | None,
-        typer.Option(metavar="C,R,C,R", help="Two points of the line on which the rim stands, pixels.", rich_help_panel=CAMERA),
+        typer.Option(metavar="C,R,C,R", help="Two points of the ground line below the rim, pixels.", rich_help_panel=CAMERA),
     ] = None,
     level_deg: Annotated[
-        float, typer.Option(help="By how much a level line rises to the right in the picture, degrees.", rich_help_panel=CAMERA)
+        float, typer.Option(help="Rise of a level line to the right in the picture, degrees.", rich_help_panel=CAMERA)
     ] = 0.0,
     slope_deg: Annotated[
         float | None, typer.Option(help="Slope of the plane, downhill to the right, degrees.", rich_help_panel=CAMERA)
@@ -54,14 +56,14 @@ def track(
         str | None,
         typer.Option(
             metavar="A,B",
-            help="Turn of the plane of motion about the picture's horizontal and vertical axis, degrees; 0,0 is straight on. "
+            help="Rotation of the plane of motion about the picture's horizontal and vertical axis, degrees; 0,0 without tilt. "
             "Found from the film by default.",
             rich_help_panel=CAMERA,
         ),
     ] = None,
     focal: Annotated[float | None, typer.Option(help="Focal length, pixels.", rich_help_panel=CAMERA)] = None,
 ) -> None:
-    """Find a hoop in a film: time, centre and angle with an uncertainty a frame, printed as CSV or saved."""
+    """Track a hoop in a film: time, centre, angle and their uncertainties per frame, as CSV or in files."""
     from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.cli._output import named_options
@@ -87,7 +89,7 @@ def track(
             focal=focal,
         )
         if pick:
-            hints = _picked(video, hints)
+            hints = _pick(video, hints)
         with bar("tracking", quiet=quiet) as progress:
             found = find(video, radius, hints, progress)
     say(f"Found in {int(found.found.sum())} of {len(found.t)} frames. " + " ".join(found.notes))
@@ -140,7 +142,7 @@ def _print(found: Any) -> None:
     csv.writer(sys.stdout, lineterminator="\n").writerows(found.rows())
 
 
-def _picked(video: Path, hints: Any) -> Any:
+def _pick(video: Path, hints: Any) -> Any:
     from hophoop.lab.pick import pick
 
     return pick(video, hints)

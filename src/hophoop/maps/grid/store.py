@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.checksum import CHECKSUM, checksum, is_broken
 from hophoop._support.extras import need
-from hophoop._support.files import replacing, strangers_unsaid
+from hophoop._support.files import ignore_foreign_zarr_files, replacing
 from hophoop._support.stopping import temporary
 from hophoop.maps.grid.axes import Axis
 from hophoop.maps.grid.evaluate import Plan, Results, run_chunk
@@ -343,7 +343,7 @@ def _opened(place: Path, **options: Any) -> Any:
     xarray = need("xarray", "maps")
     if place.suffix == ".nc":
         return xarray.open_dataset(place, engine="netcdf4", **options)
-    with strangers_unsaid():
+    with ignore_foreign_zarr_files():
         return xarray.open_zarr(str(place), chunks=None, consolidated=False, **options)
 
 
