@@ -143,7 +143,7 @@ def test_marks_letters_and_keys():
         assert shown.actors[0].tag == ""
         assert "airborne" in [words for _, words in shown._keys]
         shown.draw(0)  # the camera is set where a picture is drawn
-        spot = shown._seen(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
+        spot = shown._visible_point(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
         k = int(down.t * 20)
         row, column = round(SIZE[1] - spot[1]), round(spot[0])
         window = (slice(row - 2, row + 25), slice(column - 12, column + 13))

@@ -77,8 +77,8 @@ def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool,
     left, right, top = MARGIN * u, wide - MARGIN * u, high - 8.0 * u
     broad = min(max(words, default=0.0), right - left)
     blocks = [(BAR[0] * u, BAR[1] * u)] + ([(FORCES[0] * u, FORCES[1] * u)] if forces else [])
-    beside = right - left - broad - GAP * u
-    rows = _rows(blocks, beside, right - left, height, MOST_HEAD * high - 8.0 * u)
+    next_to = right - left - broad - GAP * u
+    rows = _rows(blocks, next_to, right - left, height, MOST_HEAD * high - 8.0 * u)
     places: list[Rectangle | None] = [None, None]
     head = 8.0 * u + height
     level = top
@@ -98,15 +98,15 @@ def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool,
 
 
 def _rows(
-    blocks: list[tuple[float, float]], beside: float, width: float, height: float, most: float
+    blocks: list[tuple[float, float]], next_to: float, width: float, height: float, most: float
 ) -> list[tuple[list[int], bool]]:
     """Return the blocks of each row, and whether there is a row below the text."""
     whole = sum(block[0] for block in blocks) + (len(blocks) - 1) * 0.1 * blocks[0][0]
     tall = max(block[1] for block in blocks)
     every = list(range(len(blocks)))
-    if whole <= beside:
+    if whole <= next_to:
         return [(every, False)]
-    if len(blocks) * tall <= most and max(block[0] for block in blocks) <= beside:
+    if len(blocks) * tall <= most and max(block[0] for block in blocks) <= next_to:
         return [([k], False) for k in every]
     if whole <= width and height + tall <= most:
         return [(every, True)]
@@ -114,7 +114,7 @@ def _rows(
         return [([k], True) for k in every]
     # the key to arrows comes first, since their scale changes
     last = every[-1]
-    if blocks[last][0] <= beside and tall <= most:
+    if blocks[last][0] <= next_to and tall <= most:
         return [([last], False)]
     return [([last], True)] if blocks[last][0] <= width and height + tall <= most else []
 

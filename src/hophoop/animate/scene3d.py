@@ -451,7 +451,7 @@ class Film3D:
             near = actor.lane - 0.35 * self._radius
             canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
             now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
-            spot_of = partial(self._seen, lane=near)
+            spot_of = partial(self._visible_point, lane=near)
             seen = draw_event_marks(canvas, theme, actor.found, now, spot_of, self._radius * metre, 34.0 * u)
             label_event_marks(canvas, theme, seen, 34.0 * u)
             canvas.clip(None)
@@ -460,7 +460,7 @@ class Film3D:
         draw_pace(canvas, theme, self.layout, float(self.clock.rate[k]))
         draw_keys(canvas, theme, self.layout, self.extent.speed, self._keys)
 
-    def _seen(self, point: Floats, lane: float) -> Floats | None:
+    def _visible_point(self, point: Floats, lane: float) -> Floats | None:
         spot = self._display(point, lane)
         width, height = self.look.size
         return spot if -width < spot[0] < 2 * width and 0.0 < spot[1] < height else None

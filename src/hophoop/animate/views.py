@@ -12,7 +12,7 @@ from hophoop.animate.frames import Extent, follow
 from hophoop.results.poses import Floats, to_world
 
 # Margins of a view in radii: below the plane, above a hoop on it, ahead and behind.
-BELOW, ABOVE, BESIDE = 0.55, 0.4, 1.35
+BELOW, ABOVE, SIDE = 0.55, 0.4, 1.35
 LEAST_WIDTH = 3.4
 # Inertia of the following camera [s of film]
 CALM = 0.45
@@ -72,7 +72,7 @@ def whole_path_view(rectangle: Rectangle, extent: Extent, radius: float, slope: 
 
 
 def _corners(extent: Extent, radius: float, slope: float) -> tuple[Floats, Floats]:
-    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    low, high = extent.along[0] - SIDE * radius, extent.along[1] + SIDE * radius
     top = extent.height + (2.0 + ABOVE) * radius
     corners = to_world([low, high, low, high], [-BELOW * radius, -BELOW * radius, top, top], slope)
     return corners.min(axis=0), corners.max(axis=0)
@@ -92,7 +92,7 @@ def following_view(
     half = 0.5 * width / scale / math.cos(slope)
     used = scale * (extent.height + (2.0 + BELOW + ABOVE) * radius)
     floor = bottom + 0.3 * (height - used) + BELOW * radius * scale
-    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    low, high = extent.along[0] - SIDE * radius, extent.along[1] + SIDE * radius
     if slope == 0.0 and high - low <= 2.0 * half:
         along = np.full(1, 0.5 * (low + high))
     else:
@@ -100,7 +100,7 @@ def following_view(
         if slope == 0.0:
             along = np.clip(along, low + half, high - half)
         # a fast hoop stays in the picture, and on a slope the plane below it
-        room = max(half - BESIDE * radius, 0.0)
+        room = max(half - SIDE * radius, 0.0)
         if slope != 0.0:
             room = min(room, 0.7 * (floor - bottom) / scale / abs(math.sin(slope)))
         along = np.clip(along, places - room, places + room)

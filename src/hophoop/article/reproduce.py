@@ -81,10 +81,10 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     folder = Path(out)
     need("matplotlib.figure", "plots")
     (folder / "figures").mkdir(parents=True, exist_ok=True)
-    say = progress or _silent
+    say = progress or _no_progress
     runs = Runs()
     # in parallel with figures and statements, which take as long
-    with _films_in_background(folder / "films") if with_films else nullcontext() as beside:
+    with _films_in_background(folder / "films") if with_films else nullcontext() as process:
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
             with _style():
                 sheet = draw_figure(figure, runs)
@@ -99,7 +99,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         reason = "they were not requested"
         if with_films:
             try:
-                made = (beside and beside.finish(say)) or films(folder / "films", say)
+                made = (process and process.finish(say)) or films(folder / "films", say)
                 reason = ""
             except MissingExtra as error:
                 reason = str(error)
@@ -131,7 +131,7 @@ def films(out: Path, progress: Progress) -> list[Path]:
         raise MissingExtra("this version makes no films.")
     from hophoop.animate import article_films
 
-    fresh = _unfinished(out)
+    fresh = _unfinished_folder(out)
     shutil.rmtree(fresh, ignore_errors=True)  # left by a killed process
     with temporary(fresh):
         fresh.mkdir(parents=True)
@@ -142,7 +142,7 @@ def films(out: Path, progress: Progress) -> list[Path]:
         return [path.replace(out / path.name) for path in made]
 
 
-def _unfinished(out: Path) -> Path:
+def _unfinished_folder(out: Path) -> Path:
     """Folder of the films until all are complete."""
     return out.with_name(f".{out.name}-new")
 
@@ -176,7 +176,7 @@ class _FilmProcess:
             except subprocess.TimeoutExpired:
                 self._process.kill()
                 self._process.wait()
-            remove(_unfinished(self._out))
+            remove(_unfinished_folder(self._out))
         if self._process.stdout is not None:
             self._process.stdout.close()
 
@@ -193,9 +193,9 @@ def _films_in_background(out: Path) -> Iterator[_FilmProcess | None]:
     except OSError:
         yield None
         return
-    beside = _FilmProcess(process, out)
-    with undoing(beside.stop):
-        yield beside
+    films = _FilmProcess(process, out)
+    with undoing(films.stop):
+        yield films
 
 
 def report_films(out: str) -> None:
@@ -247,5 +247,5 @@ def _style() -> Iterator[None]:
         yield
 
 
-def _silent(stage: str, done: int, total: int) -> None:
+def _no_progress(stage: str, done: int, total: int) -> None:
     pass

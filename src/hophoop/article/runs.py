@@ -48,7 +48,7 @@ class Runs:
 
     @property
     def hoop(self) -> Hoop:
-        """The article's hoop."""
+        """The reference hoop."""
         return scenarios()["slow"].hoop
 
     @property

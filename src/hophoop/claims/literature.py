@@ -102,7 +102,7 @@ def count(chosen: Iterable[str] = ()) -> int:
     -------
     number : int
     """
-    wanted = _wanted(chosen)
+    wanted = _check_works(chosen)
     return sum(claim.work in wanted for claim in registry()) + (len(FROM_ARTICLE) if ARTICLE in wanted else 0)
 
 
@@ -131,7 +131,7 @@ def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tu
     >>> [one.verdict for one in findings(["Kane1984"])]
     ['agrees']
     """
-    wanted, total = _wanted(chosen), count(chosen)
+    wanted, total = _check_works(chosen), count(chosen)
     found = []
     for work in sorted(wanted, key=works().index):
         for judge in _judges(work):
@@ -141,7 +141,7 @@ def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tu
     return tuple(found)
 
 
-def _wanted(chosen: Iterable[str]) -> tuple[str, ...]:
+def _check_works(chosen: Iterable[str]) -> tuple[str, ...]:
     wanted = tuple(dict.fromkeys(chosen))
     for work in wanted:
         if work not in works():

@@ -80,7 +80,7 @@ def animate(
         float | None,
         typer.Option("--to", help="Last time to show, s.", rich_help_panel=PACE, show_default=False),
     ] = None,
-    beside: Annotated[
+    others: Annotated[
         list[str] | None,
         typer.Option(
             "--with",
@@ -122,7 +122,7 @@ def animate(
         raise InputError("--panel and --overlay cannot be given together with --3d.")
     if out.suffix:  # otherwise a folder for pictures, which is created
         check_folder("--out", out)
-    scenarios = [*_variations(scenario, vary), *(Scenario.load(file) for file in beside or ())]
+    scenarios = [*_variations(scenario, vary), *(Scenario.load(file) for file in others or ())]
     motions = [simulate(each) for each in scenarios]
 
     need("matplotlib", "films")  # in the extra 'plots', which 'films' includes

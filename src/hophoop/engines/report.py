@@ -71,7 +71,7 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
 
 
 def _json(document: dict[str, Any]) -> str:
-    """JSON with a line for each row, so that two comparisons can be laid beside each other."""
+    """Format JSON with one line per row, so that two comparisons can be compared by lines."""
     parts = []
     for key, value in document.items():
         if isinstance(value, list):

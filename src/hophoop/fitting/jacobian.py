@@ -61,10 +61,10 @@ def _of_motion(problem: Problem, motion: Trajectory, values: dict[str, float], g
     rated = carry(motion, paths).at_times(problem.moments(motion, values), ("x", "height", "angle"))
     together = np.array([[float(path in group) for group in groups] for path in paths])
     change = {field: rates @ together for field, (_, rates) in rated.items()}
-    return _seen(problem, values, rated["angle"][0][:, None], change)
+    return _residual_changes(problem, values, rated["angle"][0][:, None], change)
 
 
-def _seen(problem: Problem, values: dict[str, float], angle: Floats, change: Mapping[str, Floats]) -> Floats:
+def _residual_changes(problem: Problem, values: dict[str, float], angle: Floats, change: Mapping[str, Floats]) -> Floats:
     """Derivatives of the residuals from those of position and angle."""
     reach = values["marker_ratio"] * problem.radius
     marked = angle + values["marker_angle"]
@@ -101,7 +101,7 @@ def _of_camera(problem: Problem, motion: Trajectory, values: dict[str, float], p
     elif name == "row_delay" and problem.rows is not None:
         state = motion.at(problem.moments(motion, values))
         rates = {"x": state.vx * problem.rows, "height": state.vy * problem.rows, "angle": state.omega * problem.rows}
-        return _seen(problem, values, state.angle, rates)
+        return _residual_changes(problem, values, state.angle, rates)
     else:
         change = dict.fromkeys(places, np.full(len(problem.t), np.nan))
     return _residuals(problem, change)

@@ -91,7 +91,7 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
 
 
 def first_row(fit: Fit) -> int:
-    """The first row of the track in which something is known, where the motion begins [1]."""
+    """Return the first row of the track with data, the start of the motion [1]."""
     known = np.isfinite(fit.track.centre[:, 0]) | np.isfinite(fit.track.marker[:, 0]) | np.isfinite(fit.track.angle)
     return int(np.flatnonzero(known)[0])
 
@@ -118,7 +118,7 @@ def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> t
 
 
 def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
-    """Energies a kilogram, measured beside computed.
+    """Return energies per kilogram, measured and computed.
 
     Parameters
     ----------
