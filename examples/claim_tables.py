@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from hophoop.claims.pages import filled
+from hophoop.claims.pages import fill_tables
 
 PAGES = Path(__file__).parents[1] / "docs" / "literature"
 
@@ -16,7 +16,7 @@ def main() -> None:
     """Write the pages whose table has changed."""
     for page in sorted(PAGES.glob("*.md")):
         text = page.read_text(encoding="utf-8")
-        new = filled(text)
+        new = fill_tables(text)
         if new != text:
             page.write_text(new, encoding="utf-8", newline="\n")
             print(page.name)

@@ -109,7 +109,13 @@ def test_a_release_asks_for_lines_that_the_files_have():
 # The first version without a published weakness, and the smallest extra that brings the package.
 @pytest.mark.parametrize(
     ("extra", "name", "first"),
-    [("plots", "pillow", "10.3"), ("maps", "filelock", "3.20.1"), ("lab", "starlette", "0.49.1"), ("lab", "h11", "0.16")],
+    [
+        ("plots", "pillow", "10.3"),
+        ("plots", "jinja2", "3.1.6"),
+        ("maps", "filelock", "3.20.1"),
+        ("lab", "starlette", "0.49.1"),
+        ("lab", "h11", "0.16"),
+    ],
 )
 def test_no_extra_allows_a_version_with_a_known_weakness(extra, name, first):
     def numbers(version):

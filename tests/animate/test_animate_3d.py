@@ -11,7 +11,7 @@ from hophoop.animate import film_3d, player, scene3d
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import CAMERAS_3D, Look3D
 from hophoop.animate.scene3d import Film3D
-from hophoop.animate.shapes3d import SUN, flattened, torus, torus_faces
+from hophoop.animate.shapes3d import SUN, shadow_matrix, torus, torus_faces
 from hophoop.vocabulary import colors
 
 SIZE = (400, 224)
@@ -143,7 +143,7 @@ def test_marks_letters_and_keys():
         assert shown.actors[0].tag == ""
         assert "airborne" in [words for _, words in shown._keys]
         shown.draw(0)  # the camera is set where a picture is drawn
-        spot = shown._seen(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
+        spot = shown._visible_point(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
         k = int(down.t * 20)
         row, column = round(SIZE[1] - spot[1]), round(spot[0])
         window = (slice(row - 2, row + 25), slice(column - 12, column + 13))
@@ -190,7 +190,7 @@ def test_the_torus():
 
 @pytest.mark.parametrize("slope", [0.0, 0.3])
 def test_shadows_lie_on_the_plane_along_the_light(slope):
-    matrix = flattened(slope, 0.0)
+    matrix = shadow_matrix(slope, 0.0)
     normal = np.array([np.sin(slope), 0.0, np.cos(slope)])
     for point in ([0.3, 0.1, 1.2], [-2.0, 0.5, 2.0]):
         shadow = matrix[:3, :3] @ point + matrix[:3, 3]

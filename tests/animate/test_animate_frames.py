@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from animate_tools import motion, places
-from hophoop.animate.frames import Timing, clock, ended, extent, follow, trace
-from hophoop.animate.happenings import happenings
+from hophoop.animate.event_marks import event_marks
+from hophoop.animate.frames import Timing, clock, end_word, extent, follow, trace
 from hophoop.animate.look import nice
 from hophoop.animate.scaling import arrow, force_levels
 from hophoop.results.poses import poses_of, rim_speeds, times_at_turn, turned_at
@@ -253,16 +253,16 @@ def test_a_film_stays_where_mechanics_says_nothing_more():
     assert (shown.still[:moving] == 0.0).all()
     np.testing.assert_allclose(shown.still[moving:], np.arange(shown.count - moving) / 20)
     assert shown.still[-1] > 1.0
-    assert [one.kind for one in happenings(stuck, shown.times[0])] == ["impact", "jam"]
-    assert ended(stuck, stuck.duration, last=True) == "jammed"
-    assert ended(stuck, 0.999 * stuck.duration, last=False) == ""
+    assert [one.kind for one in event_marks(stuck, shown.times[0])] == ["impact", "jam"]
+    assert end_word(stuck, stuck.duration, last=True) == "jammed"
+    assert end_word(stuck, 0.999 * stuck.duration, last=False) == ""
 
 
 def test_a_film_stops_with_a_motion_that_could_go_on():
     shown = clock([motion()], Timing(fps=20))
     assert (shown.still == 0.0).all()
-    assert ended(motion(), 2.0, last=True) == ""
-    assert ended(motion(), 2.0, last=False) == "ended"
+    assert end_word(motion(), 2.0, last=True) == ""
+    assert end_word(motion(), 2.0, last=False) == "ended"
 
 
 def test_a_film_of_a_part_does_not_stay():

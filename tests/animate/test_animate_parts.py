@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 import hophoop as hh
 from animate_tools import darkest_spot, motion, places
 from hophoop.animate import Player, film, picture, player
-from hophoop.animate.canvas import Canvas
+from hophoop.animate.canvas import Canvas, TextStyle
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
 from hophoop.animate.mpl import Film2D
@@ -55,7 +55,7 @@ def test_side_by_side_and_overlay():
 
 
 def test_labels_must_be_as_many_as_motions(tmp_path):
-    with pytest.raises(ValueError, match="labels holds 1 texts; the film shows 2 motions"):
+    with pytest.raises(ValueError, match="labels has 1 texts; the film shows 2 motions"):
         film([motion(), motion(2.0)], tmp_path / "a.mp4", look=Look(labels=["one"]))
 
 
@@ -141,21 +141,21 @@ def test_unknown_formats_are_refused(tmp_path):
 
 def test_text_stands_where_it_should():
     canvas = Canvas((200, 100), "#FFFFFF")
-    canvas.text(100, 50, "H", "#000000", 40, anchor="center", vertical="center")
+    canvas.text(100, 50, "H", TextStyle("#000000", 40, anchor="center", vertical="center"))
     rows, columns = np.nonzero(canvas.pixels[..., 0] < 128)
     assert columns.mean() == pytest.approx(100, abs=2)
     assert rows.mean() == pytest.approx(50, abs=2)
-    canvas.text(150, 50, "11", "#000000", 20, anchor="right")
+    canvas.text(150, 50, "11", TextStyle("#000000", 20, anchor="right"))
     assert (canvas.pixels[:, 150:, 0] > 128).all()
 
 
 def test_text_that_leaves_the_picture_is_cut():
     canvas = Canvas((100, 64), "#FFFFFF")
     for x, y in ((-30, 10), (95, 60), (50, -5), (300, 300)):
-        canvas.text(x, y, "long words 12", "#000000", 20)
+        canvas.text(x, y, "long words 12", TextStyle("#000000", 20))
     canvas.clip((20, 0, 20, 64))
     before = canvas.pixels.copy()
-    canvas.text(0, 30, "MMMMMMMM", "#FF0000", 20)
+    canvas.text(0, 30, "MMMMMMMM", TextStyle("#FF0000", 20))
     changed = np.flatnonzero((canvas.pixels != before).any(axis=(0, 2)))
     assert changed.min() >= 20
     assert changed.max() < 40

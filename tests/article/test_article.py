@@ -16,6 +16,7 @@ import hophoop as hh
 from hophoop.article import rolling, slipping
 from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
+from hophoop.article.scenarios import scenarios
 from hophoop.article.slow_end import slow_end
 from hophoop.article.statements import count
 from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, VERDICTS, WITHIN_READING, agreement, difference
@@ -346,7 +347,7 @@ def test_a_failing_statement_is_told_by_the_exit_status(tmp_path, monkeypatch):
         return [films / "v3.1.mp4"]
 
     monkeypatch.setattr(module, "films", fake)
-    monkeypatch.setattr(module, "_films_beside", lambda out: None)  # no process could be started
+    monkeypatch.setattr(module, "_films_in_background", lambda out: None)  # no process could be started
     done = CliRunner().invoke(app, ["reproduce", "--out", str(tmp_path), "--quiet"])
     assert done.exit_code == 1
     assert "slow_motion" in done.stderr
@@ -354,9 +355,9 @@ def test_a_failing_statement_is_told_by_the_exit_status(tmp_path, monkeypatch):
     assert "films/v3.1.mp4" in page.sources
 
 
-def test_the_report_books_losses_as_its_figures_do():
-    """What the landing at 3.1 m/s loses along the plane is friction's, in the table of motions too."""
-    row = next(line for line in module.report._runs(Runs()).split("<tr>") if line.startswith("<td>3.1"))
+def test_the_report_counts_losses_as_its_figures_do():
+    """The tangential loss of the landing at 3.1 m/s is counted as friction, in the table of motions too."""
+    row = module.report._run(scenarios()["hop"], Runs().motion("hop"))
     sample = Runs().sample("hop")
-    assert f"<td>{sample.friction_loss[-1]:.4f}</td><td>{sample.normal_loss[-1]:.4f}</td>" in row
+    assert row.cells[2:4] == [f"{sample.friction_loss[-1]:.4f}", f"{sample.normal_loss[-1]:.4f}"]
     assert sample.impact_tangential[-1] > 0.1

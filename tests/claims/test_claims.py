@@ -13,11 +13,11 @@ import hophoop as hh
 from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, VERDICTS
 from hophoop.cite import references
 from hophoop.claims import numbers, registry
-from hophoop.claims.claim import decimals, judged, with_unit
+from hophoop.claims.claim import check_claim, decimals, with_unit
 from hophoop.claims.literature import FROM_ARTICLE, claims_of
-from hophoop.claims.pages import END, filled
+from hophoop.claims.pages import END, fill_tables
 from hophoop.cli import app
-from hophoop.cli.claims import COLORS
+from hophoop.cli._tables import VERDICT_STYLES
 
 LITERATURE = Path(__file__).parents[2] / "docs" / "literature"
 CLAIMS = registry()
@@ -33,7 +33,7 @@ def pages():
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.key)
 def test_our_number_comes_out_again(claim):
-    found = judged(claim)
+    found = check_claim(claim)
     assert (found.verdict, found.holds) == (claim.verdict, True)
     assert found.ours == f"{claim.quantity} {with_unit(claim.ours, claim.unit)}"
 
@@ -43,7 +43,7 @@ def test_a_number_that_is_off_by_one_digit_fails(claim):
     places = decimals(claim.ours)
     for step in (-1, 1):
         off = dataclasses.replace(claim, ours=f"{float(claim.ours) + step * 10.0**-places:.{places}f}")
-        found = judged(off)
+        found = check_claim(off)
         assert (found.verdict, found.holds) == (FAILS, False)
         assert with_unit(off.ours, off.unit) in found.why
 
@@ -51,12 +51,12 @@ def test_a_number_that_is_off_by_one_digit_fails(claim):
 @pytest.mark.parametrize("claim", [one for one in CLAIMS if one.theirs_number is not None], ids=lambda claim: claim.key)
 def test_a_verdict_follows_from_the_number_of_the_work(claim):
     apart = claim.theirs_number + 2.0 * claim.reading + 1.0 if claim.verdict == AGREES else float(claim.ours)
-    assert judged(dataclasses.replace(claim, theirs_number=apart)).verdict == FAILS
+    assert check_claim(dataclasses.replace(claim, theirs_number=apart)).verdict == FAILS
 
 
 def test_a_motion_without_the_event_fails():
     lost = dataclasses.replace(CLAIMS[0], compute=lambda: numbers._skimming().find("takeoff")[0].t)
-    found = judged(lost)
+    found = check_claim(lost)
     assert (found.verdict, found.ours, found.value) == (FAILS, "–", None)
 
 
@@ -96,7 +96,7 @@ def test_the_force_at_the_quasi_jump_by_newton():
 def test_keys_works_and_verdicts():
     assert len({claim.key for claim in CLAIMS}) == len(CLAIMS) >= 30
     assert set(hh.claims.works()) <= set(references())
-    assert set(COLORS) == set(VERDICTS)
+    assert set(VERDICT_STYLES) == set(VERDICTS)
     for claim in CLAIMS:
         assert claim.verdict in VERDICTS
         assert claim.verdict != FAILS
@@ -167,7 +167,7 @@ def test_progress_counts_to_the_end():
 def test_every_work_has_a_page_and_its_table_is_that_of_the_registry():
     found = []
     for name, text in pages().items():
-        assert filled(text) == text, f"docs/literature/{name}.md: run python examples/claim_tables.py"
+        assert fill_tables(text) == text, f"docs/literature/{name}.md: run python examples/claim_tables.py"
         for line in text.split("\n"):
             if line.startswith("<!-- claims: "):
                 found += line.removeprefix("<!-- claims: ").removesuffix(" -->").split()
@@ -200,12 +200,12 @@ def test_a_command_of_a_page_runs(command):
 
 def test_a_wrong_table_is_made_right():
     text = f"# A\n<!-- claims: Kane1984 -->\n| old |\n{END}\nrest"
-    once = filled(text)
+    once = fill_tables(text)
     assert "257/448" in once
     assert "old" not in once
     assert once.endswith(f"\n{END}\nrest")
-    assert filled(once) == once
-    assert filled("# no mark\n") == "# no mark\n"
+    assert fill_tables(once) == once
+    assert fill_tables("# no mark\n") == "# no mark\n"
 
 
 # The command
@@ -232,7 +232,7 @@ def test_json_has_every_digit():
 
 
 def test_json_has_a_word_for_a_number_that_it_does_not_have():
-    found = dataclasses.replace(judged(CLAIMS[0]), value=math.inf)
+    found = dataclasses.replace(check_claim(CLAIMS[0]), value=math.inf)
     assert found.to_dict()["value"] == "inf"
 
 
@@ -246,7 +246,7 @@ def test_a_number_that_no_longer_holds_ends_with_status_1(monkeypatch):
     monkeypatch.setattr("hophoop.claims.literature.registry", lambda: (wrong,))
     done = run("Kane1984")
     assert done.exit_code == 1
-    assert "A number of ours no longer holds: kane_gain." in done.stderr
+    assert "Numbers of ours that have changed: kane_gain." in done.stderr
     assert json.loads(run("Kane1984", "--json").stdout)["holds"] is False
 
 

@@ -225,12 +225,12 @@ def test_a_folder_is_not_replaced(tmp_path):
         (["nowhere.toml"], "nowhere.toml: No such file or directory"),
         (["--plot", "picture.xyz"], "--plot = picture.xyz must end in"),
         (["--save", "motion.txt"], "--save = motion.txt must end in"),
-        (["--save", "gone/hop.nc"], "--save = gone/hop.nc must be in a folder that is there; gone is not"),
-        (["--json", "gone/hop.json"], "--json = gone/hop.json must be in a folder that is there"),
-        (["--csv", "gone/hop.csv"], "--csv = gone/hop.csv must be in a folder that is there"),
-        (["--plot", "gone/hop.png"], "--plot = gone/hop.png must be in a folder that is there"),
+        (["--save", "gone/hop.nc"], "--save = gone/hop.nc must be in an existing folder; gone does not exist"),
+        (["--json", "gone/hop.json"], "--json = gone/hop.json must be in an existing folder"),
+        (["--csv", "gone/hop.csv"], "--csv = gone/hop.csv must be in an existing folder"),
+        (["--plot", "gone/hop.png"], "--plot = gone/hop.png must be in an existing folder"),
         (["--samples", "1"], "--samples = 1 must be at least 2"),
-        (["--csv", "a", "--json", "a"], "a is named for two outputs"),
+        (["--csv", "a", "--json", "a"], "a is used for two outputs"),
         (["--mu", "much"], "--mu"),
         (["--colour", "red"], "--colour"),
     ],
@@ -414,47 +414,6 @@ def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monke
     assert run("run", path, "--quiet").stderr == ""
     monkeypatch.setattr("hophoop.kernel.compliant.run.MAX_STEPS", 30)
     assert "of which 30 are computed; a shorter duration" in run("run", path, "--json").stderr
-
-
-@pytest.mark.parametrize(("terminal", "soon", "shown"), [(True, 0.0, True), (True, 60.0, False), (False, 0.0, False)])
-def test_a_long_compliant_motion_shows_how_far_it_is(monkeypatch, terminal, soon, shown):
-    """On a terminal, once it has taken a second; the same motion as without."""
-    import io
-
-    from rich.console import Console
-
-    from hophoop.cli import _work
-    from hophoop.simulation import simulate as simulation
-
-    monkeypatch.setattr(_work, "SOON", soon)
-    monkeypatch.setattr(_work, "LOOKS", 0.01)
-    computed = simulation.simulate_watched
-
-    def slowly(*given):
-        motion = computed(*given)
-        time.sleep(0.2)  # compiled, it would be there before anybody looks
-        return motion
-
-    monkeypatch.setattr(simulation, "simulate_watched", slowly)
-    screen = Console(file=io.StringIO(), force_terminal=terminal, width=80)
-    scenario = hh.Scenario(contact=hh.Compliant(), duration=0.5)
-    motion = _work.with_progress(scenario, screen)
-    written = screen.file.getvalue()
-    assert ("motion" in written and "%" in written) == shown
-    assert motion.tables["segments"].tobytes() == hh.simulate(scenario).tables["segments"].tobytes()
-
-
-def test_what_goes_wrong_beside_is_raised(monkeypatch):
-    from rich.console import Console
-
-    from hophoop.cli import _work
-
-    def breaks(scenario, reached=None):
-        raise ValueError("hoop.radius is wrong.")
-
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", breaks)
-    with pytest.raises(ValueError, match=r"^hoop\.radius is wrong\.$"):
-        _work.with_progress(hh.Scenario(contact=hh.Compliant()), Console(quiet=True, force_terminal=True))
 
 
 def test_rolling_resistance_is_an_option_and_told():

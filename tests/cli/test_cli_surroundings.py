@@ -149,7 +149,7 @@ def test_an_output_without_a_name_is_refused_at_once(command, option, tmp_path, 
 def test_the_folder_of_a_file_is_not_made(words, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     done = run(*words)
-    sentence = f"Error: {words[-2]} = {Path(words[-1])} must be in a folder that is there; new is not.\n"
+    sentence = f"Error: {words[-2]} = {Path(words[-1])} must be in an existing folder; new does not exist.\n"
     assert (done.returncode, done.stderr.decode()) == (2, sentence)
     assert list(tmp_path.iterdir()) == []
 

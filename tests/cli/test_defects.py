@@ -26,7 +26,7 @@ def raising(error):
 
 @pytest.mark.parametrize("error", DEFECTS, ids=lambda error: type(error).__name__)
 def test_a_defect_ends_with_its_traceback(error, monkeypatch):
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", raising(error))
+    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
     done = run("run", "--duration", "1")
     assert done.exit_code == 1
     assert done.stdout == ""
@@ -49,7 +49,7 @@ def test_a_defect_ends_with_its_traceback(error, monkeypatch):
     ids=lambda error: type(error).__name__,
 )
 def test_what_a_user_can_change_is_one_sentence(error, monkeypatch):
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate_watched", raising(error))
+    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
     done = run("run", "--duration", "1")
     assert (done.exit_code, done.stderr) == (2, f"Error: {error}\n")
 
@@ -72,7 +72,7 @@ def test_an_option_replaces_the_argument_and_no_word_of_the_value():
         (["prove", "--check"], "a.json", "[" * 100_000, "must be a certificate in JSON: nested too deeply"),
         (["fit"], "a.trk", '<?xml version="1.0" encoding="none-such"?><object/>', "is not valid XML"),
         (["compare", "--score"], "a.csv", "#\n\x00" + "9" * 200_000, "a.csv "),
-        (["lab"], "a.json", '{"schema": "hophoop-fit/1", "values": {}, "free": [], "covariance": "much"}', "is not whole"),
+        (["lab"], "a.json", '{"schema": "hophoop-fit/1", "values": {}, "free": [], "covariance": "much"}', "is incomplete"),
     ],
 )
 def test_files_that_libraries_refuse(command, name, content, said, tmp_path, monkeypatch):

@@ -62,14 +62,14 @@ def test_a_chain_on_request(table):
 def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
     pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
     opened = []
-    monkeypatch.setattr("hophoop.lab.app.serve", lambda *given: opened.append(given))
+    monkeypatch.setattr("hophoop.lab.app.serve", lambda **given: opened.append(given))
     file = tmp_path / "fit.json"
     done = call("fit", table, "--radius", 0.3, "--save", file, "--lab", "--quiet")
     assert done.exit_code == 0, done.output
     assert call("lab", file, "--no-browser", "--port", 0).exit_code == 0
     wanted = hh.load_fit(file).scenario.to_query()
-    assert [given[4] for given in opened] == [wanted, wanted]
-    assert [given[6] for given in opened] == [None, None]  # no film
+    assert [given["query"] for given in opened] == [wanted, wanted]
+    assert [given["backdrop"] for given in opened] == [None, None]  # no film
     # the data are a table, not a film
     done = call("lab", file, "--film", file)
     assert done.exit_code == 2
@@ -93,7 +93,7 @@ def test_no_good_fit_is_status_1(table):
         (["--fix", "restitution"], "--fix restitution must be a name and a value"),
         (["--fix", "restitution=much"], "--fix restitution=much must be a number"),
         (["--bound", "gamma=1"], "--bound gamma=1 must be two numbers"),
-        (["--free", "t0"], "t0 is no parameter of a fit: the time of the start says the same as its place"),
+        (["--free", "t0"], "t0 is no parameter of a fit: the time of the start is redundant with its position"),
         (["--sample", "3"], "steps = 3 must be from 10"),
         (["--film", "film.mp4"], "--film needs --out"),
         (["--save", "fit.txt"], "--save = fit.txt must end in .json"),

@@ -63,7 +63,7 @@ def test_progress_says_rate_and_time_left(tmp_path):
         ([*AXES, "--axis", "hoop.mass=1,2", "--out", "a.zarr", "--plot", "a.png"], "two axes, not 3"),
         ([*AXES, "--out", "a.zarr", "--gpu"], "device = 'gpu'"),
         ([*AXES, "--out", "a.zarr", "--plot", "a.xyz"], "--plot = a.xyz must end in .png"),
-        ([*AXES, "--plot", "gone/a.png"], "--plot = gone/a.png must be in a folder that is there; gone is not"),
+        ([*AXES, "--plot", "gone/a.png"], "--plot = gone/a.png must be in an existing folder; gone does not exist"),
         (
             ["--axis", "plane.mu=0:1:300000", "--axis", "start.speed=1:2:300000", "--plot", "a.png"],
             "axes make 90,000,000,000 motions, which need",

@@ -71,7 +71,7 @@ def test_what_is_undecided_ends_with_status_1(tmp_path):
 
 @pytest.mark.parametrize(
     ("arguments", "word"),
-    [(["--digits", "0"], "digits"), (["--until", "never"], "until"), (["--check", "a.json", "--json"], "alone")],
+    [(["--digits", "0"], "digits"), (["--until", "never"], "until"), (["--check", "a.json", "--json"], "only a certificate")],
 )
 def test_bad_input_ends_with_status_2(arguments, word):
     done = CliRunner().invoke(app, ["prove", *arguments])
@@ -148,8 +148,8 @@ def test_statements_of_the_article():
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
-        (["--boxes", "plane.mu"], "PATH=LEAST:GREATEST"),
-        (["--boxes", "plane.mu=1:b"], "PATH=LEAST:GREATEST"),
+        (["--boxes", "plane.mu"], "PATH=LOW:HIGH"),
+        (["--boxes", "plane.mu=1:b"], "PATH=LOW:HIGH"),
         (["--boxes", "plane.mu=1:2", "--boxes", "plane.mu=1:2"], "twice"),
         (["--boxes", "plane.mu=2:1"], "least value first"),
         (["--boxes", "hoop.mass=1:2"], "--boxes holds hoop.mass"),

@@ -3,7 +3,6 @@
 import json
 import re
 
-import numpy as np
 import pytest
 
 import hophoop as hh
@@ -25,8 +24,8 @@ def test_a_long_table_says_what_it_leaves_out():
 
 @pytest.mark.parametrize("words", [("--errors",), ("--digits", "16"), ("--check",)])
 def test_so_do_tables_of_errors_and_digits(monkeypatch, words):
-    monkeypatch.setattr("hophoop.cli._tables.FIRST_ROWS", 3)
-    monkeypatch.setattr("hophoop.cli._tables.LAST_ROWS", 2)
+    monkeypatch.setattr("hophoop.cli._motion.FIRST_ROWS", 3)
+    monkeypatch.setattr("hophoop.cli._motion.LAST_ROWS", 2)
     events = hop().events
     kinds = sorted({event.kind.replace("_", " ") for event in events}, key=len, reverse=True)
     rows = re.compile(rf"^.*?\b({'|'.join(kinds)}) .*$", re.MULTILINE)
@@ -41,14 +40,14 @@ def test_so_do_tables_of_errors_and_digits(monkeypatch, words):
 
 
 def test_an_explanation_that_is_cut_says_so(monkeypatch):
-    monkeypatch.setattr("hophoop.cli._tables.FIRST_ROWS", 3)
+    monkeypatch.setattr("hophoop.cli._motion.FIRST_ROWS", 3)
     brief, whole = (run("run", *HOP, "--explain", *more).stdout for more in ((), ("--all",)))
     said = "… These are the first 3 phases; --all explains the others, too.\n"
     assert brief.endswith(said)
     assert said not in whole
     assert brief.count("begins with") == 3
     assert whole.count("begins with") == len(list(hh.phases(hop().scenario)))
-    monkeypatch.setattr("hophoop.cli._tables.FIRST_ROWS", whole.count("begins with"))
+    monkeypatch.setattr("hophoop.cli._motion.FIRST_ROWS", whole.count("begins with"))
     assert said[:10] not in run("run", *HOP, "--explain").stdout  # nothing is cut
 
 
@@ -70,29 +69,3 @@ def test_errors_that_cannot_be_told_are_refused_before_anything_is_written(tmp_p
     assert refused.exit_code == 2
     assert "--errors needs rigid contact" in refused.stderr
     assert not list(tmp_path.iterdir())
-
-
-def test_errors_that_take_long_show_how_far_they_are(monkeypatch):
-    import io
-
-    from rich.console import Console
-
-    from hophoop.cli import _work
-    from hophoop.simulation.event_errors import event_errors_watched
-
-    monkeypatch.setattr(_work, "SOON", 0.0)
-    monkeypatch.setattr(_work, "LOOKS", 0.001)
-    screen = Console(file=io.StringIO(), force_terminal=True, width=80)
-    shares = []
-
-    class Reached(np.ndarray):
-        def __setitem__(self, place, share):
-            shares.append(share)
-            super().__setitem__(place, share)
-
-    motion = hop()
-    found = _work.watched(lambda reached: event_errors_watched(motion, reached.view(Reached)), screen, "errors")
-    assert found.t.tobytes() == motion.errors.t.tobytes()
-    assert shares == sorted(set(shares))
-    assert len(shares) == len(motion.events) - 1
-    assert 0.0 == shares[0] < shares[-1] < 1.0

@@ -54,7 +54,7 @@ def test_a_folder_with_everything(film, tmp_path):
         (["--radius", 0.3, "--row-delay", 1], "--row-delay = 1.0 must be from -0.001 to 0.001"),
         (["--radius", 0.3, "--save", "a.xls"], "--save = a.xls must end in .json or .csv"),
         (["--radius", 0.3, "--film", "a.avi"], "--film = a.avi must end in .mp4"),
-        (["--radius", 0.3, "--save", "gone/a.csv"], "in a folder that is there; gone is not"),
+        (["--radius", 0.3, "--save", "gone/a.csv"], "in an existing folder; gone does not exist"),
         ([], "Missing option '--radius'"),
     ],
 )

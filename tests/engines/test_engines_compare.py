@@ -20,7 +20,7 @@ from hophoop.cli import app
 from hophoop.engines import comparing, registry, tables
 from hophoop.engines.external import job_text, run_command
 from hophoop.engines.measures import exact_record
-from hophoop.engines.recorded import Recorded
+from hophoop.engines.recorded import RecordedMotion
 from hophoop.engines.worker import Worker
 from hophoop.results.poses import poses_of
 
@@ -248,13 +248,13 @@ def test_what_a_command_reads(tmp_path):
 
 def test_a_command_that_fails_says_why(tmp_path):
     task = engines.task_of(HOP)
-    with pytest.raises(RuntimeError, match="said: ValueError: too stiff"):
+    with pytest.raises(RuntimeError, match="ended with status 1: ValueError: too stiff"):
         run_command(echo(tmp_path, "raise ValueError('too stiff')"), task, 0.01)
     with pytest.raises(RuntimeError, match="is not installed"):
         run_command(["no-such-program-anywhere"], task, 0.01)
     with pytest.raises(RuntimeError, match="more than"):
         run_command(echo(tmp_path, "import time; time.sleep(30)"), task, 0.01, limit=0.5)
-    with pytest.raises(ValueError, match="must begin with the header"):
+    with pytest.raises(ValueError, match="must start with the header"):
         run_command(echo(tmp_path, "print('hello')"), task, 0.01)
 
 
@@ -342,7 +342,7 @@ def test_a_row_doctored_by_hand_is_no_longer_right(tmp_path):
         (["physx"], "engine = 'physx' is not one of"),
         (["hophoop", "--scenario", "jump"], "scenario = 'jump' is not one of"),
         (["hophoop", "--dt", "0"], "--dt = 0.0 must be above 0"),
-        (["hophoop", "--npm", "/no/such/folder"], "must be a folder that is there"),
+        (["hophoop", "--npm", "/no/such/folder"], "must be an existing folder"),
         (["--command", "mine"], "must be NAME=COMMAND"),
     ],
 )
@@ -368,7 +368,7 @@ def test_a_report(tmp_path):
 
 def test_a_record_can_be_filmed():
     """The film's poses of a record are those of the exact motion that it samples."""
-    record = Recorded(HOP.scenario, engines.task_of(HOP), exact_record(HOP))
+    record = RecordedMotion(HOP.scenario, engines.task_of(HOP), exact_record(HOP))
     times = np.array([0.1, 0.4, 0.9, 1.4, 1.9])
     mine, right = poses_of(record, times), poses_of(hh.simulate(HOP.scenario), times)
     assert mine.mode.tolist() == right.mode.tolist() == ["R", "K", "S", "H", "R"]

@@ -170,7 +170,7 @@ def test_steps_and_wall_time_are_the_records_own():
     [
         (lambda s: States(*(column[s.t < 1.0] for column in s)), "the record ends at"),
         (lambda s: s._replace(vx=np.where(s.t > 1.0, np.nan, s.vx)), "vx must be finite"),
-        (lambda s: s._replace(t=s.t[::-1]), "t must begin with 0 and grow"),
+        (lambda s: s._replace(t=s.t[::-1]), "t must start at 0 and increase"),
         (lambda s: States(*(column[:2] for column in s)), "needs at least 3"),
     ],
 )
@@ -200,8 +200,8 @@ def test_a_record_goes_through_its_file():
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "must begin with the header"),
-        ("t,x,y\n0,0,0\n", "must begin with the header"),
+        ("", "must start with the header"),
+        ("t,x,y\n0,0,0\n", "must start with the header"),
         ("t,x,y,theta,vx,vy,omega\n0,0,0,0,0,0\n", "has 6 numbers in state 1"),
         ("t,x,y,theta,vx,vy,omega\n0,0,0,zero,0,0,0\n", "not a number"),
         ("# steps: many\nt,x,y,theta,vx,vy,omega\n0,0,0,0,0,0,0\n", "must be numbers"),

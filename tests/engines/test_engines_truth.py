@@ -12,7 +12,7 @@ import hophoop as hh
 from hophoop import engines
 from hophoop.engines import truth as truth_file
 from hophoop.engines.measures import exact_record
-from hophoop.engines.phases import phases, thinned
+from hophoop.engines.phases import phases, thin
 from oracles import hybrid
 from oracles.cases import Case
 
@@ -44,7 +44,7 @@ def test_the_file_keeps_to_its_schema(document):
 
 def test_a_changed_file_is_noticed(monkeypatch):
     monkeypatch.setattr(truth_file.hashlib, "sha256", lambda content: _Digest())
-    with pytest.raises(ValueError, match="not the file that its checksum was made of"):
+    with pytest.raises(ValueError, match="does not match its checksum"):
         truth_file.truth_text()
 
 
@@ -129,7 +129,7 @@ def test_energy_adds_up(name, document):
 def test_the_rule_finds_the_phases_of_the_exact_motion(name):
     """Phases of at least 20 ms, from the exact events, are those that the rule finds in samples."""
     task, right = engines.task_of(SCENARIOS[name]), engines.truths()[name]
-    found, _ = phases(task, thinned(exact_record(SCENARIOS[name])))
+    found, _ = phases(task, thin(exact_record(SCENARIOS[name])))
     marks = [event for event in right.events if event["kind"] not in ("turn", "apex", "kane_gain", "rest")]
     longer = []
     for event, following in itertools.pairwise(marks):

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,10 +10,10 @@ import pytest
 import hophoop as hh
 from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
 from hophoop.fitting import report
-from hophoop.fitting.channels import Lasting, scatter
-from hophoop.fitting.covariance import covariance_of, memories
-from hophoop.fitting.guess import gathered, rates
-from hophoop.fitting.judging import least_static_friction, runs
+from hophoop.fitting.channels import Autocorrelation, scatter
+from hophoop.fitting.covariance import autocorrelations, covariance_of
+from hophoop.fitting.guess import merge_bounces, rates
+from hophoop.fitting.judging import least_static_friction, runs_deviation
 from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.reporting import energies, places_in_film
 from hophoop.fitting.solving import Choice, slopes
@@ -31,7 +32,7 @@ def test_the_truth_is_found_within_its_uncertainties(found):
         assert abs(found.values[name] - value) < 4 * found.error(name), name
     assert found.error("gamma") < 1e-3
     assert found.error("mu_static") < 0.02
-    assert gathered(found.motion.sequence) == "RKRSH+KR"
+    assert merge_bounces(found.motion.sequence) == "RKRSH+KR"
     assert found.shares["RKRSH+KR"] > 0.9
     assert found.scenario.plane.mu_static == pytest.approx(0.55, abs=0.04)
 
@@ -43,7 +44,7 @@ def test_the_centre_alone_tells_as_well(hop):
     assert np.cos(fit.values["angle0"]) == pytest.approx(np.cos(0.1), abs=0.01)
     # and says what it cannot tell apart
     assert {"gamma", "speed"} in [{first, second} for first, second, _ in fit.correlated]
-    assert any("can hardly be told apart" in sentence for sentence in fit.sentences())
+    assert any("can hardly be distinguished" in sentence for sentence in fit.sentences())
 
 
 def test_a_plan_says_what_the_fit_then_has(hop, found):
@@ -118,11 +119,11 @@ def test_a_share_of_the_errors_that_lasts_is_found():
     problem = problem_of(track, "ideal", "rolling", PLANE, (1.0, None))
     rng = np.random.default_rng(6)
     slow = np.sqrt(0.3) * lasting(rng, 1000, 1.0, 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
-    found = memories(problem, np.concatenate([slow, rng.normal(size=1000)]))
+    found = autocorrelations(problem, np.concatenate([slow, rng.normal(size=1000)]))
     assert found["x"].frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert found["x"].share < 0.6
     assert found["y"].share == 0.0
-    assert Lasting(0.3, 0.9).frames == pytest.approx(1 + 2 * sum(0.3 * 0.9**k for k in range(1, 200)))
+    assert Autocorrelation(0.3, 0.9).frames == pytest.approx(1 + 2 * sum(0.3 * 0.9**k for k in range(1, 200)))
 
 
 def test_errors_that_last_over_frames_count_less(hop):
@@ -136,7 +137,7 @@ def test_errors_that_last_over_frames_count_less(hop):
     values, _ = defaults(problem, track)
     values |= TRUTH
     off = problem.residuals(values)
-    found = memories(problem, off)
+    found = autocorrelations(problem, off)
     for name in ("x", "y"):  # (1 + 0.7)/(1 − 0.7) of them say as much as one
         assert found[name].share * found[name].fade == pytest.approx(0.7, abs=0.2)
         assert found[name].frames == pytest.approx(17 / 3, rel=0.5)
@@ -155,7 +156,7 @@ def test_errors_that_last_over_frames_count_less(hop):
     assert covariance_of(problem, jacobian, off, False) == pytest.approx(expected, rel=1e-6)
     fit = hh.fit(track)
     assert fit.error("gamma") > 1.3 * hh.fit(filmed(hop)).error("gamma")
-    assert any("Errors of x last over several frames" in note for note in fit.notes)
+    assert any("Errors of x are correlated" in note for note in fit.notes)
 
 
 # --- what the film does not tell -------------------------------------------------------------------
@@ -176,7 +177,7 @@ def test_a_hoop_that_never_slips_gives_a_lower_limit(hop):
     assert fit.free == ("gamma", "x0", "angle0", "speed")
     assert any("never slips: static friction is at least" in note for note in fit.sentences())
     assert any("no impact" in note for note in fit.sentences())
-    assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not seen"
+    assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not determined"
     assert least_static_friction(motion) == pytest.approx(expected, rel=1e-4)
     assert least_static_friction(fit.motion) == pytest.approx(expected, rel=0.02)
 
@@ -186,9 +187,9 @@ def test_the_least_friction_is_where_the_sum_of_squares_has_risen(hop):
     motion = hopping(plane=hh.Plane(mu=0.9, restitution=0.2), start=hh.Start.rolling(1.0), duration=0.9)
     track = filmed(motion)
     known = {"mu_excess": 0.0, "restitution": 0.0}
-    fit = hh.fit(track, fixed=known, soft=False)
+    fit = hh.fit(track, fixed=known, robust=False)
     least = fit.limits["mu_static"][1]
-    rise = [hh.fit(track, fixed={**known, "mu_kinetic": least * part}, soft=False).chi_square for part in (0.99, 1.01)]
+    rise = [hh.fit(track, fixed={**known, "mu_kinetic": least * part}, robust=False).chi_square for part in (0.99, 1.01)]
     assert rise[0] - fit.chi_square > 2.6
     assert rise[1] - fit.chi_square < 2.8
 
@@ -233,9 +234,9 @@ def test_near_an_end_an_uncertainty_is_at_least_what_the_sum_of_squares_there_sa
 def test_the_limit_is_where_the_sum_of_squares_has_risen():
     """By 2.71, above what it is at least; friction, that the restitution does not change, is known."""
     track, fixed = plastic(1), {"mu_excess": 0.0}
-    limit = hh.fit(track, fixed=fixed, soft=False).limits["restitution"][1]
+    limit = hh.fit(track, fixed=fixed, robust=False).limits["restitution"][1]
     grid = np.append(np.linspace(0.0, 1.1, 12), [0.98, 1.02]) * limit
-    costs = [hh.fit(track, fixed={**fixed, "restitution": value}, soft=False).chi_square for value in grid]
+    costs = [hh.fit(track, fixed={**fixed, "restitution": value}, robust=False).chi_square for value in grid]
     assert costs[-2] - min(costs) < 2.8
     assert costs[-1] - min(costs) > 2.6
 
@@ -256,16 +257,16 @@ def test_what_cannot_be_told_is_refused(hop, name):
 
 def test_residuals_that_run_together_are_told(hop):
     # pieces of one sign, and signs that change as chance has it
-    assert runs(np.repeat([1.0, -1.0], 50)) < -9
-    assert abs(runs(np.random.default_rng(1).normal(size=1000))) < 3
+    assert runs_deviation(np.repeat([1.0, -1.0], 50)) < -9
+    assert abs(runs_deviation(np.random.default_rng(1).normal(size=1000))) < 3
     # 3 runs of 10 and 10: expected 11 ± √(10·9/19)
-    assert runs(np.array([1.0] * 5 + [-1.0] * 10 + [1.0] * 5)) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
+    assert runs_deviation(np.array([1.0] * 5 + [-1.0] * 10 + [1.0] * 5)) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
     track = filmed(hop)
     braked = track.centre.copy()
     braked[:, 0] -= 0.05 * track.t**2  # something that the model has not
     fit = hh.fit(dataclasses.replace(track, centre=braked), fixed={"restitution": 0.3})
     assert not fit.good
-    assert any(place["quantity"] == "x" for place in fit.lacking)
+    assert any(place["quantity"] == "x" for place in fit.misfits)
     assert any("No fit is good" in sentence for sentence in fit.sentences())
 
 
@@ -296,7 +297,7 @@ def test_outliers_count_little(hop):
     places, rng = track.centre.copy(), np.random.default_rng(2)
     places[rng.choice(len(track.t), 12, replace=False)] += 0.02
     spoilt = dataclasses.replace(track, centre=places)
-    soft, hard = hh.fit(spoilt), hh.fit(spoilt, soft=False)
+    soft, hard = hh.fit(spoilt), hh.fit(spoilt, robust=False)
     clean = hh.fit(track)
     off = [abs(one.values["speed"] - clean.values["speed"]) for one in (soft, hard)]
     assert off[0] < 0.3 * off[1]
@@ -383,7 +384,7 @@ def test_a_saved_fit_is_the_same(found, tmp_path):
 def test_a_page_of_a_fit(found, tmp_path):
     page = report(found, tmp_path / "out")
     text = page.read_text(encoding="utf-8")
-    assert text.count("<svg class='wide'") == text.count("<svg class='narrow'") == 5
+    assert text.count('<svg class="wide"') == text.count('<svg class="narrow"') == 5
     assert "mu_static" in text
     assert json.loads((tmp_path / "out" / "fit.json").read_text())["good"] is True
     assert hh.Scenario.load(tmp_path / "out" / "scenario.toml") == found.scenario
@@ -391,6 +392,13 @@ def test_a_page_of_a_fit(found, tmp_path):
     assert np.nanmax(np.abs(centre - found.track.centre)) < 5 * SIGMA
     assert np.nanmax(np.abs(angle - found.track.angle)) < 5 * SIGMA_ANGLE
     assert "<table>" in found._repr_html_()
+
+
+def test_a_page_of_a_fit_escapes_names(found, tmp_path):
+    named = replace(found, track=replace(found.track, source="<script>&\"'.mp4"))
+    text = report(named, tmp_path).read_text(encoding="utf-8")
+    assert text.count("Fit of &lt;script&gt;&amp;&#34;&#39;.mp4") == 2
+    assert "<script" not in text
 
 
 # --- what goes wrong is one sentence ---------------------------------------------------------------
@@ -406,6 +414,9 @@ def test_a_page_of_a_fit(found, tmp_path):
         ({"fixed": {"gamma": float("nan")}}, "fixed gamma = nan must be a finite number"),
         ({"bounds": {"gamma": (0.5, 0.2)}}, "bounds of gamma = 0.5, 0.2"),
         ({"tied": {"mu_excess": "nonsense +"}}, "tied mu_excess = 'nonsense \\+' is no expression"),
+        ({"tied": {"mu_excess": "log(restitution)"}}, "tied mu_excess = 'log\\(restitution\\)' is no expression"),
+        ({"tied": {"mu_excess": "len(open('/dev/null').read())"}}, "is no expression"),
+        ({"tied": {"mu_excess": "gamma * restitution", "restitution": "mu_excess / 2"}}, "depend on each other in a circle"),
         ({"free": ["row_delay"]}, "row_delay cannot be fitted"),
     ],
 )

@@ -5,9 +5,9 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting import Posterior, sample
-from hophoop.fitting.channels import Lasting
+from hophoop.fitting.channels import Autocorrelation
 from hophoop.fitting.problem import problem_of
-from hophoop.fitting.sampling import news
+from hophoop.fitting.sampling import innovations
 from hophoop.tracking.table import track_of
 
 # a chain asks for thousands of motions
@@ -121,12 +121,12 @@ def test_a_short_chain_is_said_to_be_short():
 
 
 def test_news_of_lasting_errors_have_their_likelihood():
-    """The sum of the squares of the news is rᵀ P⁻¹ r with all of P written down."""
+    """The sum of the squares of the innovations is rᵀ P⁻¹ r with all of P written down."""
     track = rolled(0.9, frames=20)
     problem = problem_of(track, "ideal", "rolling", hh.Plane(), (None, None))
     off = np.random.default_rng(3).normal(size=problem.count)
-    memory = {"x": Lasting(1.0, 0.6), "y": Lasting(0.0, 0.0), "angle": Lasting(0.4, 0.8)}
-    found = news(problem, off, memory)
+    memory = {"x": Autocorrelation(1.0, 0.6), "y": Autocorrelation(0.0, 0.0), "angle": Autocorrelation(0.4, 0.8)}
+    found = innovations(problem, off, memory)
     apart = np.abs(np.subtract.outer(np.arange(20), np.arange(20)))
     for k, (share, fade) in enumerate(memory.values()):
         own, part = off[20 * k : 20 * k + 20], found[20 * k : 20 * k + 20]

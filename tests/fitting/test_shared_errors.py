@@ -7,7 +7,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting.channels import LONGEST, NONE, PATCH, PLACE_ERROR, channels_of
-from hophoop.fitting.covariance import memories
+from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.problem import Prior, defaults, problem_of, shared_errors
 from hophoop.fitting.solving import Choice, slopes
 from hophoop.tracking import Camera, View
@@ -73,7 +73,7 @@ def test_what_is_asked_for_is_told_by_the_frames_alone(hop):
     fit = hh.fit(track, free=["scale"], fixed={"tilt": 0.0})
     assert set(fit.settings["priors"]) == {"origin_y", "slope"}
     # two numbers known beforehand are two that were measured
-    assert fit.freedom == 3 * len(track.t) + 2 - len(fit.free)
+    assert fit.degrees_of_freedom == 3 * len(track.t) + 2 - len(fit.free)
 
 
 def test_a_saved_fit_knows_what_was_known(found, tmp_path):
@@ -113,20 +113,20 @@ def test_slopes_of_what_is_known_are_those_of_differences(hop):
 def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     track = filmed(hop)
     x, _, angle = channels_of(track, (None, None))
-    assert x.lasting.share == pytest.approx((PLACE_ERROR / PIXELS / SIGMA) ** 2)
-    assert angle.lasting.share == pytest.approx((PLACE_ERROR / PIXELS / (0.8 * RADIUS) / SIGMA_ANGLE) ** 2)
+    assert x.autocorrelation.share == pytest.approx((PLACE_ERROR / PIXELS / SIGMA) ** 2)
+    assert angle.autocorrelation.share == pytest.approx((PLACE_ERROR / PIXELS / (0.8 * RADIUS) / SIGMA_ANGLE) ** 2)
     way = float(np.hypot(*np.diff(track.pixel, axis=0).T).sum())
     # over the whole film they fade as often as the patches that the hoop passes
-    assert (len(track.t) - 1) * np.log(x.lasting.fade) == pytest.approx(-way / PATCH)
+    assert (len(track.t) - 1) * np.log(x.autocorrelation.fade) == pytest.approx(-way / PATCH)
     still = dataclasses.replace(track, pixel=np.zeros_like(track.pixel))
-    assert channels_of(still, (None, None))[0].lasting.fade == LONGEST
-    assert channels_of(dataclasses.replace(track, view=None), (None, None))[0].lasting == NONE
+    assert channels_of(still, (None, None))[0].autocorrelation.fade == LONGEST
+    assert channels_of(dataclasses.replace(track, view=None), (None, None))[0].autocorrelation == NONE
     # what the residuals say counts where it is more
     problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
     fresh = np.random.default_rng(5).normal(size=problem.count)
-    assert memories(problem, fresh)["x"] == x.lasting
+    assert autocorrelations(problem, fresh)["x"] == x.autocorrelation
     slow = np.repeat(np.random.default_rng(5).normal(size=problem.count // 40 + 1), 40)[: problem.count]
-    assert memories(problem, slow)["x"].frames > 3 * x.lasting.frames
+    assert autocorrelations(problem, slow)["x"].frames > 3 * x.autocorrelation.frames
 
 
 @pytest.mark.parametrize(

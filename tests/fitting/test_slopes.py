@@ -12,7 +12,7 @@ from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, influence, influence_slope, loss
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import defaults, problem_of
-from hophoop.fitting.solving import Choice, slopes
+from hophoop.fitting.solving import Choice, complete, slopes
 
 # a fit asks for hundreds of motions
 pytestmark = pytest.mark.compiled
@@ -91,6 +91,12 @@ def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
     expected = (problem.residuals({**values, "restitution": step}) - problem.residuals(values)) / step
     assert jacobian[:, 0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.abs(expected).max())
     assert np.isfinite(jacobian).all()
+
+
+def test_a_tied_parameter_may_depend_on_another():
+    values = {"mu_kinetic": 0.4, "mu_excess": 0.0, "restitution": 0.0}
+    choice = Choice(values, ("mu_kinetic",), {}, {"restitution": "2 * mu_excess", "mu_excess": "mu_kinetic / 4"})
+    assert complete(choice, {"mu_kinetic": 0.8}) == {"mu_kinetic": 0.8, "mu_excess": 0.2, "restitution": 0.4}
 
 
 def test_slopes_go_along_with_what_is_tied(hop):

@@ -11,7 +11,7 @@ import pytest
 from film_maker import Film, article_like, frames, make
 from hophoop.lab.pick import clicked, pick
 from hophoop.tracking import Hints
-from hophoop.tracking.video import kept
+from hophoop.tracking.video import sample_pictures
 
 FILM = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), frames=8, marker_size=0.06)
 
@@ -57,7 +57,7 @@ def test_clicks_on_the_page_become_hints(film):
 
 
 def test_the_marker_has_the_colour_that_was_clicked(film):
-    stills = [one for one, _ in kept(film, None)]
+    stills = [one for one, _ in sample_pictures(film, None)]
     middle = np.array([60.0, 131.0]) + 39.0 * 0.86 * np.array([np.sin(0.1), -np.cos(0.1)])
     hints = clicked({"still": 0, "rim": rim(), "marker": middle.tolist()}, stills, Hints())
     red, green, blue = (int(hints.marker[k : k + 2], 16) for k in (1, 3, 5))
@@ -77,4 +77,4 @@ def test_the_marker_has_the_colour_that_was_clicked(film):
 )
 def test_clicks_that_make_no_sense(film, said, message):
     with pytest.raises(ValueError, match=message):
-        clicked(said, [one for one, _ in kept(film, None)], Hints())
+        clicked(said, [one for one, _ in sample_pictures(film, None)], Hints())

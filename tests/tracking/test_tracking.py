@@ -11,7 +11,7 @@ from film_maker import Film, article_like, make, project
 from hophoop.tracking import Camera, Hints, overlay
 from hophoop.tracking.circle import Circle, fit_circle, robust_circle
 from hophoop.tracking.ground import ground_line
-from hophoop.tracking.video import kept, pictures
+from hophoop.tracking.video import pictures, sample_pictures
 
 RADIUS = 0.3
 
@@ -148,6 +148,10 @@ def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
     assert seen[-1] == (18, 18)
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert page.count("data:image/jpeg") >= 9
+    overlay(path, dataclasses.replace(track, source="<script>.mp4"), page=tmp_path / "named.html")
+    named = (tmp_path / "named.html").read_text(encoding="utf-8")
+    assert named.count("Track of &lt;script&gt;.mp4") == 2
+    assert "<script" not in named
     assert "lost" in page
     drawn = list(pictures(tmp_path / "over.mp4"))
     assert len(drawn) == 18
@@ -162,7 +166,7 @@ def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
 
 def test_memory_does_not_grow_with_length(films):
     path, _ = films("short")
-    few = kept(path, None, fewest=2, most=3)
+    few = sample_pictures(path, None, fewest=2, most=3)
     assert 3 <= len(few) <= 6
     steps = np.diff([one.t for one, _ in few])
     assert all(after is not None and after.t > one.t for one, after in few[:-1])
@@ -284,7 +288,7 @@ def test_the_ground_is_under_the_lowest_places():
     assert np.tan(line.angle) == pytest.approx(0.03, abs=1e-4)
     assert line.y - np.tan(line.angle) * line.x == pytest.approx(40.0, abs=0.05)
     still = ground_line(np.stack([rng.normal(0, 1, 50), np.full(50, 7.0)], axis=-1), np.full(50, 0.05), 100.0)
-    assert (still.angle, still.told) == (0.0, False)
+    assert (still.angle, still.directed) == (0.0, False)
 
 
 # --- the whole claim, at the size of a phone's film ------------------------------------------------

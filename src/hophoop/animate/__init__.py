@@ -3,8 +3,8 @@
 What they need is in the extra ``films`` and loaded when a film is made.
 """
 
+from hophoop._support.progress import bar
 from hophoop.animate.article import article_films
-from hophoop.animate.export import bar
 from hophoop.animate.films import Player, film, film_3d, picture, player
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D

@@ -1,4 +1,4 @@
-"""The films of the article, each from the motion that it shows."""
+"""The films of the article."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ from hophoop.simulation.trajectory import Trajectory
 
 SIZE: Final = (960, 540)
 USUAL: Final = Timing()
-CALM: Final = 0.5  # of the usual pictures a second, where nothing moves fast for long
+CALM: Final = 0.5  # share of the usual frame rate, for slow motions
 
 
 @dataclass(frozen=True)
 class ArticleFilm:
-    """One film: the run that it shows and how.
+    """One film: its motion and settings.
 
     Attributes
     ----------
     name : str
-        Of the file, without its ending.
+        Name of the file, without its ending.
     speed : float
         v₀ [m/s].
     mu : float
         Friction [1].
     duration : float
-        Of the motion [s].
+        Duration of the motion [s].
     three_d : bool
-        Whether in 3D.
+        Whether the film is in 3D.
     timing : Timing
     """
 
@@ -67,7 +67,7 @@ class ArticleFilm:
 _HOP: Final = Timing(slow_at=("takeoff", "impact"), slow_factor=4.0, slow_width=0.12)
 
 ARTICLE_FILMS: Final = (
-    # so slow a start hardly stirs for two seconds; one revolution takes some six
+    # this start hardly moves for 2 s; one revolution takes about 6 s
     ArticleFilm("v0.1", 0.1, 1.0, 6.0, False, USUAL, 3.3, CALM),
     ArticleFilm("v2", 2.0, 1.0, 3.0, False),
     ArticleFilm("v2.8", 2.8, 1.0, 3.0, False),
@@ -82,16 +82,16 @@ def article_films(
     progress: Callable[[int, int], None] | None = None,
     scenarios: Mapping[str, Scenario] | None = None,
 ) -> list[Path]:
-    """All films of the article: five in 2D and the one in 3D, each with a picture of the same name that stands for it.
+    """Make all films of the article: five in 2D and one in 3D, each with a poster, a picture of the same name.
 
     Parameters
     ----------
     out_dir : str or Path
-        The folder that they go to; made if it is not there.
+        Folder of the films; created if missing.
     progress : callable, optional
         Called with the number of films done and of all.
     scenarios : mapping, optional
-        Other runs for films, by the film's name, such as 'v3.1'.
+        Other scenarios of films, by the film's name, such as 'v3.1'.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def article_films(
     Raises
     ------
     ValueError
-        If scenarios names a film that there is not.
+        If scenarios has an unknown film.
     ImportError
         If the extra 'films' is not installed.
     """
@@ -124,7 +124,7 @@ def article_films(
 
 
 def _make(film: ArticleFilm, motion: Trajectory, path: Path) -> None:
-    """A film, and beside it the picture that stands for it where it does not play."""
+    """Make a film and its poster, for pages that do not play it."""
     with ExitStack() as open_ones:
         pictures: Film2D | Film3D
         if film.three_d:

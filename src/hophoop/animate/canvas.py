@@ -1,13 +1,13 @@
-"""Fast drawing in pixels on Matplotlib's Agg renderer: what moves is drawn over a finished background.
+"""Fast drawing in pixels on Matplotlib's Agg renderer, over a finished background.
 
-A full redraw of a Matplotlib figure takes some 50 ms. Its renderer alone, called with paths, takes a few.
+A full redraw of a Matplotlib figure takes about 50 ms, drawing paths with its renderer a few.
 """
 
 from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,15 +22,26 @@ PAD = 2  # pixels around a text's mask
 
 @lru_cache(maxsize=512)
 def rgba(color: str, alpha: float = 1.0) -> tuple[float, float, float, float]:
-    """A colour's red, green, blue and opacity, from 0 to 1."""
+    """Return red, green, blue and opacity of a colour, from 0 to 1."""
     red, green, blue = (int(color[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
     return red, green, blue, alpha
+
+
+class TextStyle(NamedTuple):
+    """Colour, size and alignment of a text."""
+
+    color: str
+    size: float  # [units]
+    anchor: str = "left"  # left, center or right
+    weight: str = "normal"
+    vertical: str = "baseline"  # baseline, center or top
 
 
 class Canvas:
     """A picture of fixed size. Points are in pixels from the lower left corner, widths in units.
 
-    One unit is a pixel of a picture of 1280 × 720; it shrinks less than smaller pictures do, to stay legible.
+    One unit is a pixel of a picture of 1280 × 720. In smaller pictures it shrinks less than the picture, so that text stays
+    legible.
     """
 
     def __init__(self, size: tuple[int, int], background: str) -> None:
@@ -43,7 +54,7 @@ class Canvas:
         self._bbox = need("matplotlib.transforms", "plots").Bbox
         self.size = size
         self.unit = min(size[0] / 1280.0, size[1] / 720.0) ** 0.7
-        # 72 points an inch: at this resolution a point is a unit, and so are Matplotlib's own widths
+        # 72 points per inch: at this resolution a point is a unit, also in Matplotlib's widths
         self.figure = figure_module.Figure(
             figsize=(size[0] / (72.0 * self.unit), size[1] / (72.0 * self.unit)),
             dpi=72.0 * self.unit,
@@ -59,7 +70,7 @@ class Canvas:
 
     def render(self) -> None:
         """Draw the Matplotlib figure, for a background."""
-        # rounding of the figure's inches must not lose a pixel
+        # rounding of inches must not lose a pixel
         self.figure.set_size_inches((self.size[0] + 1e-3) / self.figure.dpi, (self.size[1] + 1e-3) / self.figure.dpi)
         self._agg.draw()
         self._renderer = self._agg.get_renderer()
@@ -67,7 +78,7 @@ class Canvas:
 
     @property
     def pixels(self) -> Bytes:
-        """The picture, height × width × RGBA, rows from the top; drawing goes on in it."""
+        """The picture, height × width × RGBA, rows from the top; a view of the canvas."""
         return self._pixels
 
     def restore(self, picture: Bytes) -> None:
@@ -75,7 +86,7 @@ class Canvas:
         self._pixels[...] = picture
 
     def clip(self, rectangle: Rectangle | None) -> None:
-        """Draw only within left, bottom, width, height from now on."""
+        """Restrict drawing to left, bottom, width, height."""
         self._clip = None if rectangle is None else self._bbox.from_bounds(*rectangle)
 
     def _context(self, color: tuple[float, ...], width: float, cap: str = "butt") -> Any:
@@ -98,7 +109,7 @@ class Canvas:
         matrix: Points | None = None,
         cap: str = "butt",
     ) -> None:
-        """A polyline; `matrix` (3 × 3) takes its points to pixels."""
+        """Draw a polyline; `matrix` (3 × 3) maps its points to pixels."""
         if len(points) < 2:
             return
         context = self._context(rgba(color, alpha), width, cap)
@@ -111,7 +122,7 @@ class Canvas:
         context.restore()
 
     def segments(self, points: Points, colors: Points, width: float) -> None:
-        """A closed line whose pieces have a colour each, n × RGBA; neighbours overlap: no seam shows."""
+        """Draw a closed line with one colour per piece, n × RGBA; pieces overlap to hide seams."""
         context = self._context((0.0, 0.0, 0.0, 1.0), width)
         trios = np.stack([np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0)], axis=1)
         self._renderer.draw_path_collection(
@@ -139,7 +150,7 @@ class Canvas:
         width: float = 1.0,
         alpha: float = 1.0,
     ) -> None:
-        """A filled and outlined polygon."""
+        """Draw a filled and outlined polygon."""
         context = self._context(rgba(edge, alpha) if edge else (0.0, 0.0, 0.0, 0.0), width if edge else 0.0)
         path = self._path(points, closed=False)
         path = self._path(np.vstack([path.vertices, path.vertices[:1]]), closed=True)
@@ -155,17 +166,17 @@ class Canvas:
         width: float = 1.0,
         alpha: float = 1.0,
     ) -> None:
-        """A circle; its radius is in pixels."""
+        """Draw a circle; its radius is in pixels."""
         transform = self._affine().scale(radius).translate(float(center[0]), float(center[1]))
         context = self._context(rgba(edge, alpha) if edge else (0.0, 0.0, 0.0, 0.0), width if edge else 0.0)
         self._renderer.draw_path(context, self._path.unit_circle(), transform, rgba(fill, alpha) if fill else None)
         context.restore()
 
     def arrow(self, tail: Points, head: Points, color: str, halo: str, width: float) -> None:
-        """An arrow between two points, its length exact; a short one is all head."""
+        """Draw an arrow of exact length between two points; a short one is only a head."""
         along = head - tail
         length = float(np.hypot(*along))
-        if length < 2.5 * self.unit:  # a speck would say less than nothing
+        if length < 2.5 * self.unit:  # too short to see
             return
         unit = along / length
         across = np.array([-unit[1], unit[0]])
@@ -186,23 +197,13 @@ class Canvas:
         )
         self.polygon(outline, color, halo, 0.8)
 
-    def text(
-        self,
-        x: float,
-        y: float,
-        words: str,
-        color: str,
-        size: float,
-        anchor: str = "left",
-        weight: str = "normal",
-        vertical: str = "baseline",
-        alpha: float = 1.0,
-    ) -> None:
-        """One line of text; its size is in units."""
+    def text(self, x: float, y: float, words: str, style: TextStyle) -> None:
+        """Draw one line of text."""
+        color, size, anchor, weight, vertical = style
         mask, base, advance = self._mask(words, size, weight)
         high, wide = mask.shape
         left = round(x - {"left": 0.0, "center": 0.5 * advance, "right": advance}[anchor]) - PAD
-        # a capital's height is some 0.73 of the size
+        # the height of capitals is about 0.73 of the size
         lift = {"baseline": 0.0, "center": 0.365, "top": 0.73}[vertical] * size * self.unit
         top = self.size[1] - round(y - lift) - base
         a, b = max(0, -left), min(wide, self.size[0] - left)
@@ -214,22 +215,22 @@ class Canvas:
             d = min(d, self.size[1] - math.ceil(self._clip.y0) - top)
         if a >= b or c >= d:
             return
-        cover = alpha * mask[c:d, a:b, None]
+        cover = mask[c:d, a:b, None]
         spot = self._pixels[top + c : top + d, left + a : left + b, :3]
         spot[...] = np.rint(spot + cover * (255.0 * np.array(rgba(color)[:3]) - spot)).astype(np.uint8)
 
     def text_width(self, words: str, size: float, weight: str = "normal") -> float:
-        """How far a text reaches, or would [pixels]."""
+        """Return the width of a text [pixels]."""
         return self._mask(words, size, weight)[2] if words else 0.0
 
     def _mask(self, words: str, size: float, weight: str) -> tuple[Points, int, float]:
-        """Cover of a text from 0 to 1, its baseline's row, and how far the next text would start."""
+        """Return the coverage of a text from 0 to 1, the row of its baseline, and its advance width."""
         key = (words, size, weight)
         found = self._masks.get(key)
         if found is not None:
             return found
         if len(words) > 1 and any(letter.isdigit() for letter in words):
-            # Numbers change from picture to picture: they are set from their characters, kept once each.
+            # Numbers change from picture to picture: compose them from cached characters.
             parts = [self._mask(letter, size, weight) for letter in words]
             starts = np.concatenate([[0.0], np.cumsum([advance for _, _, advance in parts])])
             mask = np.zeros((parts[0][0].shape[0], math.ceil(starts[-1]) + 4 * PAD))
@@ -239,7 +240,7 @@ class Canvas:
             return mask, parts[0][1], float(starts[-1])
         font = self._font(family="DejaVu Sans", size=size, weight=weight)
         advance = self._renderer.get_text_width_height_descent(words, font, False)[0]
-        if len(words) == 1:  # the width of a space, or with one: Agg measures ink only
+        if len(words) == 1:  # Agg measures ink only, so a space needs neighbours
             pair = self._renderer.get_text_width_height_descent(f"0{words}0", font, False)[0]
             advance = pair - self._renderer.get_text_width_height_descent("00", font, False)[0]
         base = math.ceil(1.1 * size * self.unit) + PAD

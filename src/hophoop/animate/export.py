@@ -1,4 +1,4 @@
-"""Pictures into films: mp4, webm, gif and PNG, encoded by PyAV as they are drawn."""
+"""Encode pictures as films: mp4, webm, gif and PNG, by PyAV, as they are drawn."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import shutil
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from importlib import import_module
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -40,14 +39,14 @@ class Pictures(Protocol):
 
     @property
     def fps(self) -> float:
-        """Pictures a second [1/s]."""
+        """Pictures per second [1/s]."""
 
     def draw(self, k: int) -> Bytes:
         """The k-th picture, height × width × RGBA."""
 
 
 def format_of(path: str | Path) -> str:
-    """The format that a file's name asks for.
+    """Return the format of a file's name.
 
     Parameters
     ----------
@@ -62,7 +61,7 @@ def format_of(path: str | Path) -> str:
     Raises
     ------
     ValueError
-        If it ends otherwise.
+        If the name has another ending.
     """
     suffix = Path(path).suffix.lower()
     if suffix == "" or str(path).endswith(("/", os.sep)):
@@ -75,29 +74,28 @@ def format_of(path: str | Path) -> str:
 def write(pictures: Pictures, path: str | Path, progress: Progress | None = None) -> Path:
     """Draw and encode a film.
 
-    The pictures go to the encoder as they are drawn. The file gets its name when it is whole; what was there
-    before stays until then.
+    The pictures go to the encoder as they are drawn. An existing file is replaced when the new one is complete.
 
     Parameters
     ----------
     pictures : Pictures
     path : str or Path
-        By its ending mp4 (H.264), webm (VP9), gif, or numbered PNG pictures: `film.png` gives film-00000.png
-        and so on, a folder gets 00000.png and so on. The folder of a file must exist; a folder for pictures is made.
+        By its ending mp4 (H.264), webm (VP9), gif, or numbered PNG pictures: `film.png` gives film-00000.png and so on, a
+        folder 00000.png and so on. The folder of a file must exist; a folder for pictures is created.
     progress : callable, optional
         Called with the number of pictures done and of all.
 
     Returns
     -------
     path : Path
-        The film; of PNG pictures their folder.
+        The film, or the folder of PNG pictures.
 
     Raises
     ------
     ValueError
-        If the format is unknown, or cannot hold the size or the number of pictures a second.
+        If the format is unknown, or does not support the size or the frame rate.
     FileExistsError
-        If a folder for pictures holds something already.
+        If a folder for pictures is not empty.
     OSError
         If the file cannot be written, or the encoder fails.
     ImportError
@@ -117,7 +115,7 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
 
 
 def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
-    """Refuse what a format cannot hold.
+    """Refuse sizes and frame rates that a format does not support.
 
     Parameters
     ----------
@@ -125,12 +123,12 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
     size : (int, int)
         Width and height [pixels].
     fps : float
-        Pictures a second [1/s].
+        Pictures per second [1/s].
 
     Raises
     ------
     ValueError
-        If mp4 or webm have an odd side, or a gif more than 50 pictures a second.
+        If mp4 or webm have an odd side, or a gif more than 50 pictures per second.
     """
     if kind in ("mp4", "webm") and (size[0] % 2 or size[1] % 2):
         raise InputError.of_field("size", size, f"even numbers in a film of kind {kind}")
@@ -138,11 +136,11 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
         raise InputError.of_field("fps", fps, f"at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones")
 
 
-# Colours as in HDTV, and marked so.
+# Colours of HDTV, declared in the file.
 _TO_BT709 = {"dst_colorspace": "ITU709", "src_color_range": "JPEG", "dst_color_range": "MPEG", "interpolation": "BICUBIC"}
 _BT709 = {"colorspace": "bt709", "color_primaries": "bt709", "color_trc": "bt709", "color_range": "tv"}
 _ENCODERS = {"mp4": "libx264", "webm": "libvpx-vp9", "gif": "gif"}
-# H.264 in the profile that every browser plays, its index in front.
+# H.264 in a profile that every browser plays, with the index at the start.
 _OPTIONS = {
     "mp4": {"preset": "veryfast", "crf": "19", "profile": "high", **_BT709},
     "webm": {"b": "0", "crf": "30", "deadline": "realtime", "cpu-used": "6", "row-mt": "1", **_BT709},
@@ -150,7 +148,7 @@ _OPTIONS = {
 }
 _FILE_OPTIONS = {"mp4": {"movflags": "+faststart"}, "webm": {}, "gif": {"loop": "0"}}
 _PALETTE = "max_colors=255:reserve_transparent=0:stats_mode=full"
-# Without dithering, flat areas stay flat, and only the rectangle that changed is stored.
+# Without dithering, flat areas stay flat, and only the changed rectangle is stored.
 _PAINTING = "dither=none:diff_mode=rectangle"
 
 
@@ -249,7 +247,7 @@ def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> P
     else:
         folder, stem = target, ""
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise FileExistsError(f"{folder} is there already and not an empty folder.")
+            raise FileExistsError(f"{folder} exists already and is not an empty folder.")
     home = folder if target.suffix else folder.parent
     home.mkdir(parents=True, exist_ok=True)
     with temporary_folder(".film-", home) as part:
@@ -259,7 +257,7 @@ def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> P
                 progress(k + 1, pictures.count)
         folder.mkdir(exist_ok=True)
         if target.suffix:
-            # a longer film of before must not go on behind this one
+            # remove the rest of an older, longer film
             for old in folder.iterdir():
                 if re.fullmatch(re.escape(stem) + r"\d{5,}\.png", old.name):
                     old.unlink()
@@ -279,34 +277,3 @@ def save_png(picture: Bytes, path: Path) -> None:
     """
     image = need("PIL.Image", "films")
     image.fromarray(np.ascontiguousarray(picture[..., :3])).save(path, compress_level=4)
-
-
-@contextmanager
-def bar(title: str) -> Iterator[Progress]:
-    """A progress bar on standard error.
-
-    Parameters
-    ----------
-    title : str
-        What stands before it.
-
-    Returns
-    -------
-    progress : callable
-        To be given to `write`.
-    """
-    progress_module: Any = import_module("rich.progress")
-    console = import_module("rich.console").Console(stderr=True)
-    with progress_module.Progress(
-        *progress_module.Progress.get_default_columns(),
-        progress_module.MofNCompleteColumn(),
-        console=console,
-        transient=True,
-        disable=not (console.is_terminal or console.is_jupyter),  # a file would get an empty line
-    ) as shown:
-        task = shown.add_task(title, total=None)
-
-        def tell(done: int, total: int) -> None:
-            shown.update(task, completed=done, total=total)
-
-        yield tell

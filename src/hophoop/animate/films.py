@@ -1,4 +1,4 @@
-"""The films that users call for: one function for 2D, one for 3D, one picture, and a player for notebooks."""
+"""Public functions: films in 2D and 3D, one picture, and a player for notebooks."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from hophoop.animate.scene3d import Film3D
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 
-# 4 hundredths of a second a picture: a gif cannot say 1/30 s
+# 0.04 s per picture: a gif counts in 0.01 s
 GIF_FPS = 25.0
 FPS_2D, FPS_3D = 60.0, 30.0
 PLAYER_SIZE = (960, 540)
@@ -33,10 +33,10 @@ def film(
     look: Look = Look(),
     progress: Progress | None = None,
 ) -> Path:
-    """A film in 2D of one or several motions.
+    """Make a film in 2D of one or several motions.
 
-    The ring is coloured by the speed of its points; the load draws a black trace and the centre of gravity a
-    green one, red while airborne; arrows to scale are the contact forces.
+    The ring is coloured by the speed of its points. The load draws a black trace and the centre of gravity a green one, red
+    while airborne. Arrows to scale are the contact forces.
 
     Parameters
     ----------
@@ -44,21 +44,21 @@ def film(
     path : str or Path
         Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures.
     timing : Timing
-        Which part of the motion, how fast, where slow; 60 pictures a second, and 25 in a gif, by default.
+        Part of the motion, speed, slow motion, frame rate; by default 60 pictures per second, in a gif 25.
     look : Look
-        Size, theme, camera, panels, and how several motions lie in the picture.
+        Size, theme, camera, panels, and arrangement of several motions.
     progress : callable, optional
         Called with the number of pictures done and of all.
 
     Returns
     -------
     path : Path
-        Where the film is.
+        The film.
 
     Raises
     ------
     ValueError
-        If what is asked for does not fit the motions or the format.
+        If the settings do not fit the motions or the format.
     ImportError
         If the extra 'films' is not installed.
 
@@ -70,13 +70,13 @@ def film(
     ...     film(motion, f"{folder}/hop.mp4", Timing(fps=30), Look(size=(320, 180))).name
     'hop.mp4'
     """
-    timing = _paced(timing, path, FPS_2D)
+    timing = _with_frame_rate(timing, path, FPS_2D)
     check_film(format_of(path), look.size, timing.frame_rate)
     return write(Film2D(_several(motions), timing, look), path, progress)
 
 
 def picture(motions: Motions, t: float, look: Look = Look()) -> Bytes:
-    """One picture of a film in 2D.
+    """Draw one picture of a film in 2D.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def picture(motions: Motions, t: float, look: Look = Look()) -> Bytes:
     Raises
     ------
     ValueError
-        If the time is not within the motions, or the look does not fit them.
+        If the time is outside of the motions, or the look does not fit them.
     ImportError
         If Matplotlib is not installed.
     """
@@ -102,7 +102,7 @@ def picture(motions: Motions, t: float, look: Look = Look()) -> Bytes:
     longest = max((motion.duration for motion in several), default=0.0)
     if not 0.0 <= t <= longest:
         raise InputError.of_field("t", t, f"from 0 to the motion's end at {longest!r} s")
-    # A film of two pictures: the start, and the one that is asked for.
+    # a film of two pictures: the start, and the wanted one
     timing = Timing(fps=1.0 / t, end=t) if t >= 1e-3 else Timing(end=max(t, 0.0))
     shown = Film2D(several, timing, look)
     return shown.draw(shown.count - 1).copy()
@@ -115,7 +115,7 @@ def film_3d(
     look: Look3D = Look3D(),
     progress: Progress | None = None,
 ) -> Path:
-    """A film in 3D of one or several motions, rendered without a display.
+    """Make a film in 3D of one or several motions, rendered without a display.
 
     The ring is a torus, the load a sphere; colours as in `film`. Several motions run in lanes.
 
@@ -125,25 +125,25 @@ def film_3d(
     path : str or Path
         Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures.
     timing : Timing
-        As in `film`, with 30 pictures a second by default.
+        As in `film`, by default with 30 pictures per second.
     look : Look3D
-        Size, theme, camera and what is drawn.
+        Size, theme, camera and drawn parts.
     progress : callable, optional
         Called with the number of pictures done and of all.
 
     Returns
     -------
     path : Path
-        Where the film is.
+        The film.
 
     Raises
     ------
     ValueError
-        If what is asked for does not fit the motions or the format.
+        If the settings do not fit the motions or the format.
     ImportError
         If the extra 'films' is not installed.
     """
-    timing = _paced(timing, path, FPS_3D)
+    timing = _with_frame_rate(timing, path, FPS_3D)
     check_film(format_of(path), look.size, timing.frame_rate)
     with Film3D(_several(motions), timing, look) as pictures:
         return write(pictures, path, progress)
@@ -151,7 +151,7 @@ def film_3d(
 
 @dataclass(frozen=True)
 class Player:
-    """A film that plays where a notebook shows it, without the network.
+    """A film that plays in a notebook, without network.
 
     Attributes
     ----------
@@ -168,12 +168,12 @@ class Player:
         return self.html()
 
     def html(self, title: str = "Film of a loaded hoop") -> str:
-        """The film as an element of an HTML page, its data inside.
+        """Return the film as an HTML element with its data.
 
         Parameters
         ----------
         title : str
-            What a screen reader says.
+            Text for screen readers.
 
         Returns
         -------
@@ -188,7 +188,7 @@ class Player:
 
 
 def player(motions: Motions, timing: Timing = Timing(), look: Look | Look3D = Look(size=PLAYER_SIZE)) -> Player:
-    """A film that plays in place in a notebook.
+    """Make a film that plays in a notebook.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ def player(motions: Motions, timing: Timing = Timing(), look: Look | Look3D = Lo
     Raises
     ------
     ValueError
-        If what is asked for does not fit the motions.
+        If the settings do not fit the motions.
     ImportError
         If the extra 'films' is not installed.
     """
@@ -218,7 +218,7 @@ def player(motions: Motions, timing: Timing = Timing(), look: Look | Look3D = Lo
         return Player(path.read_bytes(), look.size)
 
 
-def _paced(timing: Timing, path: str | Path, usual: float) -> Timing:
+def _with_frame_rate(timing: Timing, path: str | Path, usual: float) -> Timing:
     if timing.fps is not None:
         return timing
     return replace(timing, fps=GIF_FPS if format_of(path) == "gif" else usual)

@@ -1,4 +1,4 @@
-"""What each frame of a film shows: which instant of the motion, and the way so far. Draws nothing."""
+"""Times and paths of the motion in each frame of a film."""
 
 from __future__ import annotations
 
@@ -18,32 +18,32 @@ from hophoop.vocabulary.statuses import STATUSES
 
 STEPS = ("time", "angle")
 USUAL_RATE = 60.0
-HOLD = 1.2  # how long a film stays on the last state of a motion that cannot go on [s of film]
-# Points of a trace a unit of time √(R/g); at the reference hoop some 310 a second.
+HOLD = 1.2  # pause on the last state of a motion without continuation [s of film]
+# Points of a trace per unit of time √(R/g), about 310 per second for the reference hoop.
 TRACE_DENSITY = 100
 MAX_TRACE_POINTS = 200_000
 
 
 @dataclass(frozen=True)
 class Timing:
-    """How film time and the motion's time belong together.
+    """Mapping between film time and the motion's time.
 
     Attributes
     ----------
     fps : float or None
-        Frames a second of film; None is what the format usually has [1/s].
+        Frames per second of film; None for the default of the format [1/s].
     speed : float
-        Seconds of motion a second of film, away from slow motion [1].
+        Seconds of motion per second of film, outside of slow motion [1].
     slow_at : str, float or sequence of them
-        Kinds of events, or times [s], around which the film is slow.
+        Kinds of events, or times [s], with slow motion around them.
     slow_factor : float
-        How many times slower there [1].
+        Factor of the slow motion [1].
     slow_width : float or None
-        How long before and after the film is slow, in the motion's time; None takes √(R/g)/2 [s].
+        Duration of the slow motion before and after, in the motion's time; None for √(R/g)/2 [s].
     start, end : float or None
-        Part of the motion that is shown [s].
+        Shown part of the motion [s].
     step : {'time', 'angle'}
-        What several motions have in common at each frame.
+        Quantity that several motions have in common in each frame.
     """
 
     fps: float | None = None
@@ -76,28 +76,28 @@ class Timing:
 
     @property
     def marks(self) -> tuple[str | float, ...]:
-        """Where the film is slow, as a tuple: kinds of events, or times [s]."""
+        """Kinds of events or times [s] with slow motion, as a tuple."""
         marks = self.slow_at
         return (marks,) if isinstance(marks, str | float | int) else tuple(marks)
 
     @property
     def frame_rate(self) -> float:
-        """Frames a second of film, 60 where none is given [1/s]."""
+        """Frames per second of film, 60 by default [1/s]."""
         return USUAL_RATE if self.fps is None else self.fps
 
 
 @dataclass(frozen=True)
 class Clock:
-    """The instant that each frame shows.
+    """Times of the frames.
 
     Attributes
     ----------
     times : tuple of ndarray, shape (frames,)
-        For each motion, its time at each frame [s].
+        For each motion, its time in each frame [s].
     rate : ndarray, shape (frames,)
-        Seconds of motion a second of film [1].
+        Seconds of motion per second of film [1].
     still : ndarray, shape (frames,)
-        How long the film has stayed on the end of a motion that cannot go on [s of film].
+        Time of the pause at the end of a motion without continuation [s of film].
     """
 
     times: tuple[Floats, ...]
@@ -111,11 +111,10 @@ class Clock:
 
 
 def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
-    """The instant of each motion that each frame shows.
+    """Return the time of each motion in each frame.
 
-    A motion that has ended holds its last state; where none goes on, because mechanics says nothing more, the film stays
-    there for a while. In step in angle, the first motion runs as in step in
-    time, and each other one shows the first instant at which it has turned as far.
+    A motion that has ended keeps its last state. If all have ended without continuation by mechanics, the film pauses there.
+    With step "angle" the first motion runs as with "time", and the others show the first time with the same rotation.
 
     Parameters
     ----------
@@ -129,10 +128,10 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
     Raises
     ------
     ValueError
-        If there is no motion, or the part to show is outside of it.
+        If there is no motion, or the shown part is outside of it.
     """
     if not motions:
-        raise InputError("motions = () must hold at least one motion.", field="motions", value=())
+        raise InputError("motions = () must have at least one motion.", field="motions", value=())
     leaders = motions if timing.step == "time" else motions[:1]
     longest = max(motion.duration for motion in leaders)
     end = longest if timing.end is None else timing.end
@@ -153,16 +152,16 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
     return Clock(shown, rate, still)
 
 
-def ended(motion: Trajectory, t: float, last: bool) -> str:
-    """What a film says instead of the mode, once a motion has ended: empty before.
+def end_word(motion: Trajectory, t: float, last: bool) -> str:
+    """Return the word in place of the mode after the end of a motion; empty before.
 
     Parameters
     ----------
     motion : Trajectory
     t : float
-        Time that is shown [s].
+        Shown time [s].
     last : bool
-        Whether it is the first or the last picture, where a motion that could go on has not ended yet.
+        Whether it is the first or the last picture, in which a motion with continuation has not ended.
 
     Returns
     -------
@@ -181,11 +180,11 @@ def _film_times(motions: Sequence[Trajectory], timing: Timing, end: float) -> tu
         times = np.minimum(first + np.arange(count) * (timing.speed / timing.frame_rate), end)
         return times, np.full(count, timing.speed)
     width = timing.slow_width or 0.5 * _second(motions[0])
-    # The film's own time is the integral of 1/rate; a grid far finer than a frame and a bump holds it.
+    # film time is the integral of 1/rate, on a grid much finer than a frame and a bump of the rate
     step = min(0.1 * timing.speed / timing.frame_rate, width / 50.0)
     grid = np.linspace(first, end, max(2, math.ceil((end - first) / step) + 1))
     nearest = _distance(grid, marks) / width
-    # 1 within half the width, then a cosine down to 0: the change of pace does not jerk
+    # 1 within half of the width, then a cosine down to 0, for a smooth change of speed
     bump = 0.5 + 0.5 * np.cos(math.pi * np.clip(2.0 * nearest - 1.0, 0.0, 1.0))
     pace = timing.speed * timing.slow_factor**-bump
     film = np.concatenate([[0.0], np.cumsum(np.diff(grid) * 0.5 * (1.0 / pace[1:] + 1.0 / pace[:-1]))])
@@ -221,11 +220,11 @@ class Trace:
     Attributes
     ----------
     t : ndarray, shape (n,)
-        Time [s]; all events are among them.
+        Times, including all events [s].
     load, gravity_center : ndarray, shape (n, 2)
         World coordinates [m].
     runs : list of (int, int, bool)
-        Pieces from a first to a last index, airborne or not, in order; each starts where the former ends.
+        Pieces from a first to a last index, airborne or not; each starts at the end of the one before.
     """
 
     t: Floats
@@ -235,7 +234,7 @@ class Trace:
 
 
 def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Trace:
-    """The paths of the load and of the centre of gravity.
+    """Return the paths of the load and of the centre of gravity.
 
     Parameters
     ----------
@@ -253,7 +252,7 @@ def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> T
     marks = marks[(marks >= start) & (marks <= end)]
     t = np.unique(np.concatenate([np.linspace(start, end, count), marks]))
     poses = poses_of(motion, t)
-    # The mode at a time is that which follows it, so the stretch after point i is airborne if i is.
+    # the mode at a time is the one after it, so the piece after point i is airborne if i is
     airborne = poses.mode[:-1] == "H" if len(t) > 1 else np.zeros(0, dtype=bool)
     edges = np.flatnonzero(np.diff(airborne.astype(int))) + 1
     bounds = [0, *edges.tolist(), len(airborne)]
@@ -263,18 +262,18 @@ def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> T
 
 @dataclass(frozen=True)
 class Extent:
-    """How far a motion reaches, to fit a view and its scales.
+    """Range of a motion, for views and scales.
 
     Attributes
     ----------
     along : tuple of float
-        Least and greatest place of the centre along the plane [m].
+        Minimum and maximum position of the centre along the plane [m].
     height : float
-        Greatest gap under the rim [m].
+        Maximum gap under the rim [m].
     speed : float
-        Greatest speed of a point of the rim [m/s].
+        Maximum speed of a point of the rim [m/s].
     force : float
-        Greatest contact force but for short peaks [N].
+        Maximum contact force without short peaks [N].
     """
 
     along: tuple[float, float]
@@ -284,7 +283,7 @@ class Extent:
 
 
 def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Extent:
-    """How far a motion reaches in a part of it.
+    """Return the range of a part of a motion.
 
     Parameters
     ----------
@@ -303,9 +302,9 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
     around = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
     weight = motion.scenario.hoop.mass * motion.scenario.plane.gravity
     forces = np.hypot(*np.moveaxis(poses.normal_force, -1, 0))
-    if motion.status == "jammed":  # in the instant of a jam the force is without bound
+    if motion.status == "jammed":  # in a jam the force is unbounded
         forces = forces[poses.t < motion.duration]
-    # A compliant contact answers an impact with a peak of a few samples: it is not what the scale is for.
+    # ignore the short peaks of impacts on a compliant contact
     usual = float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
     return Extent(
         along=(float(np.min(poses.sample.x)), float(np.max(poses.sample.x))),
@@ -316,14 +315,14 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
 
 
 def follow(times: Floats, places: Floats, seconds: float) -> Floats:
-    """A camera's smooth way after something that moves by fits and starts.
+    """Return a smooth path of the camera after a jerky one.
 
     Parameters
     ----------
     times : ndarray, shape (n,)
         Equally spaced times of the film [s].
     places : ndarray, shape (n,)
-        Where it is [m].
+        Positions to follow [m].
     seconds : float
         Width of the smoothing, a standard deviation [s].
 
@@ -337,6 +336,6 @@ def follow(times: Floats, places: Floats, seconds: float) -> Floats:
     sigma = max(seconds / (times[1] - times[0]), 1e-9)
     reach = math.ceil(3.0 * sigma)
     kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
-    # Continued beyond both ends by reflection in the end point, so that it neither lags nor runs ahead there.
+    # extended at both ends by reflection in the end point, so that there is no lag
     padded = np.pad(places, reach, mode="reflect", reflect_type="odd")
     return np.convolve(padded, kernel / kernel.sum(), mode="valid")

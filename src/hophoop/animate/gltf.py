@@ -1,6 +1,6 @@
 """A scene as binary glTF 2.0: meshes, colours and the motion as an animation, for any viewer of 3D models.
 
-glTF's Y is up and its Z points to the viewer; the scene's X, lane, Z become X, Z, −lane.
+In glTF Y is up and Z points to the viewer; the scene's X, lane, Z become X, Z, −lane.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ TRIANGLES, LINE_STRIP = 4, 3
 
 
 class _Writer:
-    """Collects the parts of a file, each array in its own view of one buffer."""
+    """Collect the parts of a file, each array in its own view of one buffer."""
 
     def __init__(self) -> None:
         self.data = bytearray()
@@ -34,7 +34,7 @@ class _Writer:
         self.channels: list[dict[str, Any]] = []
 
     def array(self, values: Any, target: int | None = None) -> int:
-        """An accessor for an array of floats, or of indices."""
+        """Add an accessor for an array of floats or indices."""
         whole = np.asarray(values)
         indices = whole.dtype.kind in "iu"
         whole = whole.astype("<u4" if indices else "<f4")
@@ -60,7 +60,7 @@ class _Writer:
 
     def material(self, color: str, rough: float = 0.6) -> int:
         parts = [int(color[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
-        # glTF's factors are linear
+        # colour factors are linear in glTF
         linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
         self.materials.append(
             {
@@ -89,12 +89,12 @@ class _Writer:
         return len(self.nodes) - 1
 
     def animate(self, node: int, path: str, times: int, values: Floats) -> None:
-        # at rest, for programs that do not play, the node stands as at the start
+        # programs without animation show the start
         self.nodes[node][path] = np.asarray(values[0], dtype=float).tolist()
         self.samplers.append({"input": times, "output": self.array(values), "interpolation": "LINEAR"})
         self.channels.append({"sampler": len(self.samplers) - 1, "target": {"node": node, "path": path}})
 
-    def packed(self, roots: list[int]) -> bytes:
+    def pack(self, roots: list[int]) -> bytes:
         while len(self.data) % 4:
             self.data.append(0)
         text = {
@@ -124,7 +124,7 @@ class _Writer:
 
 
 def glb(data: dict[str, Any]) -> bytes:
-    """A scene as the bytes of a .glb file.
+    """Return a scene as the bytes of a .glb file.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def glb(data: dict[str, Any]) -> bytes:
         points, normals, _ = torus(radius, TUBE * radius)
         quads = torus_faces()
         triangles = np.vstack([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-        ring = writer.mesh(_turned(points), _turned(normals), triangles, "#7C8A99")
+        ring = writer.mesh(_to_gltf(points), _to_gltf(normals), triangles, "#7C8A99")
         load_mesh = writer.mesh(*_ball(LOAD * radius), data["theme"]["load"])
         heavy_mesh = writer.mesh(*_ball(HEAVY * radius), data["colors"]["center"])
         children = [
@@ -154,7 +154,7 @@ def glb(data: dict[str, Any]) -> bytes:
         ]
         node = writer.node(f"hoop {i + 1}: {hoop['label']}", children=children)
         roots.append(node)
-        writer.animate(node, "translation", moments, _lifted(hoop["center"], lane))
+        writer.animate(node, "translation", moments, _in_lane(hoop["center"], lane))
         half = -0.5 * (hoop["angle"] + slope)  # clockwise
         nothing = np.zeros_like(half)
         writer.animate(node, "rotation", moments, np.stack([nothing, nothing, np.sin(half), np.cos(half)], axis=-1))
@@ -164,20 +164,20 @@ def glb(data: dict[str, Any]) -> bytes:
                 arrow = writer.mesh(*_arrow(0.03 * size, axis), data["colors"][name])
                 pointer = writer.node(f"{name} force {i + 1}", mesh=arrow, rotation=tilt)
                 roots.append(pointer)
-                writer.animate(pointer, "translation", moments, _lifted(hoop["contact"], lane - (TUBE + 0.04) * radius))
+                writer.animate(pointer, "translation", moments, _in_lane(hoop["contact"], lane - (TUBE + 0.04) * radius))
                 scale = np.ones((data["count"], 3))
                 length = data["steadyNewton"] * hoop[f"{name}Force"]
-                # a scale of zero has no inverse, which viewers want for the normals
+                # viewers need an invertible scale for the normals
                 scale[:, axis] = np.where(np.abs(length) < 1e-4 * size, 1e-4 * size, length)
                 writer.animate(pointer, "scale", moments, scale)
         if hoop["traces"] is not None:
             roots += _trace_nodes(writer, hoop, data, i)
-    return writer.packed(roots)
+    return writer.pack(roots)
 
 
 def _trace_nodes(writer: _Writer, hoop: dict[str, Any], data: dict[str, Any], i: int) -> list[int]:
     track, lane = hoop["traces"], hoop["lane"]
-    line = writer.mesh(_lifted(track["load"], lane), None, None, data["theme"]["load"], LINE_STRIP)
+    line = writer.mesh(_in_lane(track["load"], lane), None, None, data["theme"]["load"], LINE_STRIP)
     nodes = [writer.node(f"trace of the load {i + 1}", mesh=line)]
     airborne = track["airborne"]
     edges = [0, *(np.flatnonzero(np.diff(airborne[:-1])) + 1).tolist(), len(airborne) - 1]
@@ -185,16 +185,16 @@ def _trace_nodes(writer: _Writer, hoop: dict[str, Any], data: dict[str, Any], i:
         if b <= a:
             continue
         color = data["colors"]["airborne" if airborne[a] else "center"]
-        part = writer.mesh(_lifted(track["heavy"][a : b + 1], lane), None, None, color, LINE_STRIP)
+        part = writer.mesh(_in_lane(track["heavy"][a : b + 1], lane), None, None, color, LINE_STRIP)
         nodes.append(writer.node(f"trace of the centre of gravity {i + 1}", mesh=part))
     return nodes
 
 
-def _turned(points: Floats) -> Floats:
+def _to_gltf(points: Floats) -> Floats:
     return np.stack([points[:, 0], points[:, 2], -points[:, 1]], axis=-1)
 
 
-def _lifted(points: Floats, lane: float) -> Floats:
+def _in_lane(points: Floats, lane: float) -> Floats:
     return np.stack([points[:, 0], points[:, 1], np.full(len(points), -lane)], axis=-1)
 
 
@@ -218,11 +218,11 @@ def _ball(radius: float) -> tuple[Floats, Floats, np.ndarray]:
 
 
 def _arrow(thick: float, axis: int) -> tuple[Floats, Floats, np.ndarray]:
-    """An arrow of length 1 along X (axis 0) or Y (axis 1)."""
+    """Return an arrow of length 1 along X (axis 0) or Y (axis 1)."""
     around = 20
     profile = np.array([[0.0, 0.0], [thick, 0.0], [thick, 0.8], [2.2 * thick, 0.8], [0.0, 1.0]])
     u = np.linspace(0, 2 * np.pi, around + 1)
-    # faces of their own for each stretch of the profile, so that its edges stay sharp
+    # separate faces for each piece of the profile, so that its edges stay sharp
     points: list[Floats] = []
     normals: list[Floats] = []
     faces: list[np.ndarray] = []

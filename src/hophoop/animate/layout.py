@@ -1,4 +1,4 @@
-"""Where the words and keys of a film stand, at any size: beside each other where there is room, else below, else not at all."""
+"""Layout of texts and keys of a film at any size: next to each other, else in rows, else dropped."""
 
 from __future__ import annotations
 
@@ -8,29 +8,29 @@ from dataclasses import dataclass
 from hophoop.animate.canvas import Canvas, Rectangle
 from hophoop.vocabulary.words import PARTICIPLES
 
-MARGIN, GAP = 22.0, 26.0  # at the sides, and between words and keys [units]
+MARGIN, GAP = 22.0, 26.0  # at the sides, and between texts and keys [units]
 BAR = (270.0, 54.0)  # of the key to colours [units]
 FORCES = (236.0, 54.0)  # of the key to arrows [units]
 FOOT = 30.0  # of a line at the bottom [units]
-MOST_HEAD = 0.42  # of the picture's height
-COLUMNS = (140.0, 268.0, 396.0)  # where time, angle and one thing more start, from the mode on [units]
+MOST_HEAD = 0.42  # maximum height of the head over that of the picture
+COLUMNS = (140.0, 268.0, 396.0)  # offsets of time, angle and one more text from the mode [units]
 STATE_FONT, LABEL_FONT, KEY_FONT, PACE_FONT = 15.0, 16.0, 13.0, 14.0
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Heights of head and foot, and rectangles of what is in them; left, bottom, width, height [pixels].
+    """Heights of head and foot, and rectangles of their contents; left, bottom, width, height [pixels].
 
     Attributes
     ----------
     head, foot : float
         [pixels].
     words : Rectangle
-        Of labels and states.
+        Rectangle of labels and states.
     bar, forces : Rectangle or None
-        Of the key to colours and of that to arrows; None where there is no room.
+        Rectangles of the keys to colours and to arrows; None without room.
     lines : tuple of Rectangle
-        A rectangle for each key to a line that has room, in their order.
+        Rectangles of the keys to lines, in order, as far as there is room.
     pace : Rectangle or None
     """
 
@@ -44,7 +44,7 @@ class Layout:
 
 
 def state_width(canvas: Canvas, extra: str) -> float:
-    """Width of a line that tells a state: mode, time, angle and one thing more [pixels]."""
+    """Width of a line on a state: mode, time, angle and one more text [pixels]."""
     u = canvas.unit
     words = max(canvas.text_width(word, 18.0, "bold") for word in PARTICIPLES.values()) + 22.0 * u
     column = COLUMNS[2 if extra else 1] * u
@@ -52,21 +52,21 @@ def state_width(canvas: Canvas, extra: str) -> float:
 
 
 def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool, keys: Sequence[str], pace: str) -> Layout:
-    """Place words and keys so that no two of them meet.
+    """Place texts and keys without overlap.
 
     Parameters
     ----------
     canvas : Canvas
     words : sequence of float
-        Width of each line of words that the head has [pixels].
+        Width of each line of text in the head [pixels].
     height : float
-        Of all lines of words [pixels].
+        Height of all lines of text [pixels].
     forces : bool
         Whether there is a key to arrows.
     keys : sequence of str
-        The words of the keys to lines.
+        Texts of the keys to lines.
     pace : str
-        The longest text about the pace of the film; empty where there is none.
+        The longest text on the speed of the film; empty if there is none.
 
     Returns
     -------
@@ -77,8 +77,8 @@ def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool,
     left, right, top = MARGIN * u, wide - MARGIN * u, high - 8.0 * u
     broad = min(max(words, default=0.0), right - left)
     blocks = [(BAR[0] * u, BAR[1] * u)] + ([(FORCES[0] * u, FORCES[1] * u)] if forces else [])
-    beside = right - left - broad - GAP * u
-    rows = _rows(blocks, beside, right - left, height, MOST_HEAD * high - 8.0 * u)
+    next_to = right - left - broad - GAP * u
+    rows = _rows(blocks, next_to, right - left, height, MOST_HEAD * high - 8.0 * u)
     places: list[Rectangle | None] = [None, None]
     head = 8.0 * u + height
     level = top
@@ -98,23 +98,23 @@ def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool,
 
 
 def _rows(
-    blocks: list[tuple[float, float]], beside: float, width: float, height: float, most: float
+    blocks: list[tuple[float, float]], next_to: float, width: float, height: float, most: float
 ) -> list[tuple[list[int], bool]]:
-    """Which blocks stand in which row, and whether a row lies below the words."""
+    """Return the blocks of each row, and whether there is a row below the text."""
     whole = sum(block[0] for block in blocks) + (len(blocks) - 1) * 0.1 * blocks[0][0]
     tall = max(block[1] for block in blocks)
     every = list(range(len(blocks)))
-    if whole <= beside:
+    if whole <= next_to:
         return [(every, False)]
-    if len(blocks) * tall <= most and max(block[0] for block in blocks) <= beside:
+    if len(blocks) * tall <= most and max(block[0] for block in blocks) <= next_to:
         return [([k], False) for k in every]
     if whole <= width and height + tall <= most:
         return [(every, True)]
     if max(block[0] for block in blocks) <= width and height + len(blocks) * tall <= most:
         return [([k], True) for k in every]
-    # one of them at least: the arrows' scale changes, and is said before what colours mean
+    # the key to arrows comes first, since their scale changes
     last = every[-1]
-    if blocks[last][0] <= beside and tall <= most:
+    if blocks[last][0] <= next_to and tall <= most:
         return [([last], False)]
     return [([last], True)] if blocks[last][0] <= width and height + tall <= most else []
 
@@ -132,7 +132,7 @@ def _foot(canvas: Canvas, keys: Sequence[str], pace: str) -> tuple[float, tuple[
     placed = []
     for width in widths:
         if x + width > right + 0.5:
-            break  # what has no room is left out
+            break  # no room
         placed.append((x, level, width, FOOT * u))
         x += width + 14.0 * u
     foot = (2.0 if two else 1.0) * FOOT * u

@@ -1,4 +1,4 @@
-"""How a film looks: its size, theme, camera and parts, checked once."""
+"""Settings of a film's appearance, validated: size, theme, camera and parts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MAX_SIDE = 16384
 
 @dataclass(frozen=True)
 class Look:
-    """How a film in 2D looks.
+    """Appearance of a film in 2D.
 
     Attributes
     ----------
@@ -27,13 +27,13 @@ class Look:
         Width and height in pixels [1].
     theme : {'light', 'dark', 'print'}
     camera : {'follow', 'hold'}
-        Goes along with the hoop, or shows the whole way at once.
+        Follows the hoop, or shows the whole path.
     panels : str or sequence of str
-        Plots of the first motion that run along: velocity, energy, forces, utilization, phase.
+        Animated plots of the first motion: velocity, energy, forces, utilization, phase.
     layout : {'side', 'overlay'}
-        Several motions in a view each, to one scale, or all in one, the first on top.
+        One view per motion, to one scale, or all in one view, the first on top.
     labels : sequence of str or None
-        A line for each motion; None says its parameters.
+        One line per motion; None for its parameters.
     traces, forces : bool
         Whether to draw the traces and the contact forces.
     """
@@ -60,17 +60,17 @@ class Look:
 
 @dataclass(frozen=True)
 class Look3D:
-    """How a film in 3D, or a scene that turns, looks.
+    """Appearance of a film or scene in 3D.
 
     Attributes
     ----------
     size : (int, int)
-        Width and height in pixels; a scene takes the room that it has [1].
+        Width and height in pixels; a scene fills its window [1].
     theme : {'light', 'dark', 'print'}
     camera : {'chase', 'side', 'orbit', 'hold'}
-        Beside and a little behind the hoop, square to it, going round it, or at rest, seeing the whole way.
+        Next to the hoop and a little behind, perpendicular to it, orbiting it, or at rest with a view of the whole path.
     labels : sequence of str or None
-        A line for each motion; None says its parameters.
+        One line per motion; None for its parameters.
     traces, forces, shadows : bool
         Whether to draw them.
     """
@@ -101,20 +101,20 @@ def _words(words: Sequence[str] | str) -> tuple[str, ...]:
 
 
 def check_size(size: tuple[int, int]) -> None:
-    """Refuse a size that is not two whole numbers of pixels."""
+    """Refuse a size that is not two integers."""
     good = len(size) == 2 and all(isinstance(side, int) and 64 <= side <= MAX_SIDE for side in size)
     if not good:
         raise InputError.of_field("size", size, f"a width and a height from 64 to {MAX_SIDE} pixels")
 
 
 def one_of(name: str, value: str, allowed: Sequence[str]) -> None:
-    """Refuse a word that is not among those allowed."""
+    """Refuse a word that is not allowed."""
     if value not in allowed:
         raise InputError.of_field(name, value, f"one of {', '.join(allowed)}")
 
 
 def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tuple[str, ...]:
-    """A line of text for each motion.
+    """Return one line of text per motion.
 
     Parameters
     ----------
@@ -135,13 +135,13 @@ def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tu
         return tuple(describe(motion.scenario) for motion in motions)
     if len(labels) != len(motions):
         raise InputError(
-            f"labels holds {len(labels)} texts; the film shows {len(motions)} motions.", field="labels", value=labels
+            f"labels has {len(labels)} texts; the film shows {len(motions)} motions.", field="labels", value=labels
         )
     return tuple(labels)
 
 
 def nice(value: float) -> float:
-    """The greatest of 1, 2, 5 times a power of ten that is not above a value.
+    """Return the largest of 1, 2, 5 times a power of ten up to a value.
 
     Parameters
     ----------

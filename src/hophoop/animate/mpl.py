@@ -8,17 +8,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle
-from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, ended, extent, trace
-from hophoop.animate.happenings import Happening, Seen, draw_happenings, happenings, say_happenings
+from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle, TextStyle
+from hophoop.animate.event_marks import EventMark, ShownMark, draw_event_marks, event_marks, label_event_marks
+from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, end_word, extent, trace
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.parts import LOAD, draw_parts
 from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.themes import Theme, theme_of
-from hophoop.animate.views import BELOW, View, followed, followed_scale, grid, held, held_scale, project
+from hophoop.animate.views import BELOW, View, following_scale, following_view, grid, project, whole_path_scale, whole_path_view
 from hophoop.animate.words import (
+    StateLine,
     draw_force_key,
     draw_keys,
     draw_label,
@@ -35,21 +36,21 @@ from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
-PIECES = 96  # of the ring, a colour each
+PIECES = 96  # of the ring, with one colour each
 BLOCK = 256  # frames whose poses are computed together
-TRACE_POINTS = 6000  # the last ones are drawn
-# Length of the greatest force's arrow, in radii
+TRACE_POINTS = 6000  # maximum, the last ones
+# Length of the arrow of the maximum force, in radii
 FORCE_LENGTH = 1.3
 RING = 0.05  # width in radii
-WORDS_BELOW = 0.42  # of the plane: words about what happens, in radii of the hoop
-FADE = 0.45  # opacity of all but the first of motions in one view
+WORDS_BELOW = 0.42  # distance of labels below the plane, in radii of the hoop
+FADE = 0.45  # opacity of all motions in one view except the first
 TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of motions in one view
-HEAD_LINE, VIEW_HEAD = 26.0, 58.0  # of further rows, and of a view's own words [units]
+HEAD_LINE, VIEW_HEAD = 26.0, 58.0  # of further rows, and of the texts of a view [units]
 
 
 @dataclass
 class _Actor:
-    """One motion in the film, with all that its drawing needs."""
+    """One motion in the film, with the data of its drawing."""
 
     motion: Trajectory
     times: Floats
@@ -58,7 +59,7 @@ class _Actor:
     trace: Trace
     view: View
     alpha: float
-    found: list[Happening]
+    found: list[EventMark]
     tag: str
     block: int = -1
     poses: Poses | None = None
@@ -108,7 +109,7 @@ class Film2D:
                 trace=traces[i],
                 view=views[i],
                 alpha=FADE if overlay and i else 1.0,
-                found=happenings(motion, self.clock.times[i]),
+                found=event_marks(motion, self.clock.times[i]),
                 tag=TAGS[i % len(TAGS)] if overlay else "",
             )
             for i, motion in enumerate(motions)
@@ -151,14 +152,14 @@ class Film2D:
                 canvas.clip(actor.view.rectangle)
                 self._draw_plane(actor, k)
                 canvas.clip(None)
-        # the first of an overlay lies on top
-        seen: list[Seen] = []
+        # the first of an overlay is on top
+        seen: list[ShownMark] = []
         for actor in reversed(self.actors):
             canvas.clip(actor.view.rectangle)
             self._draw_hoop(actor, k)
-            seen += self._draw_happenings(actor, k)
+            seen += self._draw_event_marks(actor, k)
             if not overlay or actor is self.actors[0]:
-                say_happenings(canvas, self.theme, seen, WORDS_BELOW * actor.motion.scenario.hoop.radius * actor.view.scale)
+                label_event_marks(canvas, self.theme, seen, WORDS_BELOW * actor.motion.scenario.hoop.radius * actor.view.scale)
                 seen = []
             canvas.clip(None)
         for i, actor in enumerate(self.actors):
@@ -170,11 +171,11 @@ class Film2D:
         return canvas.pixels
 
     def newton(self, k: int) -> float:
-        """Length of a newton's arrow in the k-th picture [pixels]."""
+        """Length of the arrow of 1 N in the k-th picture [pixels]."""
         return float(self._full / self.force_levels[k])
 
     def pixel_of(self, k: int, actor: int, point: Floats) -> Points:
-        """Where a point of the world [m] lies in the k-th picture: column, row from the top left [pixels]."""
+        """Return the position of a point of the world [m] in the k-th picture: column, row from the top left [pixels]."""
         x, y = project(self.actors[actor].view.matrix(k), np.asarray(point))
         return np.array([x, self.look.size[1] - y])
 
@@ -234,22 +235,22 @@ class Film2D:
             for left, bottom, width, height in grid(stage, len(motions), wanted, gap)
         ]
         cases = list(zip(rectangles, extents, (motion.scenario.hoop.radius for motion in motions), motions, strict=True))
-        # one scale for all: a metre is as long in each view
+        # one scale for all views
         scale = min(self._scale(*case) for case in cases)
         return [self._view(*case, scale, self._places(case[-1], i)) for i, case in enumerate(cases)]
 
     def _scale(self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory) -> float:
         if self.look.camera == "hold":
-            return held_scale(rectangle, size, radius, motion.scenario.plane.slope)
-        return followed_scale(rectangle, size, radius)
+            return whole_path_scale(rectangle, size, radius, motion.scenario.plane.slope)
+        return following_scale(rectangle, size, radius)
 
     def _view(
         self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory, scale: float, places: Floats
     ) -> View:
         slope = motion.scenario.plane.slope
         if self.look.camera == "hold":
-            return held(rectangle, size, radius, slope, scale)
-        return followed(rectangle, size, radius, slope, scale, places, self.fps)
+            return whole_path_view(rectangle, size, radius, slope, scale)
+        return following_view(rectangle, size, radius, slope, scale, places, self.fps)
 
     def _places(self, motion: Trajectory, i: int) -> Floats:
         return np.asarray(motion.at(self.clock.times[i]).x)
@@ -267,7 +268,7 @@ class Film2D:
         matrix = view.matrix(k)
         radius, slope = actor.motion.scenario.hoop.radius, view.slope
         left, bottom, width, height = view.rectangle
-        # The stretch of the plane that the view can show, along the plane from the world's origin
+        # the visible part of the plane, along it from the origin of the world
         middle = (np.array([left + 0.5 * width, bottom + 0.5 * height]) - matrix[:2, 2]) / view.scale
         here = float(middle @ to_world(1.0, 0.0, slope))
         reach = math.hypot(width, height) / view.scale
@@ -286,17 +287,10 @@ class Film2D:
             if left - 40 < top[0] < left + width + 40:
                 canvas.line(np.array([top, end]), theme.muted, 1.2)
                 apart = float(np.min(np.abs(taken - place), initial=np.inf)) * view.scale
-                # not under the sign of what has happened there
+                # not under the mark of an event
                 if BELOW * radius * view.scale > 24.0 * canvas.unit and apart > 26.0 * canvas.unit:
-                    canvas.text(
-                        under[0],
-                        under[1],
-                        minus(f"{place:g} m"),
-                        theme.muted,
-                        13.0,
-                        "center",
-                        vertical="center",
-                    )
+                    style = TextStyle(theme.muted, 13.0, "center", vertical="center")
+                    canvas.text(under[0], under[1], minus(f"{place:g} m"), style)
 
     def _draw_hoop(self, actor: _Actor, k: int) -> None:
         poses, speeds, view, theme, canvas = actor.poses, actor.speeds, actor.view, self.theme, self.canvas
@@ -313,12 +307,12 @@ class Film2D:
         if self.look.traces:
             self._draw_traces(actor, poses, i, matrix)
         airborne = poses.mode[i] == "H"
-        heavy_color = theme.shown(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
+        heavy_color = theme.visible(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
         if hoop.parts is not None:
             draw_parts(canvas, theme, hoop, center, float(poses.angle[i]) + view.slope, view.scale, alpha)
         else:
             canvas.line(np.array([center, load]), theme.muted, 1.2, 0.7 * alpha)
-        # the ring is drawn within the rim, so that its outer edge touches the plane
+        # the ring is inside the rim, so that its outer edge touches the plane
         angle = self._around + view.slope
         outer = np.stack([np.sin(angle), np.cos(angle)], axis=-1)
         shades = shades_of(speeds[i], self.top_speed)
@@ -328,7 +322,7 @@ class Film2D:
         if alpha == 1.0:
             canvas.segments(center + line * outer, shades, width)
         else:
-            canvas.segments(center + line * outer, self._mixed(shades, alpha), width)
+            canvas.segments(center + line * outer, self._blend(shades, alpha), width)
         if hoop.parts is None:
             canvas.disc(load, LOAD * size, theme.load, theme.background, 1.5, alpha)
         canvas.disc(heavy, 0.042 * size, heavy_color, theme.background, 1.2, alpha)
@@ -339,19 +333,19 @@ class Film2D:
             ):
                 if alpha == 1.0:
                     way = arrow(force, self.newton(k), self._full)
-                    canvas.arrow(contact, contact + way, theme.shown(color), theme.background, 7.0)
+                    canvas.arrow(contact, contact + way, theme.visible(color), theme.background, 7.0)
         if actor.tag:
             draw_tag(canvas, theme, center, actor.tag)
 
-    def _draw_happenings(self, actor: _Actor, k: int) -> list[Seen]:
+    def _draw_event_marks(self, actor: _Actor, k: int) -> list[ShownMark]:
         matrix = actor.view.matrix(k)
         size = actor.motion.scenario.hoop.radius * actor.view.scale
         now = float(actor.times[k]), float(self.clock.rate[k]), float(self.clock.still[k])
         below = WORDS_BELOW * size
-        return draw_happenings(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, below)
+        return draw_event_marks(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, below)
 
-    def _mixed(self, shades: Floats, alpha: float) -> Floats:
-        # Pieces of the ring overlap, where opacity would add up: mixed with the background instead.
+    def _blend(self, shades: Floats, alpha: float) -> Floats:
+        # pieces of the ring overlap, and opacity would add up: blend with the background instead
         back = np.array([int(self.theme.background[j : j + 2], 16) / 255.0 for j in (1, 3, 5)])
         mixed = shades.copy()
         mixed[:, :3] = alpha * shades[:, :3] + (1.0 - alpha) * back
@@ -373,7 +367,7 @@ class Film2D:
             if b + 1 > past or b == len(track.t) - 1:
                 part = np.vstack([part, poses.gravity_center[i : i + 1]])
             color = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
-            canvas.line(part, self.theme.shown(color), 2.6, actor.alpha, matrix=matrix)
+            canvas.line(part, self.theme.visible(color), 2.6, actor.alpha, matrix=matrix)
 
     # --- words ---------------------------------------------------------------------------------
 
@@ -386,14 +380,20 @@ class Film2D:
             place = left + 22.0 * u, bottom + height + 8.0 * u
         else:
             place = 22.0 * u, self.look.size[1] - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
-        said = ended(actor.motion, float(actor.times[k]), k in (0, self.count - 1))
-        overlay = several and self.look.layout == "overlay"
-        extra = actor.label if overlay else speed_words(poses, k % BLOCK)
+        i, overlay = k % BLOCK, several and self.look.layout == "overlay"
+        line = StateLine(
+            str(poses.words[i]),
+            float(poses.t[i]),
+            float(poses.angle[i]),
+            extra=actor.label if overlay else speed_words(poses, i),
+            end=end_word(actor.motion, float(actor.times[k]), k in (0, self.count - 1)),
+            tag=actor.tag,
+        )
         room = width - 30.0 * u if several and not overlay else self.layout.words[2]
-        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, said, extra, room, actor.tag)
+        draw_state(self.canvas, self.theme, place, line, room)
 
     def _draw_heading(self) -> None:
-        """What stays: labels and keys."""
+        """Draw the constant labels and keys."""
         canvas, theme, u = self.canvas, self.theme, self.canvas.unit
         if len(self.actors) == 1:
             place = 22.0 * u, self.look.size[1] - 32.0 * u

@@ -1,4 +1,4 @@
-"""Plots that run along with a film in 2D: drawn once by Matplotlib, then uncovered as time goes on."""
+"""Animated plots of a film in 2D: drawn once by Matplotlib, then uncovered over time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from hophoop.results.records import ArraySample
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
 
-# How much of a curve shows where the film has not yet been
+# Opacity of the future part of a curve
 AHEAD = 0.28
 
 
@@ -26,12 +26,12 @@ class Panels:
     Parameters
     ----------
     canvas : Canvas
-        Its figure gets the axes, and its picture the finished panels.
+        Canvas for the panels; its figure gets the axes.
     area : tuple of float
         Left, bottom, width, height [pixels].
     theme : Theme
     motions : sequence of Trajectory
-        The first is plotted.
+        The first one is plotted.
     names : sequence of str
     start, end : float
         Part of the motion [s].
@@ -57,7 +57,7 @@ class Panels:
         unit = canvas.unit
         gap, margin = 14.0 * unit, 62.0 * unit
         time_axis = 34.0 * unit
-        # only the lowest of the panels over time says so
+        # only the lowest panel over time has the label
         high = (height - time_axis * (1 + ("phase" in names)) - gap * (len(names) - 1)) / len(names)
         y = bottom + height
         for index, name in enumerate(names):
@@ -98,14 +98,14 @@ class Panels:
             axes.yaxis.label.set_size(12)
             legend = axes.get_legend()
             for line in axes.get_lines():
-                line.set_color(theme.shown(line.get_color()))
+                line.set_color(theme.visible(line.get_color()))
             if legend is not None:
                 legend.get_frame().set_facecolor(theme.background)
                 legend.get_frame().set_edgecolor("none")
                 for words in legend.get_texts():
                     words.set_color(theme.ink)
                 for handle in legend.legend_handles:
-                    handle.set_color(theme.shown(handle.get_color()))
+                    handle.set_color(theme.visible(handle.get_color()))
         canvas.render()
         self._full: Bytes = canvas.pixels.copy()
         for _, axes in self._axes:
@@ -120,7 +120,7 @@ class Panels:
         canvas.pixels[...] = np.round(faded).astype(np.uint8)
 
     def draw(self, now: Sequence[tuple[float, Poses | None, int]]) -> None:
-        """Uncover the curves up to now: for each motion its time, its poses and which of them."""
+        """Uncover the curves up to now: for each motion its time, its poses and the index of the present one."""
         if not self._axes:
             return
         canvas = self._canvas
@@ -163,7 +163,7 @@ def _value(line: Any, t: float) -> float:
 
 
 def _legend(axes: Any) -> int:
-    """A key in as many columns as the axes are wide for; returns how many rows it has."""
+    """Draw a legend with as many columns as fit; return its number of rows."""
     _, names = axes.get_legend_handles_labels()
     room = axes.get_position().width * axes.figure.get_size_inches()[0] * 72.0
     widest = 7.0 * max(map(len, names)) + 36.0  # letters, handle and space [points]
@@ -219,7 +219,7 @@ def _utilization(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
     axes.set_ylabel(labels.UTILIZATION)
     _over_time(axes, sample.t)
-    axes.set_ylim(0.0, 1.35)  # the key above what 1 means
+    axes.set_ylim(0.0, 1.35)  # the key is above the line at 1
 
 
 def _phase(axes: Any, motion: Trajectory, sample: ArraySample) -> None:

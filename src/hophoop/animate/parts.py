@@ -1,4 +1,4 @@
-"""The parts of a hoop that is made of parts, drawn in a film in 2D."""
+"""Draw the parts of a hoop made of parts in a film in 2D."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ LOAD = 0.085  # of a point mass, in radii of the hoop
 
 
 def draw_parts(canvas: Canvas, theme: Theme, hoop: Hoop, center: Points, tilt: float, scale: float, alpha: float) -> None:
-    """Draw them: rings behind, then disks, points and rods.
+    """Draw rings, then disks, points and rods.
 
     Parameters
     ----------
     canvas : Canvas
     theme : Theme
     hoop : Hoop
-        Made of parts.
+        A hoop made of parts.
     center : ndarray
-        Of the rim [pixels].
+        Centre of the rim [pixels].
     tilt : float
-        From upright to the line from the centre to the centre of gravity, clockwise [rad].
+        Angle from upright to the line from the centre to the centre of gravity, clockwise [rad].
     scale : float
-        Of the picture [pixels/m].
+        Scale of the picture [pixels/m].
     alpha : float
         Opacity [1].
     """

@@ -1,4 +1,4 @@
-"""The plane of a scene in 3D: a wide sheet, the track with marks across it, and distances painted beside it."""
+"""The plane of a scene in 3D: a wide sheet, the track with marks across it, and distances next to it."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from hophoop.animate.shapes3d import LANE, mix, place_3d
 from hophoop.animate.themes import Theme
 from hophoop.results.poses import to_world
 
-FAR = 60.0  # how far the plane goes on, in radii
+FAR = 60.0  # extension of the plane, in radii
 MOST_MARKS, MOST_NUMBERS = 2000, 400
 
 
 @dataclass(frozen=True)
 class Part:
-    """A mesh, its colour, and options of its drawing."""
+    """A mesh with colour and drawing options."""
 
     mesh: Any
     color: str
@@ -30,22 +30,22 @@ class Part:
 def plane_meshes(
     pyvista: Any, theme: Theme, ground: str, along: tuple[float, float], radius: float, slope: float, lanes: int
 ) -> Iterator[Part]:
-    """The parts of the plane.
+    """Yield the parts of the plane.
 
     Parameters
     ----------
     pyvista : module
     theme : Theme
     ground : str
-        Its colour.
+        Colour of the plane.
     along : tuple of float
-        Least and greatest place of the hoops along the plane [m].
+        Minimum and maximum position of the hoops along the plane [m].
     radius : float
-        Of the largest hoop [m].
+        Radius of the largest hoop [m].
     slope : float
         [rad].
     lanes : int
-        How many hoops run beside each other.
+        Number of hoops next to each other.
 
     Yields
     ------
@@ -75,10 +75,10 @@ def plane_meshes(
 
 
 def _number(pyvista: Any, mark: float, half: float, radius: float, slope: float) -> Any:
-    """A distance, painted on the plane before the track."""
+    """Return a distance as text on the plane in front of the track."""
     size = 0.24 * radius
     text = pyvista.Text3D(f"{mark:g} m", depth=0.0)
-    # Text3D fills a height of its own choice; its box tells which
+    # Text3D chooses its height: take it from the bounds
     bounds = text.bounds
     scale = size / max(bounds[3] - bounds[2], 1e-9)
     flat = (text.points - [0.5 * (bounds[0] + bounds[1]), bounds[2], 0.0]) * scale

@@ -1,4 +1,4 @@
-"""How long the arrows of forces are: a scale that follows the forces, so that small ones show as well."""
+"""Scale of the arrows of forces, which follows the forces so that small ones are visible."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from hophoop.animate.frames import Clock
 from hophoop.results.poses import Floats
 from hophoop.simulation.trajectory import Trajectory
 
-AROUND = 0.6  # how far before and after a picture the scale looks [s of film]
-LONGEST = 4.0  # arrows of full length: what grows without bound, as in a jam, leaves the picture and goes no further
-LEAST = 0.03  # of the greatest force: smaller ones keep the scale of that, so that none of them looks like a great one
+AROUND = 0.6  # time before and after a picture that its scale takes into account [s of film]
+LONGEST = 4.0  # maximum length over the full length, for unbounded forces in a jam
+LEAST = 0.03  # of the maximum force: smaller ones have the scale of this one, so that they look small
 
 
 def force_levels(motions: Sequence[Trajectory], clock: Clock, fps: float, most: float) -> Floats:
-    """The force whose arrow has the full length, at every picture.
+    """Return the force whose arrow has the full length, for each picture.
 
-    It is the greatest force within `AROUND`, smoothed, never less than a force that is there and does not exceed `most`.
+    It is the smoothed maximum force within `AROUND`, at least the present force up to `most`.
 
     Parameters
     ----------
     motions : sequence of Trajectory
-        They share one scale.
+        Motions with one scale.
     clock : Clock
-        Of the film.
+        Clock of the film.
     fps : float
-        Pictures a second [1/s].
+        Pictures per second [1/s].
     most : float
-        Force from which on the scale stays: short peaks are not what it is for [N].
+        Maximum force of the scale, without short peaks [N].
 
     Returns
     -------
@@ -45,33 +45,33 @@ def force_levels(motions: Sequence[Trajectory], clock: Clock, fps: float, most: 
     reach = max(1, math.ceil(0.5 * AROUND * fps))
     padded = np.pad(forces, 2 * reach)
     window = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1)
-    greatest = window.max(axis=1)  # from `reach` before the film on, to `reach` after it
+    greatest = window.max(axis=1)  # from `reach` before the film to `reach` after it
     felt = np.flatnonzero(greatest > 0.0)
     if not felt.size:
         return np.full(clock.count, most)
     greatest = np.maximum(greatest, LEAST * most)
-    # in long flights nothing acts: the scale goes over from what was before to what follows
+    # in long flights without force: interpolate the scale
     level = np.exp(np.interp(np.arange(greatest.size), felt, np.log(greatest[felt])))
     kernel = np.ones(2 * reach + 1) / (2 * reach + 1)
     return np.maximum(np.convolve(level, kernel, mode="valid"), forces)
 
 
 def arrow(force: Floats, newton: float, full: float) -> Floats:
-    """A force as an arrow, at most `LONGEST` times as long as one of full length.
+    """Return a force as an arrow, at most `LONGEST` times the full length.
 
     Parameters
     ----------
     force : ndarray, shape (2,)
         [N].
     newton : float
-        Length of a newton's arrow, in any unit of length.
+        Length of the arrow of 1 N, in any unit of length.
     full : float
         Full length, in the same unit.
 
     Returns
     -------
     arrow : ndarray, shape (2,)
-        From its tail, in the same unit.
+        In the same unit.
     """
     way = force * newton
     return np.asarray(way * min(1.0, LONGEST * full / max(float(np.hypot(*way)), 1e-300)))

@@ -13,8 +13,8 @@ import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.animate.canvas import Bytes, Canvas
-from hophoop.animate.frames import Extent, Timing, Trace, clock, ended, extent, follow, trace
-from hophoop.animate.happenings import Happening, draw_happenings, happenings, say_happenings
+from hophoop.animate.event_marks import EventMark, draw_event_marks, event_marks, label_event_marks
+from hophoop.animate.frames import Extent, Timing, Trace, clock, end_word, extent, follow, trace
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
 from hophoop.animate.plane3d import plane_meshes
@@ -27,17 +27,18 @@ from hophoop.animate.shapes3d import (
     SECTIONS,
     SUN,
     TUBE,
-    flattened,
     frame,
     mix,
     pieces,
     place_3d,
+    shadow_matrix,
     shift,
     torus,
     torus_faces,
 )
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.words import (
+    StateLine,
     draw_force_key,
     draw_keys,
     draw_label,
@@ -54,8 +55,8 @@ from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
-SMOOTH = 4  # samples a pixel
-CALM = 0.6  # of the camera [s of film]
+SMOOTH = 4  # samples per pixel
+CALM = 0.6  # smoothing of the camera [s of film]
 ANGLE = 30.0  # of the view, from its lower to its upper edge [°]
 HEAD_LINE = 26.0  # of further rows of words [units]
 TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of several motions
@@ -63,7 +64,7 @@ TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of several motions
 
 @dataclass
 class _Actor:
-    """One motion in the scene, with the meshes that its drawing moves."""
+    """One motion in the scene, with its moving meshes."""
 
     motion: Trajectory
     poses: Poses
@@ -71,14 +72,14 @@ class _Actor:
     trace: Trace
     lane: float
     speeds: Floats
-    found: list[Happening]
+    found: list[EventMark]
     tag: str
     meshes: dict[str, Any]
     actors: dict[str, Any]
 
 
 class Film3D:
-    """The pictures of a film in 3D: `draw(k)` gives the k-th. To be closed, or used in a with statement.
+    """The pictures of a film in 3D: `draw(k)` gives the k-th. Close it, or use it in a with statement.
 
     Parameters
     ----------
@@ -119,7 +120,7 @@ class Film3D:
         self.force_levels = force_levels(motions, self.clock, self.fps, self.extent.force)
         self._open()
         self._light()
-        self._flat = flattened(self._slope, 0.002 * self._radius)
+        self._flat = shadow_matrix(self._slope, 0.002 * self._radius)
         ground = self.theme.ground if look.theme != "print" else "#F4F4F4"
         self._shade = mix(ground, "#000000", 0.38)
         for sheet in plane_meshes(
@@ -137,9 +138,9 @@ class Film3D:
                     label=labels[i],
                     trace=trace(motion, timing.start, ends[i]),
                     lane=LANE * self._radius * (i - 0.5 * (len(motions) - 1)),
-                    # the torus does not turn: its points are coloured by the speed of what passes there
+                    # the torus does not rotate: its points have the colours of the speed there
                     speeds=rim_speeds(poses, angles - self._slope, motion.scenario.hoop.radius),
-                    found=happenings(motion, self.clock.times[i]),
+                    found=event_marks(motion, self.clock.times[i]),
                     tag=TAGS[i % len(TAGS)] if len(motions) > 1 else "",
                     meshes={},
                     actors={},
@@ -190,25 +191,25 @@ class Film3D:
         return self.canvas.pixels
 
     def newton(self, k: int) -> float:
-        """Length of a newton's arrow in the k-th picture [m]."""
+        """Length of the arrow of 1 N in the k-th picture [m]."""
         return float(FORCE_LENGTH * self._radius / self.force_levels[k])
 
     def pixel_of(self, k: int, actor: int, point: Floats) -> Floats:
-        """Where a point of the world [m] lies in the k-th picture: column, row from the top left [pixels]."""
+        """Return the position of a point of the world [m] in the k-th picture: column, row from the top left [pixels]."""
         camera = self._plotter.camera
         camera.position, camera.focal_point = (tuple(row[min(k, len(row) - 1)]) for row in self._path)
         x, y = self._display(np.asarray(point), self.actors[actor].lane)
         return np.array([x, self.look.size[1] - y])
 
     def _display(self, point: Floats, lane: float) -> Floats:
-        """Where the camera sees a point of the world, from the lower left [pixels]."""
+        """Return the position of a point of the world in the view, from the lower left [pixels]."""
         renderer = self._plotter.renderer
         renderer.SetWorldPoint(*place_3d(point, lane), 1.0)
         renderer.WorldToDisplay()
         return np.array(renderer.GetDisplayPoint()[:2])
 
     def _metre(self, k: int) -> float:
-        """Length of a metre at what is looked at [pixels]."""
+        """Length of a metre at the focal point [pixels]."""
         position, focus = (row[min(k, len(row) - 1)] for row in self._path)
         away = float(np.linalg.norm(position - focus))
         return float(self.look.size[1] / (2.0 * away * math.tan(math.radians(0.5 * ANGLE))))
@@ -230,7 +231,7 @@ class Film3D:
         support = need("vtkmodules.util.numpy_support", "films")
         array = need("vtkmodules.vtkCommonCore", "films").vtkUnsignedCharArray
         before = logger.GetCurrentVerbosityCutoff()
-        # Without a display VTK says so, and then renders in software as it should.
+        # without a display VTK warns, and renders in software
         logger.SetStderrVerbosity(logger.VERBOSITY_ERROR)
         try:
             self._plotter = self._pyvista.Plotter(off_screen=True, window_size=list(self.look.size), lighting="none")
@@ -292,7 +293,7 @@ class Film3D:
         shine: dict[str, Any] = {"smooth_shading": True, "specular": 0.5, "specular_power": 25}
         actors["load"] = self._add(ball, mix(theme.load, "#808080", 0.12), **shine)
         actors["load"].prop.specular_color = "white"
-        actors["heavy"] = self._add(bead, theme.shown(colors.GRAVITY_CENTER), ambient=0.4, **shine)
+        actors["heavy"] = self._add(bead, theme.visible(colors.GRAVITY_CENTER), ambient=0.4, **shine)
         spoke = pyvista.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
         meshes["spoke"] = spoke
         self._add(spoke, theme.muted, lit=False, line_width=1.5)
@@ -304,12 +305,12 @@ class Film3D:
                 shaft = pyvista.Cylinder(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0)
                 head = pyvista.Cone(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0, resolution=32)
                 for part, mesh in ((f"{name} shaft", shaft), (f"{name} head", head)):
-                    actors[part] = self._add(mesh, theme.shown(color), ambient=0.35)
+                    actors[part] = self._add(mesh, theme.visible(color), ambient=0.35)
         if self.look.traces:
             track = actor.trace
             self._build_line(actor, "load trace", track.load, [theme.load] * (len(track.t) - 1), 2.5)
             inks = [
-                theme.shown(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
+                theme.visible(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
                 for a, b, airborne in track.runs
                 for _ in range(b - a)
             ]
@@ -318,7 +319,7 @@ class Film3D:
     def _build_line(self, actor: _Actor, name: str, way: Floats, inks: list[str], width: float) -> None:
         points = place_3d(way, actor.lane)
         cells = pieces(len(points) - 1)
-        # one more point and cell, for the stretch up to now
+        # one more point and cell, for the piece up to now
         mesh = self._pyvista.PolyData(np.vstack([points, points[-1:]]), lines=cells.ravel())
         paint = np.array([[int(ink[i : i + 2], 16) for i in (1, 3, 5)] for ink in inks], dtype=np.uint8)
         mesh.cell_data["ink"] = paint.reshape(-1, 3)
@@ -343,7 +344,7 @@ class Film3D:
                 actors[f"{name} shadow"].user_matrix = self._flat @ matrix
         airborne = poses.mode[k] == "H"
         ink = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
-        actors["heavy"].prop.color = self.theme.shown(ink)
+        actors["heavy"].prop.color = self.theme.visible(ink)
         meshes["spoke"].points = np.array([center, load])
         if self.look.forces:
             for name, force in (("normal", poses.normal_force[k]), ("friction", poses.friction_force[k])):
@@ -367,7 +368,7 @@ class Film3D:
         thick = 0.03 * self._radius
         point = min(0.2 * self._radius, length)
         wide = min(2.4 * thick, 0.6 * point)
-        # before the ring, not within its tube
+        # in front of the ring, not inside its tube
         foot = tail + np.array([0.0, -(TUBE + 0.04) * self._radius, 0.0])
         shaft.user_matrix = frame(foot, turn * [max(length - point, 1e-6), thick, thick])
         head.user_matrix = frame(foot + (length - point) * along, turn * [point, wide, wide])
@@ -384,14 +385,14 @@ class Film3D:
     # --- camera --------------------------------------------------------------------------------
 
     def _camera_path(self) -> tuple[Floats, Floats]:
-        """Positions and focal points, a row a frame (or one for all)."""
+        """Return positions and focal points, one row per frame (or one for all)."""
         radius, tilt, n = self._radius, self._slope, self.count
         width, height = self.look.size
         camera = self._plotter.camera
         camera.view_angle = ANGLE
         camera.up = (0.0, 0.0, 1.0)
         wide = 2.0 * math.tan(math.radians(0.5 * ANGLE)) * width / height  # of the view, at a distance of 1
-        # A narrow picture needs more distance for the same width.
+        # a narrow picture needs more distance for the same width
         away = radius * max(6.2 + 1.1 * (len(self.actors) - 1), 4.2 / wide) + 1.5 * self.extent.height
         if self.look.camera == "hold":
             low, high = self.extent.along
@@ -408,7 +409,7 @@ class Film3D:
         rise = {"side": 0.08, "hold": 0.16}.get(self.look.camera, 0.19)
         target = place_3d(to_world(along, np.full_like(along, 0.95 * radius), tilt), 0.0)
         reach = away * math.sqrt(1.0 - rise**2)
-        # kept above a plane that rises behind
+        # stay above a plane that rises behind
         offset = np.stack([reach * np.sin(turn), -reach * np.cos(turn), np.full_like(turn, rise * away)], axis=-1)
         offset[:, 2] += np.maximum(0.0, -offset[:, 0] * math.tan(tilt))
         return target + offset, target
@@ -433,26 +434,33 @@ class Film3D:
         if not several:
             draw_label(canvas, theme, (22.0 * u, height - 32.0 * u), self.actors[0].label, room)
         for row, actor in enumerate(self.actors):
-            said = ended(actor.motion, float(actor.poses.t[k]), k in (0, self.count - 1))
-            extra = actor.label if several else speed_words(actor.poses, k)
+            poses = actor.poses
+            line = StateLine(
+                str(poses.words[k]),
+                float(poses.t[k]),
+                float(poses.angle[k]),
+                extra=actor.label if several else speed_words(poses, k),
+                end=end_word(actor.motion, float(poses.t[k]), k in (0, self.count - 1)),
+                tag=actor.tag,
+            )
             place = 22.0 * u, height - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
-            draw_state(canvas, theme, place, actor.poses, k, said, extra, room, actor.tag)
+            draw_state(canvas, theme, place, line, room)
             if actor.tag:
                 draw_tag(canvas, theme, self._display(actor.poses.center[k], actor.lane), actor.tag)
-            # on the track's near side, where the ring does not hide it
+            # on the near side of the track, not hidden by the ring
             near = actor.lane - 0.35 * self._radius
             canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
             now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
-            spot_of = partial(self._seen, lane=near)
-            seen = draw_happenings(canvas, theme, actor.found, now, spot_of, self._radius * metre, 34.0 * u)
-            say_happenings(canvas, theme, seen, 34.0 * u)
+            spot_of = partial(self._visible_point, lane=near)
+            seen = draw_event_marks(canvas, theme, actor.found, now, spot_of, self._radius * metre, 34.0 * u)
+            label_event_marks(canvas, theme, seen, 34.0 * u)
             canvas.clip(None)
         if self.look.forces:
             draw_force_key(canvas, theme, self.layout, self.newton(k) * metre, float(self.force_levels[k]))
         draw_pace(canvas, theme, self.layout, float(self.clock.rate[k]))
         draw_keys(canvas, theme, self.layout, self.extent.speed, self._keys)
 
-    def _seen(self, point: Floats, lane: float) -> Floats | None:
+    def _visible_point(self, point: Floats, lane: float) -> Floats | None:
         spot = self._display(point, lane)
         width, height = self.look.size
         return spot if -width < spot[0] < 2 * width and 0.0 < spot[1] < height else None

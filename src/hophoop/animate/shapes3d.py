@@ -11,17 +11,17 @@ from hophoop.results.poses import Floats, to_world
 STATIONS, SECTIONS = 120, 20  # of the torus
 TUBE, LOAD, HEAVY = 0.05, 0.1, 0.05  # radii of the torus's tube and of the spheres, over the rim's
 LANE = 1.6  # between several motions, in radii
-FORCE_LENGTH = 1.3  # of the greatest force's arrow, in radii
-SUN = np.array([0.32, 0.75, -1.0])  # where the light goes
+FORCE_LENGTH = 1.3  # of the arrow of the maximum force, in radii
+SUN = np.array([0.32, 0.75, -1.0])  # direction of the light
 
 
 def torus(radius: float, tube: float) -> tuple[Floats, Floats, Floats]:
-    """Points of a torus in the X–Z plane, their normals and where on the rim they lie.
+    """Return points of a torus in the X–Z plane, their normals and their angles on the rim.
 
     Parameters
     ----------
     radius : float
-        Of the outermost circle [m].
+        Outer radius [m].
     tube : float
         Radius of the tube [m].
 
@@ -42,7 +42,7 @@ def torus(radius: float, tube: float) -> tuple[Floats, Floats, Floats]:
 
 
 def torus_faces() -> np.ndarray:
-    """Quadrangles of `torus`, shape (STATIONS × SECTIONS, 4), seen from outside counter-clockwise."""
+    """Return quadrangles of `torus`, shape (STATIONS × SECTIONS, 4), counter-clockwise from outside."""
     i, j = np.meshgrid(np.arange(STATIONS), np.arange(SECTIONS), indexing="ij")
     following, above = (i + 1) % STATIONS, (j + 1) % SECTIONS
     corners = (i * SECTIONS + j, following * SECTIONS + j, following * SECTIONS + above, i * SECTIONS + above)
@@ -50,13 +50,13 @@ def torus_faces() -> np.ndarray:
 
 
 def place_3d(points: Floats, lane: float) -> Floats:
-    """Points of the world, X level and Y up, as X, lane, Z."""
+    """Convert points of the world, X level and Y up, to X, lane, Z."""
     flat = np.asarray(points, dtype=float)
     return np.stack([flat[..., 0], np.full(flat.shape[:-1], lane), flat[..., 1]], axis=-1)
 
 
-def flattened(slope: float, lift: float) -> Floats:
-    """The projection along the light onto the plane, lifted off it by a distance [m]: 4 × 4."""
+def shadow_matrix(slope: float, lift: float) -> Floats:
+    """Return the projection along the light onto the plane, raised by a distance [m]: 4 × 4."""
     normal = place_3d(to_world(0.0, 1.0, slope), 0.0)
     matrix = np.eye(4)
     matrix[:3, :3] -= np.outer(SUN, normal) / float(normal @ SUN)
@@ -65,20 +65,20 @@ def flattened(slope: float, lift: float) -> Floats:
 
 
 def pieces(count: int) -> np.ndarray:
-    """Cells of a line of so many pieces, as VTK wants them."""
+    """Return the cells of a line with this number of pieces, for VTK."""
     first = np.arange(count)
     return np.column_stack([np.full(count, 2), first, first + 1])
 
 
 def shift(spot: Floats) -> Floats:
-    """The matrix that moves to a point, 4 × 4."""
+    """Return the matrix of a translation to a point, 4 × 4."""
     matrix = np.eye(4)
     matrix[:3, 3] = spot
     return matrix
 
 
 def frame(origin: Floats, axes: Floats) -> Floats:
-    """The matrix that takes the axes to three vectors, columns of a 3 × 3, at an origin: 4 × 4."""
+    """Return the matrix that maps the axes to the columns of a 3 × 3 at an origin: 4 × 4."""
     matrix = np.eye(4)
     matrix[:3, :3] = axes
     matrix[:3, 3] = origin
@@ -86,6 +86,6 @@ def frame(origin: Floats, axes: Floats) -> Floats:
 
 
 def mix(color: str, other: str, share: float) -> str:
-    """A colour between two, a share from 0 to 1 of the way."""
+    """Interpolate between two colours."""
     pairs = zip(*([int(name[i : i + 2], 16) for i in (1, 3, 5)] for name in (color, other)), strict=True)
     return "#" + "".join(f"{round(a + share * (b - a)):02X}" for a, b in pairs)

@@ -1,4 +1,4 @@
-"""Backgrounds and inks of films. What a colour means is said in `hophoop.vocabulary.colors` alone."""
+"""Backgrounds and inks of films. Colours with a meaning are in `hophoop.vocabulary.colors`."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from hophoop.vocabulary import colors
 
 @dataclass(frozen=True)
 class Theme:
-    """Colours of what has no meaning of its own.
+    """Colours without a meaning.
 
     Attributes
     ----------
     background, ground, ink, muted : str
-        Colours of the picture, the plane, text and lines, and what stands back.
+        Colours of the background, the plane, text and lines, and secondary text.
     load : str
-        Of the load and its trace: black, or white where the background is black.
+        Load and its trace: black, or white on a black background.
     outline : str
-        Around the ring, so that the ends of the colour map stay visible.
+        Outline of the ring, so that the ends of the colour map are visible.
     dark : bool
-        Whether the background is.
+        Whether the background is dark.
     """
 
     background: str
@@ -33,8 +33,8 @@ class Theme:
     outline: str
     dark: bool = False
 
-    def shown(self, color: str) -> str:
-        """A colour that means something, light enough for a dark background: same hue, more white.
+    def visible(self, color: str) -> str:
+        """Lighten a colour for a dark background, with the same hue.
 
         Parameters
         ----------
@@ -61,7 +61,7 @@ THEMES: Final[dict[str, Theme]] = {
 
 
 def theme_of(name: str) -> Theme:
-    """A theme by its name.
+    """Return a theme by name.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Views of a film in 2D: where a view lies in the picture, and how the world lies in it."""
+"""Views of a film in 2D: their rectangles in the picture, and their projections."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ from hophoop.animate.canvas import Points, Rectangle
 from hophoop.animate.frames import Extent, follow
 from hophoop.results.poses import Floats, to_world
 
-# In radii: what a view shows under the plane, above a hoop on it, and before and behind it.
-BELOW, ABOVE, BESIDE = 0.55, 0.4, 1.35
+# Margins of a view in radii: below the plane, above a hoop on it, ahead and behind.
+BELOW, ABOVE, SIDE = 0.55, 0.4, 1.35
 LEAST_WIDTH = 3.4
-# The following camera's inertia [s of film]
+# Inertia of the following camera [s of film]
 CALM = 0.45
 
 
 @dataclass(frozen=True)
 class View:
-    """A part of the picture with its own camera.
+    """A part of the picture with a camera.
 
     Attributes
     ----------
     rectangle : tuple of float
         Left, bottom, width, height [pixels].
     scale : float
-        Pixels a metre.
+        Pixels per metre [pixels/m].
     slope : float
         [rad].
     camera : ndarray, shape (frames, 2) or (1, 2)
-        The world's point at the anchor for each frame, or for all [m].
+        Point of the world at the anchor in each frame, or in all [m].
     anchor : tuple of float
         [pixels].
     """
@@ -43,64 +43,64 @@ class View:
     anchor: tuple[float, float]
 
     def matrix(self, frame: int) -> Points:
-        """World to pixels, 3 × 3."""
+        """Return the matrix from the world to pixels, 3 × 3."""
         x, y = self.camera[min(frame, len(self.camera) - 1)]
         s = self.scale
         return np.array([[s, 0.0, self.anchor[0] - s * x], [0.0, s, self.anchor[1] - s * y], [0.0, 0.0, 1.0]])
 
 
 def project(matrix: Points, points: Floats) -> Points:
-    """Points of the world in pixels."""
+    """Convert points of the world to pixels."""
     return np.asarray(points * matrix[0, 0] + matrix[:2, 2])
 
 
-def held_scale(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> float:
-    """The largest scale at which a view holds the whole way [pixels/m]."""
+def whole_path_scale(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> float:
+    """Return the largest scale of a view of the whole path [pixels/m]."""
     _, _, width, height = rectangle
     least, most = _corners(extent, radius, slope)
     return float(min(width / (most[0] - least[0]), height / (most[1] - least[1])))
 
 
-def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float, scale: float) -> View:
-    """A view of the whole way."""
+def whole_path_view(rectangle: Rectangle, extent: Extent, radius: float, slope: float, scale: float) -> View:
+    """Return a view of the whole path."""
     left, bottom, width, height = rectangle
     least, most = _corners(extent, radius, slope)
     middle = 0.5 * (least + most)
-    # room to spare is more of use above than under the plane
+    # spare room goes above the plane
     spare = height - scale * (most[1] - least[1])
     return View(rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height - 0.2 * spare))
 
 
 def _corners(extent: Extent, radius: float, slope: float) -> tuple[Floats, Floats]:
-    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    low, high = extent.along[0] - SIDE * radius, extent.along[1] + SIDE * radius
     top = extent.height + (2.0 + ABOVE) * radius
     corners = to_world([low, high, low, high], [-BELOW * radius, -BELOW * radius, top, top], slope)
     return corners.min(axis=0), corners.max(axis=0)
 
 
-def followed_scale(rectangle: Rectangle, extent: Extent, radius: float) -> float:
-    """The largest scale at which a view that goes along holds the hoop at its highest [pixels/m]."""
+def following_scale(rectangle: Rectangle, extent: Extent, radius: float) -> float:
+    """Return the largest scale of a following view with the hoop at its maximum height [pixels/m]."""
     _, _, width, height = rectangle
     return min(height / (extent.height + (2.0 + BELOW + ABOVE) * radius), width / (LEAST_WIDTH * radius))
 
 
-def followed(
+def following_view(
     rectangle: Rectangle, extent: Extent, radius: float, slope: float, scale: float, places: Floats, fps: float
 ) -> View:
-    """A view that goes along with the hoop; `places` are its centre's, along the plane, at each frame."""
+    """Return a view that follows the hoop; `places` are the positions of its centre along the plane in each frame."""
     left, bottom, width, height = rectangle
     half = 0.5 * width / scale / math.cos(slope)
     used = scale * (extent.height + (2.0 + BELOW + ABOVE) * radius)
     floor = bottom + 0.3 * (height - used) + BELOW * radius * scale
-    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    low, high = extent.along[0] - SIDE * radius, extent.along[1] + SIDE * radius
     if slope == 0.0 and high - low <= 2.0 * half:
         along = np.full(1, 0.5 * (low + high))
     else:
         along = follow(np.arange(len(places)) / fps, places, CALM)
         if slope == 0.0:
             along = np.clip(along, low + half, high - half)
-        # However fast it goes, the hoop stays in the picture, and on a slope the plane below it.
-        room = max(half - BESIDE * radius, 0.0)
+        # a fast hoop stays in the picture, and on a slope the plane below it
+        room = max(half - SIDE * radius, 0.0)
         if slope != 0.0:
             room = min(room, 0.7 * (floor - bottom) / scale / abs(math.sin(slope)))
         along = np.clip(along, places - room, places + room)
@@ -108,9 +108,9 @@ def followed(
 
 
 def grid(area: Rectangle, count: int, ratio: float, gap: float) -> list[Rectangle]:
-    """Rectangles for several views, in the rows and columns that leave each the most room.
+    """Return rectangles for several views, in the rows and columns with the most room for each.
 
-    `ratio` is the width over the height that a view would like to have.
+    `ratio` is the preferred width over height of a view.
     """
     left, bottom, width, height = area
 

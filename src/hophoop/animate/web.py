@@ -1,4 +1,4 @@
-"""Scenes that turn and play in any browser, without the network: an HTML page, or glTF for other programs."""
+"""Interactive scenes: an HTML page for any browser, without network, or glTF for other programs."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.files import replacing
+from hophoop.animate.event_marks import event_marks
 from hophoop.animate.frames import Clock, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
-from hophoop.animate.happenings import happenings
 from hophoop.animate.look import Look3D, labels_of, nice
 from hophoop.animate.scaling import LONGEST, force_levels
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
@@ -38,10 +38,9 @@ def scene(
     timing: Timing = Timing(),
     look: Look3D = Look3D(),
 ) -> Path:
-    """A scene in 3D that plays and turns: a page for any browser, or glTF.
+    """Write an interactive scene in 3D: a page for any browser, or glTF.
 
-    The page holds all that it needs and asks nothing of the network. In glTF the ring has one colour: the
-    format cannot change colours with time.
+    The page is self-contained and needs no network. In glTF the ring has one colour, since the format has no animated colours.
 
     Parameters
     ----------
@@ -52,7 +51,7 @@ def scene(
     timing : Timing
         As in `film`.
     look : Look3D
-        Its theme, labels, traces and forces; where the camera is and how large the picture, whoever looks decides.
+        Theme, labels, traces and forces; the viewer chooses camera and size.
 
     Returns
     -------
@@ -61,9 +60,9 @@ def scene(
     Raises
     ------
     ValueError
-        If what is asked for does not fit the motions, or their slopes differ.
+        If the settings do not fit the motions, or their slopes differ.
     ImportError
-        If Matplotlib, whose colour map the ring takes, is missing.
+        If Matplotlib, for the colour map of the ring, is missing.
     """
     target = Path(path)
     kind = target.suffix.lower()
@@ -82,7 +81,7 @@ def scene_data(
     timing: Timing,
     look: Look3D,
 ) -> dict[str, Any]:
-    """All that a scene shows, as numbers and arrays.
+    """Return the data of a scene, numbers and arrays.
 
     Parameters
     ----------
@@ -93,7 +92,7 @@ def scene_data(
     Returns
     -------
     data : dict
-        SI units; arrays have a row for each frame.
+        SI units; arrays have one row per frame.
 
     Raises
     ------
@@ -140,10 +139,10 @@ def scene_data(
             "dark": theme.dark,
         },
         "colors": {
-            "center": theme.shown(colors.GRAVITY_CENTER),
-            "airborne": theme.shown(colors.GRAVITY_CENTER_AIRBORNE),
-            "normal": theme.shown(colors.NORMAL_FORCE),
-            "friction": theme.shown(colors.FRICTION_FORCE),
+            "center": theme.visible(colors.GRAVITY_CENTER),
+            "airborne": theme.visible(colors.GRAVITY_CENTER_AIRBORNE),
+            "normal": theme.visible(colors.NORMAL_FORCE),
+            "friction": theme.visible(colors.FRICTION_FORCE),
         },
         "flight": MODES.index(FLIGHT),
         "modes": [[PARTICIPLES[word], colors.mode_color(word)] for word in MODES],
@@ -161,7 +160,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float, most: floa
         "radius": hoop.radius,
         "load": load_distance(hoop),
         "heavy": hoop.eccentricity * hoop.radius,
-        "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in happenings(motion, times)],
+        "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in event_marks(motion, times)],
         "mode": [MODES.index(str(word)) for word in poses.words],
         "t": poses.t,
         "center": poses.center,
@@ -189,7 +188,7 @@ def _traces(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
 
 
 def page(data: dict[str, Any]) -> str:
-    """The page that plays a scene: markup, program and data in one text.
+    """Return the page of a scene: markup, program and data in one text.
 
     Parameters
     ----------
@@ -204,19 +203,19 @@ def page(data: dict[str, Any]) -> str:
     title = html.escape("; ".join(hoop["label"] for hoop in data["hoops"]))
     text = (static / "scene.html").read_text(encoding="utf-8")
     program = (static / "scene.js").read_text(encoding="utf-8")
-    # "</" would end the script wherever it stands
-    packed = json.dumps(_packed(data), ensure_ascii=False).replace("</", "<\\/")
+    # "</" would end the script
+    packed = json.dumps(_pack(data), ensure_ascii=False).replace("</", "<\\/")
     for mark, content in (("TITLE", title), ("PROGRAM", program), ("DATA", packed)):
         text = text.replace(f"<!--{mark}-->", content).replace(f"/*{mark}*/", content)
     return text
 
 
-def _packed(value: Any) -> Any:
-    """The same for JSON: arrays of floats as base64 of little-endian 32 bits, with their shape."""
+def _pack(value: Any) -> Any:
+    """Convert for JSON: arrays of floats as base64 of little-endian 32 bits, with their shape."""
     if isinstance(value, dict):
-        return {key: _packed(each) for key, each in value.items()}
+        return {key: _pack(each) for key, each in value.items()}
     if isinstance(value, list | tuple):
-        return [_packed(each) for each in value]
+        return [_pack(each) for each in value]
     if isinstance(value, np.ndarray):
         if value.dtype.kind == "f":
             raw = base64.b64encode(value.astype("<f4").tobytes()).decode("ascii")

@@ -1,13 +1,14 @@
-"""What a film says: mode, time and angle in words, and the keys to colours and arrows."""
+"""Texts of a film: mode, time and angle, and the keys to colours and arrows."""
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.animate.canvas import Canvas, Rectangle
+from hophoop.animate.canvas import Canvas, Rectangle, TextStyle
 from hophoop.animate.layout import COLUMNS, KEY_FONT, LABEL_FONT, PACE_FONT, STATE_FONT, Layout
 from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
@@ -17,7 +18,7 @@ from hophoop.vocabulary.words import PARTICIPLES
 
 
 def shades_of(speeds: Floats, top: float) -> Floats:
-    """Colours of the ring's points by their speed.
+    """Return colours of the ring's points by speed.
 
     Parameters
     ----------
@@ -35,8 +36,8 @@ def shades_of(speeds: Floats, top: float) -> Floats:
     return shades
 
 
-def fitted(canvas: Canvas, words: str, size: float, room: float) -> str:
-    """A line of parameters as far as there is room [pixels]: its last ones are left out first."""
+def shorten(canvas: Canvas, words: str, size: float, room: float) -> str:
+    """Shorten a line of parameters to the room [pixels]; the last ones are dropped first."""
     if canvas.text_width(words, size) <= room:
         return words
     parts = words.split(", ")
@@ -47,65 +48,61 @@ def fitted(canvas: Canvas, words: str, size: float, room: float) -> str:
     return ""
 
 
-def draw_state(
-    canvas: Canvas,
-    theme: Theme,
-    place: tuple[float, float],
-    poses: Poses,
-    i: int,
-    ended: str,
-    extra: str,
-    room: float = math.inf,
-    tag: str = "",
-) -> None:
-    """The mode in words, time and angle, and one thing more, in a line from a place on [pixels].
+class StateLine(NamedTuple):
+    """Texts on the state of one motion in a picture."""
 
-    A motion that has ended says so in a word of its own. What would reach beyond `room` pixels is left out. A tag is the
-    letter that the hoop has in the picture.
-    """
+    mode: str  # word of the mode
+    t: float  # [s]
+    angle: float  # [rad]
+    extra: str  # one more text
+    end: str = ""  # word in place of the mode after the end of the motion
+    tag: str = ""  # letter of the hoop in the picture
+
+
+def draw_state(canvas: Canvas, theme: Theme, place: tuple[float, float], line: StateLine, room: float = math.inf) -> None:
+    """Write a line on the state of a motion from a point on [pixels]; texts beyond `room` pixels are dropped."""
     u = canvas.unit
     x, y = place
-    word = str(poses.words[i])
     spot = np.array([x + 7.0 * u, y + 6.0 * u])
-    if tag:
-        draw_tag(canvas, theme, spot, tag, colors.mode_color(word))
+    if line.tag:
+        draw_tag(canvas, theme, spot, line.tag, colors.mode_color(line.mode))
     else:
-        canvas.disc(spot, 7.0 * u, colors.mode_color(word), theme.ink, 0.8)
-    said = ended or PARTICIPLES[word]
+        canvas.disc(spot, 7.0 * u, colors.mode_color(line.mode), theme.ink, 0.8)
+    said = line.end or PARTICIPLES[line.mode]
     if 22.0 * u + canvas.text_width(said, 18.0, "bold") <= room:
-        canvas.text(x + 22.0 * u, y, said, theme.ink, 18.0, weight="bold")
-    turned = f"θ = {math.degrees(poses.angle[i]):.1f}°"
-    for offset, words in zip(COLUMNS, (f"t = {poses.t[i]:.3f} s", turned, extra), strict=True):
-        shown = fitted(canvas, words, STATE_FONT, room - offset * u)
+        canvas.text(x + 22.0 * u, y, said, TextStyle(theme.ink, 18.0, weight="bold"))
+    turned = f"θ = {math.degrees(line.angle):.1f}°"
+    for offset, words in zip(COLUMNS, (f"t = {line.t:.3f} s", turned, line.extra), strict=True):
+        shown = shorten(canvas, words, STATE_FONT, room - offset * u)
         if not shown:
             break
-        canvas.text(x + offset * u, y, minus(shown), theme.ink, STATE_FONT)
+        canvas.text(x + offset * u, y, minus(shown), TextStyle(theme.ink, STATE_FONT))
 
 
 def draw_label(canvas: Canvas, theme: Theme, place: tuple[float, float], label: str, room: float) -> None:
-    """A motion's label, as far as there is room [pixels]."""
-    canvas.text(*place, fitted(canvas, label, LABEL_FONT, room), theme.muted, LABEL_FONT)
+    """Write a motion's label, shortened to the room [pixels]."""
+    canvas.text(*place, shorten(canvas, label, LABEL_FONT, room), TextStyle(theme.muted, LABEL_FONT))
 
 
 def draw_tag(canvas: Canvas, theme: Theme, spot: Floats, tag: str, fill: str = "") -> None:
-    """A letter in a disc, by which hoops in one view are told apart."""
+    """Draw a letter in a disc, to distinguish hoops in one view."""
     canvas.disc(spot, 9.5 * canvas.unit, fill or theme.background, theme.ink, 1.2)
     ink = theme.ink if not fill else ("#FFFFFF" if colors.lightness(fill) < 0.5 else colors.BLACK)
-    canvas.text(float(spot[0]), float(spot[1]), tag, ink, 12.0, "center", "bold", "center")
+    canvas.text(float(spot[0]), float(spot[1]), tag, TextStyle(ink, 12.0, "center", "bold", "center"))
 
 
 def speed_words(poses: Poses, i: int) -> str:
-    """Velocity of the centre along the plane, in words."""
+    """Text of the velocity of the centre along the plane."""
     return f"v = {poses.velocity[i, 0]:.2f} m/s"
 
 
 def minus(words: str) -> str:
-    """A text with the minus sign instead of the hyphen."""
+    """Replace hyphens by minus signs."""
     return words.replace("-", "−")
 
 
 def newtons(amount: float) -> str:
-    """A force in the unit in which it is short, such as 50 MN in a jam."""
+    """Format a force with a suitable unit, such as 50 MN in a jam."""
     for least, size, unit in ((1e6, 1e6, "MN"), (1e4, 1e3, "kN")):
         if amount >= least:
             return f"{amount / size:g} {unit}"
@@ -113,35 +110,35 @@ def newtons(amount: float) -> str:
 
 
 def pace_words(rate: float) -> str:
-    """How much slower or faster the film is than the motion; nothing in real time."""
+    """Text of the film's speed relative to the motion; empty in real time."""
     if 0.985 < rate < 1.015:
         return ""
     return f"slow motion, 1/{1.0 / rate:.1f}" if rate < 1.0 else f"{rate:.1f} times as fast"
 
 
 def longest_pace(rates: Floats) -> str:
-    """The longest text about the pace in a film; empty where there is none."""
+    """The longest text of the speed in a film; empty if there is none."""
     return max((pace_words(float(rate)) for rate in (np.min(rates), np.max(rates))), key=len)
 
 
 def draw_pace(canvas: Canvas, theme: Theme, layout: Layout, rate: float) -> None:
-    """Say how much slower or faster the film is, where the layout has room."""
+    """Write the speed of the film if the layout has room."""
     if layout.pace is not None:
         x, y, room, _ = layout.pace
         words = pace_words(rate)
         if canvas.text_width(words, PACE_FONT, "bold") <= room + 1.0:
-            canvas.text(x, y + 10.0 * canvas.unit, words, theme.ink, PACE_FONT, weight="bold")
+            canvas.text(x, y + 10.0 * canvas.unit, words, TextStyle(theme.ink, PACE_FONT, weight="bold"))
 
 
 def line_keys(traces: bool, airborne: bool) -> tuple[tuple[str, str], ...]:
-    """Colour and words of each line that a film has: what never flies has no line in the air."""
+    """Return colour and text of each line of a film; without flight there is no airborne line."""
     if not traces:
         return ()
     return _TRACE_KEY if airborne else _TRACE_KEY[:2]
 
 
 def draw_keys(canvas: Canvas, theme: Theme, layout: Layout, top_speed: float, keys: tuple[tuple[str, str], ...]) -> None:
-    """Colour bar and keys of the lines, where the layout has them.
+    """Draw the colour bar and the keys of the lines, if the layout has them.
 
     Parameters
     ----------
@@ -149,23 +146,23 @@ def draw_keys(canvas: Canvas, theme: Theme, layout: Layout, top_speed: float, ke
     theme : Theme
     layout : Layout
     top_speed : float
-        At the right end of the colour bar [m/s].
+        Speed at the right end of the colour bar [m/s].
     keys : tuple of (str, str)
-        Colour and words of each line.
+        Colour and text of each line.
     """
     if layout.bar is not None:
         _draw_color_bar(canvas, theme, top_speed, layout.bar)
     u = canvas.unit
     for (color, word), (x, y, _, height) in zip(keys, layout.lines, strict=False):
         level = y + 0.5 * height
-        canvas.line(np.array([[x, level], [x + 26.0 * u, level]]), theme.shown(color), 3.0)
-        canvas.text(x + 33.0 * u, level, word, theme.ink, KEY_FONT, vertical="center")
+        canvas.line(np.array([[x, level], [x + 26.0 * u, level]]), theme.visible(color), 3.0)
+        canvas.text(x + 33.0 * u, level, word, TextStyle(theme.ink, KEY_FONT, vertical="center"))
 
 
 def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: Rectangle) -> None:
     u = canvas.unit
     x, y, width, _ = place
-    x, width, height = x + 4.0 * u, width - 12.0 * u, 12.0 * u  # numbers at its ends reach beyond it
+    x, width, height = x + 4.0 * u, width - 12.0 * u, 12.0 * u  # numbers extend beyond its ends
     y += 22.0 * u
     columns = round(width)
     shades = shades_of(np.linspace(0.0, 1.0, columns), 1.0)
@@ -173,15 +170,15 @@ def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: Recta
     canvas.pixels[b : b + max(round(height), 1), a : a + columns] = np.round(255 * shades)[None].astype(np.uint8)
     frame = np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]])
     canvas.polygon(frame, None, theme.ink, 0.8)
-    canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", theme.ink, KEY_FONT)
+    canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", TextStyle(theme.ink, KEY_FONT))
     for value in np.arange(0.0, top_speed * (1.0 + 1e-9), nice(top_speed / 3.0)):
         spot = x + width * value / top_speed
         canvas.line(np.array([[spot, y], [spot, y - 4.0 * u]]), theme.ink, 0.8)
-        canvas.text(spot, y - 8.0 * u, f"{value:g}", theme.ink, 12.0, "center", vertical="top")
+        canvas.text(spot, y - 8.0 * u, f"{value:g}", TextStyle(theme.ink, 12.0, "center", vertical="top"))
 
 
 def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, most: float) -> None:
-    """The arrows' key at the scale of a picture: a round force, as long as its arrow would be.
+    """Draw the key to arrows at the scale of a picture: the arrow of a round force.
 
     Parameters
     ----------
@@ -189,7 +186,7 @@ def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, 
     theme : Theme
     layout : Layout
     newton : float
-        Length of a newton's arrow [pixels].
+        Length of the arrow of 1 N [pixels].
     most : float
         Force whose arrow has the full length [N].
     """
@@ -202,10 +199,10 @@ def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, 
     kinds = ((colors.NORMAL_FORCE, "normal force"), (colors.FRICTION_FORCE, "friction"))
     for row, (color, words) in enumerate(kinds):
         level = y - 20.0 * u * row
-        canvas.text(x - 8.0 * u, level, words, theme.ink, KEY_FONT, "right", vertical="center")
+        canvas.text(x - 8.0 * u, level, words, TextStyle(theme.ink, KEY_FONT, "right", vertical="center"))
         tail = np.array([x, level])
-        canvas.arrow(tail, tail + np.array([amount * newton, 0.0]), theme.shown(color), theme.background, 7.0)
-    canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, newtons(amount), theme.ink, 12.0, "center")
+        canvas.arrow(tail, tail + np.array([amount * newton, 0.0]), theme.visible(color), theme.background, 7.0)
+    canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, newtons(amount), TextStyle(theme.ink, 12.0, "center"))
 
 
 _TRACE_KEY = (

@@ -1,4 +1,4 @@
-"""The article's five motions, its figures and statements beside ours, and one report of it all."""
+"""The article's five motions, its figures, its statements compared with ours, and a report."""
 
 from hophoop.article.reproduce import Reproduction, reproduce
 from hophoop.article.scenarios import scenarios

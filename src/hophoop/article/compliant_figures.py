@@ -1,4 +1,4 @@
-"""Figures of compliant contact beside the rigid one; their numbers come from `compliant_study`."""
+"""Figures of compliant contact compared with rigid contact."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def error_lines(
     fit_from: float = 1e5,
     fit_to: float = 1e9,
 ) -> Axes:
-    """Convergence: the largest difference of θ against stiffness, one line a motion, with the fitted order.
+    """Plot the maximum difference of θ against stiffness, one line per motion, with the fitted order.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def error_lines(
 
 
 def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) -> Axes:
-    """What the landing at v₀ = 3.1 m/s loses on a stiffer and stiffer plane (e = 0), beside the rigid one.
+    """Plot the energy lost by the landing at v₀ = 3.1 m/s against stiffness (e = 0), with that of the rigid plane.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) ->
 
 
 def landing_against_slip_speed(slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None) -> Axes:
-    """The same against the slip speed: a creeping friction law, and a bristle as stiff as the normal spring.
+    """Plot the same against the slip speed: a creeping friction law, and a bristle as stiff as the normal spring.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def landing_against_slip_speed(slip_speeds: ArrayLike, stiffness: float = 1e8, a
 
 
 def landing_against_restitution(restitutions: ArrayLike, stiffness: float = 1e6, ax: Axes | None = None) -> Axes:
-    """The same against restitution: the rigid plane's three laws, and the compliant plane's nominal value.
+    """Plot the same against restitution: the rigid plane's three laws, and the compliant plane's nominal value.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def landing_against_restitution(restitutions: ArrayLike, stiffness: float = 1e6,
 
 
 def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, stiffness: float = 1e6) -> Any:
-    """The article's energy balance at v₀ = 3.1 m/s, in both models.
+    """Plot the article's energy balance at v₀ = 3.1 m/s in both models.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, st
     ):
         energies(simulate(one), "angle", ax=ax)
         set_title(ax, title)
-        # two columns: there is half a page for each
+        # two columns, half a page wide
         ax.legend(frameon=False, fontsize=8.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=2, handlelength=2.8)
     low, high = ax_rigid.get_ylim()
     ax_rigid.set_ylim(low, high)
@@ -193,7 +193,7 @@ def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: s
 def _finish_losses(ax: Axes, across: str) -> None:
     values = np.concatenate([np.asarray(each.get_ydata(), dtype=float) for each in ax.lines])
     low, high = min(0.0, float(np.nanmin(values))), max(0.1, float(np.nanmax(values)))
-    # Newton's law can give energy: what is below zero must show
+    # Newton's law can gain energy: show negative values
     ax.set_ylim(low - (0.06 * (high - low) if low < 0.0 else 0.0), high + 0.12 * (high - low))
     if low < 0.0:
         ax.axhline(0.0, color=colors.GRAY, lw=0.7, zorder=0)

@@ -1,4 +1,4 @@
-"""Numbers behind the figures of compliant contact: what a spring contact does to the article's motions."""
+"""Numbers of the figures of compliant contact: the article's motions on a spring."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from hophoop.simulation.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 
-# The article's runs: speed at the top [m/s], friction, and a time that holds their first cycles [s].
+# The article's runs: speed at the top [m/s], friction, and a duration with their first cycles [s].
 RUNS: dict[str, tuple[float, float, float]] = {
     "v₀ = 0.1 m/s": (0.1, 1.0, 4.0),
     "v₀ = 2 m/s": (2.0, 1.0, 3.0),
@@ -34,7 +34,7 @@ STIFFNESSES: Floats = 10.0 ** np.arange(3.0, 10.5, 0.5)
 
 
 def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any) -> Scenario:
-    """The same scenario on a compliant contact whose stiffness and slip speed are in natural units.
+    """Return a scenario with compliant contact, stiffness and slip speed in natural units.
 
     Further arguments are those of `hophoop.Compliant`.
 
@@ -59,7 +59,7 @@ def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None 
 
 
 def article_run(name: str) -> Scenario:
-    """One of `RUNS` with rigid contact.
+    """Return one of `RUNS` with rigid contact.
 
     Parameters
     ----------
@@ -74,14 +74,14 @@ def article_run(name: str) -> Scenario:
 
 
 def angle_error(scenario: Scenario, compliant: Scenario, times: int = 400) -> float:
-    """Largest difference of θ between a rigid motion and a compliant one.
+    """Return the maximum difference of θ between a rigid and a compliant motion.
 
     Parameters
     ----------
     scenario, compliant : Scenario
         Of equal duration.
     times : int, default 400
-        Where they are compared: so many equally spaced times.
+        Number of equally spaced times of the comparison.
 
     Returns
     -------
@@ -94,7 +94,7 @@ def angle_error(scenario: Scenario, compliant: Scenario, times: int = 400) -> fl
 
 
 def convergence(stiffnesses: ArrayLike = STIFFNESSES, **contact: Any) -> dict[str, Floats]:
-    """Distance of the article's motions on a compliant plane from the rigid ones.
+    """Return the errors of the article's motions on a compliant plane.
 
     Further arguments are those of `with_contact`.
 
@@ -106,7 +106,7 @@ def convergence(stiffnesses: ArrayLike = STIFFNESSES, **contact: Any) -> dict[st
     Returns
     -------
     errors : dict of ndarray
-        For each run the largest difference of θ [rad].
+        For each run the maximum difference of θ [rad].
     """
     ladder = np.asarray(stiffnesses, dtype=float)
     result = {}
@@ -117,7 +117,7 @@ def convergence(stiffnesses: ArrayLike = STIFFNESSES, **contact: Any) -> dict[st
 
 
 def order(stiffnesses: ArrayLike, errors: ArrayLike) -> float:
-    """Order of convergence: the slope that fits the logarithms, with its sign turned.
+    """Fit the order of convergence, minus the slope of the logarithms.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def order(stiffnesses: ArrayLike, errors: ArrayLike) -> float:
 
 
 class Landing(NamedTuple):
-    """What a landing did.
+    """Losses and velocities of a landing.
 
     Attributes
     ----------
@@ -153,14 +153,14 @@ class Landing(NamedTuple):
 
 
 def landing(motion: Trajectory, within: float = 0.02) -> Landing:
-    """The first landing of a motion.
+    """Return the first landing of a motion.
 
     Parameters
     ----------
     motion : Trajectory
         Rigid or compliant.
     within : float, default 0.02
-        Time after touch that a compliant landing takes at most; it ends earlier with a lift-off [s].
+        Maximum duration of a compliant landing; it ends earlier with a lift-off [s].
 
     Returns
     -------
@@ -169,7 +169,7 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
     Raises
     ------
     ValueError
-        If nothing lands.
+        If there is no landing.
     """
     events = motion.events
     index = next((i for i, event in enumerate(events) if event.kind == "impact"), -1)
@@ -188,7 +188,7 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
     end = min([touch.t + within, motion.duration, *leaves[:1]])
     before, after = motion.at(touch.t), motion.at(end, side="left")
     return Landing(
-        after.damping - before.damping + after.spring,  # what is still in the spring is lost after the lift-off
+        after.damping - before.damping + after.spring,  # the energy of the spring is lost after the lift-off
         after.friction - before.friction,
         after.slip,
         after.vy,
@@ -196,10 +196,10 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
 
 
 def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: float, law: str) -> float:
-    """Energetic restitution of one landing on a contact that is stiff without limit.
+    """Return the energetic restitution of one landing on an infinitely stiff contact.
 
-    Then the hoop does not move while the impulse grows, and the ratio of impulses is Coulomb's: the landing
-    is Routh's, which the normal law only ends.
+    The hoop does not move while the impulse grows, and the ratio of impulses is Coulomb's. So the landing follows Routh's
+    line of impulses, and the normal law determines its end.
 
     Parameters
     ----------
@@ -233,7 +233,7 @@ def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: flo
         r, stuck = impulse_ratio(body, arm, lever, vt)
         _, drag, gain = slip_rates(body, arm, lever, r)
         length = step
-        for _ in range(60):  # the midpoint rule, and again where the slip or the contact ends in it
+        for _ in range(60):  # the midpoint rule, repeated if the slip or the contact ends in a step
             force = normal_force(comp, y, vn)[0]
             middle = vn + 0.5 * length * gain * force
             force = normal_force(comp, y + 0.5 * length * vn, middle)[0]
@@ -260,7 +260,7 @@ def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: flo
 
 
 def matched_number(hoop: Hoop, plane: Plane, touch: EventRecord, restitution: float, law: str) -> float:
-    """The damping with which a stiff contact gives one landing a wanted restitution.
+    """Return the damping of a stiff contact for a given restitution of one landing.
 
     Parameters
     ----------
@@ -287,7 +287,7 @@ def matched_number(hoop: Hoop, plane: Plane, touch: EventRecord, restitution: fl
 
 
 def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 2.0) -> Scenario:
-    """The article's hop at 3.1 m/s.
+    """Return the article's hop at 3.1 m/s.
 
     Parameters
     ----------
@@ -306,7 +306,7 @@ def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge", dura
 
 
 def touch_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 0.05) -> Scenario:
-    """The landing of that hop alone: a start at the plane with the velocities of the rigid hoop at touch.
+    """Return only the landing of that hop: a start at the plane with the velocities of the rigid hoop at touch.
 
     Parameters
     ----------
@@ -330,10 +330,9 @@ def matched_landings(
     stiffnesses: ArrayLike = STIFFNESSES,
     law: str = "kelvin-voigt",
 ) -> dict[float, tuple[float, Floats]]:
-    """Convergence of the landing at 3.1 m/s, with the damping matched to the rigid plane's restitution.
+    """Compute the convergence of the landing at 3.1 m/s, with damping matched to the rigid plane's restitution.
 
-    The motions are compared until shortly before the rigid hoop lands again, at another angle, where the same
-    damping would be another restitution.
+    The motions are compared until shortly before the second landing of the rigid hoop, whose angle gives another restitution.
 
     Parameters
     ----------
@@ -346,7 +345,7 @@ def matched_landings(
     Returns
     -------
     errors : dict of (number, ndarray)
-        For each e the matched c/√(k m) or d √(g R), and the largest difference of θ for each stiffness [rad].
+        For each e the matched c/√(k m) or d √(g R), and the maximum difference of θ for each stiffness [rad].
     """
     result = {}
     for e in restitutions:
@@ -369,10 +368,10 @@ def matched_landings(
 
 
 def painleve_scenario(omega: float = 0.0, duration: float = 0.4, painleve: str = "flight") -> Scenario:
-    """The reference hoop sliding ahead at 1 m/s on its rim at θ = −41.4°, where cos θ = γ, with μ = 1.
+    """Return the reference hoop sliding ahead at 1 m/s on its rim at θ = −41.4°, where cos θ = γ, with μ = 1.
 
-    Its slip is then inside Painlevé's region: nothing holds the rim up (`omega` = 0, inconsistent), or more
-    than one motion is possible (`omega` = 5, indeterminate).
+    Its slip is in Painlevé's region: no contact force is consistent (`omega` = 0), or several motions are possible (`omega`
+    = 5, indeterminate).
 
     Parameters
     ----------
@@ -391,7 +390,7 @@ def painleve_scenario(omega: float = 0.0, duration: float = 0.4, painleve: str =
 
 
 def painleve_errors(omega: float, painleve: str, stiffnesses: ArrayLike = STIFFNESSES, **contact: Any) -> Floats:
-    """Distance of compliant motions in Painlevé's region from the rigid one.
+    """Return the errors of compliant motions in Painlevé's region relative to the rigid one.
 
     Parameters
     ----------
@@ -404,7 +403,7 @@ def painleve_errors(omega: float, painleve: str, stiffnesses: ArrayLike = STIFFN
     Returns
     -------
     errors : ndarray
-        Largest difference of θ [rad].
+        Maximum difference of θ [rad].
     """
     rigid = painleve_scenario(omega, painleve=painleve)
     ladder = np.asarray(stiffnesses, dtype=float)

@@ -1,4 +1,4 @@
-"""The numbers in the text of the report, all of them from computed motions, as they are printed there."""
+"""Numbers in the text of the report, formatted, all from computed motions."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from hophoop.article.statement import Statement
 from hophoop.scenario import Hoop, Plane, PointMass, Ring, Start
 from hophoop.simulation.simulate import simulate
 
-SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for the comments' question
+SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for a question in the article's comments
 
 
 def facts(statements: Sequence[Statement], runs: Runs) -> dict[str, str]:
-    """Every number that the text of the report gives, by name.
+    """Return the numbers in the text of the report, by name.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def facts(statements: Sequence[Statement], runs: Runs) -> dict[str, str]:
     """
     found = {one.key: one.numbers for one in statements}
     told = {**_rolling(found, runs), **_slipping(found, runs), **_hop(found, runs), **_low(runs), **_bodies()}
-    # a number and its unit stay together
+    # no line break between number and unit
     return {name: value.replace(" ", "\u00a0") for name, value in told.items()}
 
 
@@ -67,7 +67,7 @@ def _hop(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
     total = down.impact_normal + down.impact_tangential
     sine, cosine = math.sin(down.angle), math.cos(down.angle)
     before = down.before
-    # turned into the velocity of the centre of gravity
+    # the velocity of the centre of gravity
     along = before.vx + hoop.eccentricity * before.omega * cosine
     up = before.vy - hoop.eccentricity * before.omega * sine
     return {
@@ -113,7 +113,7 @@ def _low(runs: Runs) -> dict[str, str]:
 
 
 def _bodies() -> dict[str, str]:
-    """What the comments ask: a hoop made of its parts, and another radius and mass."""
+    """Numbers for the article's comments: a hoop made of parts, and another radius and mass."""
     made = Hoop.from_parts(1.0, [Ring(0.25, 1.0, 1.0), PointMass(0.75, at=1.0)])
     small = Hoop.ideal(0.75, **SMALL)
     speed = 3.1 * math.sqrt(SMALL["radius"])

@@ -1,4 +1,4 @@
-"""The article's figures, redrawn from computed motions, and some that it could not show."""
+"""The article's figures, redrawn from computed motions, and some more."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ WIDE = (7.2, 4.1)
 
 @dataclass(frozen=True)
 class ArticleFigure:
-    """One figure: name of its files, where it stands, what it shows, and how it is drawn."""
+    """One figure: name of its files, section, caption, and drawing function."""
 
     name: str
     section: str
@@ -37,11 +37,11 @@ class ArticleFigure:
     draw: Callable[[Runs, Axes], Any]
     size: tuple[float, float] = WIDE
     ours: bool = False  # not in the article
-    long: bool = False  # of a motion of minutes, or in compliant contact: drawn last
+    long: bool = False  # of a long motion, or in compliant contact: drawn last
 
 
-def drawn(figure: ArticleFigure, runs: Runs) -> Figure:
-    """A figure, drawn; it is not known to pyplot."""
+def draw_figure(figure: ArticleFigure, runs: Runs) -> Figure:
+    """Draw a figure outside of pyplot."""
     sheet: Figure = need("matplotlib.figure", "plots").Figure(figsize=figure.size, layout="constrained")
     figure.draw(runs, sheet.subplots())
     return sheet
@@ -56,7 +56,7 @@ def _path(name: str) -> Callable[[Runs, Axes], Any]:
 
 
 def _first_swing(runs: Runs, ax: Axes) -> None:
-    """The way to the first turning point and back to the next: later ones would lie on top of it."""
+    """Path to the first turning point and back to the next; later ones would cover it."""
     motion = runs.motion("low_friction")
     back = motion.find("turn")[1].t
     plots.path(simulate(motion.scenario.replace("duration", back)), ax=ax)
@@ -92,7 +92,7 @@ def _used(*names: str, turns: bool = True) -> Callable[[Runs, Axes], Any]:
 def _phase_plane(runs: Runs, ax: Axes) -> None:
     names = ("slow", "faster", "slipping", "hop", "low_friction")
     motions = [runs.motion(name) for name in names]
-    # as far as it goes ahead: its way to and fro has a picture of its own
+    # up to the turning point: the rocking has its own figure
     motions[-1] = simulate(motions[-1].scenario.replace("duration", motions[-1].find("turn")[0].t))
     plots.phase_plane(
         runs.hoop, runs.plane, motions, [title(name) for name in names], ax=ax,
@@ -106,7 +106,7 @@ def _phase_plane_low(runs: Runs, ax: Axes) -> None:
 
 
 def _slow_end(runs: Runs, ax: Axes) -> None:
-    """What the motion at 2.8 m/s has above the energy at which slip would end."""
+    """Excess energy of the motion at 2.8 m/s over that at which slip would end."""
     motion = runs.long_slipping
     floor = (1.0 + runs.hoop.eccentricity) * float(theory.first_slip_speed(runs.hoop, runs.plane)) ** 2
     t = np.array([event.t for event in motion.find("stick")])
@@ -176,7 +176,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "forces_faster",
         PART2,
-        "Contact forces at v₀ = 2 m/s beside those at 0.1 m/s.",
+        "Contact forces at v₀ = 2 m/s compared with those at 0.1 m/s.",
         _forces("slow", "faster"),
     ),
     ArticleFigure(
@@ -203,7 +203,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "slow_end_slipping",
         PART2,
         "v₀ = 2.8 m/s, followed for long: the energy above rolling at the critical speed, after each slip. It falls as 1/t, "
-        "so that the slip grows ever weaker and never ends.",
+        "so the slip gets weaker and never ends.",
         _slow_end,
         ours=True,
         long=True,
@@ -224,14 +224,14 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "energy_hop",
         PART3,
-        "v₀ = 3.1 m/s: energy balance. What the landing loses along the plane is booked to friction.",
+        "v₀ = 3.1 m/s: energy balance. The tangential loss of the landing is counted as friction.",
         _energy("hop", "angle"),
     ),
     ArticleFigure(
         "energy_hop_compliant",
         PART3,
         "v₀ = 3.1 m/s: the energy balance in both contact models. The landing costs the same in each: what the article "
-        "calls significantly larger than friction's share is real, not an artefact of its contact. Booked as above.",
+        "calls significantly larger than friction's share is real, not an artefact of its contact. Counted as above.",
         _both_models,
         (9.5, 4.4),
         ours=True,
@@ -249,10 +249,10 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "phase_plane",
         PART3,
-        "The (θ, θ̇) plane for γ = 3/4, μ = 1: what follows contact without slip, and the five motions in their modes' "
-        "colours. The corner where the hoop lifts off lies at the upper right of a turn; a slipping hoop leaves the plane as "
-        "it crosses the dashed line (▲ take-off, ▼ landing). The motion on μ = 0.3 is dashed, up to where it turns back: "
-        "other borders hold for it, shown below.",
+        "The (θ, θ̇) plane for γ = 3/4, μ = 1: the mode after contact without slip, and the five motions in their modes' "
+        "colours. The corner of the take-off is at the upper right of a revolution; a slipping hoop leaves the plane when "
+        "it crosses the dashed line (▲ take-off, ▼ landing). The motion on μ = 0.3 is dashed, up to its turning point: "
+        "it has other boundaries, shown below.",
         _phase_plane,
         (8.6, 5.6),
     ),
@@ -278,7 +278,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "phase_plane_low_friction",
         PART4,
-        "The (θ, θ̇) plane for μ = 0.3: rolling is left with a band, and the motion leaves it again and again.",
+        "The (θ, θ̇) plane for μ = 0.3: rolling is limited to a band, which the motion leaves again and again.",
         _phase_plane_low,
         (8.6, 5.2),
         ours=True,

@@ -1,6 +1,6 @@
 """The displayed formulas of the report, by name, for the ideal hoop on the level.
 
-Those of `COMPUTED` say what their left side is; a test reads them and puts the computed motion in.
+The formulas of `COMPUTED` are equations for a quantity; a test checks them on the computed motion.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ COMPUTED = {
     # in flight, from the take-off at θ₀ with ω; τ is the time since then
     "gap": r"y=\gamma R(\cos\theta_0-\cos(\theta_0+\omega\tau))-\gamma R\omega\tau\sin\theta_0-\frac{1}{2}g\tau^2",
     "velocity_in_flight": r"v=V-\gamma R\omega\cos\theta",
-    # the landing: before it the centre of gravity moves with V and U, and the hoop turns with ω
+    # the landing: V and U are the velocities of the centre of gravity before it, ω the angular velocity
     "landing": r"\omega_a=\frac{(1+\gamma\cos\theta)V-\gamma U\sin\theta+(1-\gamma^2)R\omega}{2R(1+\gamma\cos\theta)}",
     # slip, spinning
     "slip_normal": r"N=\frac{m(g-\gamma R\dot\theta^2\cos\theta)}"

@@ -1,4 +1,4 @@
-"""Figures as SVG that a dark page shows as well: the same drawing, whose colours follow what the reader has chosen."""
+"""SVG figures for light and dark pages, with colours that follow the reader's preference."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import re
 from hophoop.plots.style import ON_COLOR, ON_PAPER
 from hophoop.vocabulary import colors
 
-PAPER, INK = "#14171B", "#ECEEF0"  # of the dark page
-GRAY_LEVEL = 12  # parts of red, green and blue that differ by less are a gray
-A_SCALE = 24  # more colours than these are those of a scale, whose bar is a picture: they stay as they are beside it
+PAPER, INK = "#14171B", "#ECEEF0"  # of dark pages
+GRAY_LEVEL = 12  # maximum difference of red, green and blue in a gray
+A_SCALE = 24  # with more colours there is a colour scale, whose bar is an image: colours stay
 _INK = re.compile(r"(fill|stroke): (#[0-9a-fA-F]{6})")
 
 
 def for_both(svg: str) -> str:
-    """An SVG of Matplotlib whose colours are variables, with a value for light pages and one for dark ones.
+    """Replace the colours of Matplotlib's SVG by variables, with values for light and for dark pages.
 
-    A drawing whose colours fade into white paper keeps its paper.
+    A drawing with colours that fade into white paper stays on paper.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def for_both(svg: str) -> str:
     style = (
         f"<style>svg{{{light}fill:var(--i000000)}}"
         f"@media (prefers-color-scheme:dark){{svg{{{dark}}}}}"
-        # what lies on a colour keeps its ink: the colour stays as well
+        # text on a colour keeps its ink, since the colour stays
         f"[id^='{ON_COLOR}']{{{light}fill:#000000}}</style>"
     )
     start = body.index(">") + 1
@@ -45,7 +45,7 @@ def for_both(svg: str) -> str:
 
 
 def in_the_dark(color: str) -> str:
-    """A colour of a light page as a dark one shows it: grays change sides, other colours get light enough."""
+    """Return a colour for dark pages: grays are inverted, other colours lightened."""
     if not _gray(color):
         return colors.on_dark(color)
     share = sum(_parts(color)) / (3 * 255.0)

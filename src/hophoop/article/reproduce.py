@@ -1,4 +1,4 @@
-"""The whole article in one go: figures, films, statements, report."""
+"""Reproduce the article: figures, films, statements, report."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from hophoop._support.processes import start_python
 from hophoop._support.stopping import remove, stop_on_signals, temporary, undoing
 from hophoop._version import __version__
 from hophoop.article import report
-from hophoop.article.figures import FIGURES, drawn
+from hophoop.article.figures import FIGURES, draw_figure
 from hophoop.article.runs import Runs
 from hophoop.article.statement import Statement
 from hophoop.article.statements import count, statements
 
 DPI = 160
-TIDIES = 0.5  # seconds that the process of the films has to end when it is stopped
+TIDIES = 0.5  # s for the process of the films to end when it is stopped
 
 Progress = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)
 class Reproduction:
-    """What `reproduce` made.
+    """Results of `reproduce`.
 
     Attributes
     ----------
     folder : Path
-        Where it lies; open ``index.html`` in it.
+        Folder of the report; open ``index.html`` in it.
     statements : tuple of Statement
     films : tuple of Path
     without_films : str
-        Why there are none, else empty.
+        Reason for missing films, otherwise empty.
     """
 
     folder: Path
@@ -60,13 +60,12 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     Parameters
     ----------
     out : str or Path, default 'article'
-        Folder to write to, made if it is not there: ``index.html``, ``statements.json``, ``figures/`` and
+        Folder to write to, created if missing: ``index.html``, ``statements.json``, ``figures/`` and
         ``films/``.
     progress : callable, optional
-        Called with the name of a stage ('statements', 'figures', 'films'), how many steps are done
-        and of how many.
+        Called with the name of a stage ('statements', 'figures', 'films'), the number of steps done and of all.
     with_films : bool, default True
-        Whether films are made, where the extra ``films`` is installed.
+        Whether to make films, if the extra ``films`` is installed.
 
     Returns
     -------
@@ -82,25 +81,25 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     folder = Path(out)
     need("matplotlib.figure", "plots")
     (folder / "figures").mkdir(parents=True, exist_ok=True)
-    say = progress or _silent
+    say = progress or _no_progress
     runs = Runs()
-    # beside figures and statements, which take as long
-    with _films_beside(folder / "films") if with_films else nullcontext() as beside:
+    # in parallel with figures and statements, which take as long
+    with _films_in_background(folder / "films") if with_films else nullcontext() as process:
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
             with _style():
-                sheet = drawn(figure, runs)
+                sheet = draw_figure(figure, runs)
                 for ending in ("png", "svg"):
                     with replacing(folder / "figures" / f"{figure.name}.{ending}") as path:
                         sheet.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
-                    sheet.set_layout_engine("none")  # it is laid out; doing so again takes half of the time
+                    sheet.set_layout_engine("none")  # a second layout would take half of the time
             say("figures", k + 1, len(FIGURES))
-        checked = _checked(runs, say)
+        checked = _check_statements(runs, say)
         _write_json(folder, checked)
         made: list[Path] = []
-        reason = "they were not asked for"
+        reason = "they were not requested"
         if with_films:
             try:
-                made = (beside and beside.finish(say)) or films(folder / "films", say)
+                made = (process and process.finish(say)) or films(folder / "films", say)
                 reason = ""
             except MissingExtra as error:
                 reason = str(error)
@@ -110,13 +109,13 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
 
 
 def films(out: Path, progress: Progress) -> list[Path]:
-    """The article's films, into a folder of their own.
+    """Make the article's films.
 
     Parameters
     ----------
     out : Path
     progress : callable
-        As `reproduce` takes it.
+        As in `reproduce`.
 
     Returns
     -------
@@ -125,15 +124,15 @@ def films(out: Path, progress: Progress) -> list[Path]:
     Raises
     ------
     ImportError
-        If what films need is not installed.
+        If the extra ``films`` is not installed.
     """
     need("av", "films")
     if find_spec("hophoop.animate") is None:
         raise MissingExtra("this version makes no films.")
     from hophoop.animate import article_films
 
-    fresh = _fresh(out)
-    shutil.rmtree(fresh, ignore_errors=True)  # of one that was killed
+    fresh = _unfinished_folder(out)
+    shutil.rmtree(fresh, ignore_errors=True)  # left by a killed process
     with temporary(fresh):
         fresh.mkdir(parents=True)
         made = article_films(fresh, lambda done, total: progress("films", done, total))
@@ -143,12 +142,12 @@ def films(out: Path, progress: Progress) -> list[Path]:
         return [path.replace(out / path.name) for path in made]
 
 
-def _fresh(out: Path) -> Path:
-    """Where films are until all are there."""
+def _unfinished_folder(out: Path) -> Path:
+    """Folder of the films until all are complete."""
     return out.with_name(f".{out.name}-new")
 
 
-class _Beside:
+class _FilmProcess:
     """A process that makes the films."""
 
     def __init__(self, process: subprocess.Popen[bytes], out: Path) -> None:
@@ -156,7 +155,7 @@ class _Beside:
         self._out = out
 
     def finish(self, progress: Progress) -> list[Path]:
-        """Wait for the films; none where the process failed."""
+        """Wait for the films; none if the process failed."""
         assert self._process.stdout is not None
         made: list[Path] = []
         with self._process, self._process.stdout as lines:
@@ -169,7 +168,7 @@ class _Beside:
         return made
 
     def stop(self) -> None:
-        """End it, where it is still at work because something else went wrong."""
+        """End the process if it is still running."""
         if self._process.poll() is None:
             self._process.terminate()
             try:
@@ -177,16 +176,16 @@ class _Beside:
             except subprocess.TimeoutExpired:
                 self._process.kill()
                 self._process.wait()
-            remove(_fresh(self._out))
+            remove(_unfinished_folder(self._out))
         if self._process.stdout is not None:
             self._process.stdout.close()
 
 
 @contextmanager
-def _films_beside(out: Path) -> Iterator[_Beside | None]:
+def _films_in_background(out: Path) -> Iterator[_FilmProcess | None]:
     try:
         process = start_python(
-            f"from hophoop.article.reproduce import films_for_another; films_for_another({str(out)!r})",
+            f"from hophoop.article.reproduce import report_films; report_films({str(out)!r})",
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -194,13 +193,13 @@ def _films_beside(out: Path) -> Iterator[_Beside | None]:
     except OSError:
         yield None
         return
-    beside = _Beside(process, out)
-    with undoing(beside.stop):
-        yield beside
+    films = _FilmProcess(process, out)
+    with undoing(films.stop):
+        yield films
 
 
-def films_for_another(out: str) -> None:
-    """Make the films and say on standard output, in lines of JSON, how far that is."""
+def report_films(out: str) -> None:
+    """Make the films and report progress on standard output, in lines of JSON."""
 
     def say(_: str, done: int, total: int) -> None:
         print(json.dumps({"done": done, "total": total}), flush=True)
@@ -210,7 +209,7 @@ def films_for_another(out: str) -> None:
         print(json.dumps({"made": [str(path) for path in made]}), flush=True)
 
 
-def _checked(runs: Runs, progress: Progress) -> tuple[Statement, ...]:
+def _check_statements(runs: Runs, progress: Progress) -> tuple[Statement, ...]:
     total = count()
     done = 0
 
@@ -235,7 +234,7 @@ def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:
 
 @contextmanager
 def _style() -> Iterator[None]:
-    """Figures for a page: the same bits each time, letters as outlines so that they look alike everywhere."""
+    """Style of figures for a page: reproducible files, letters as outlines."""
     look = {
         "svg.hashsalt": "hophoop",
         "svg.fonttype": "path",
@@ -248,5 +247,5 @@ def _style() -> Iterator[None]:
         yield
 
 
-def _silent(stage: str, done: int, total: int) -> None:
+def _no_progress(stage: str, done: int, total: int) -> None:
     pass

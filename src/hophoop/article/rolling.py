@@ -1,4 +1,4 @@
-"""Statements on rolling: formulas, forces, friction needed. The article's formulas stand here anew."""
+"""Statements on rolling: formulas, forces, required friction. The article's formulas are written independently of ours."""
 
 from __future__ import annotations
 

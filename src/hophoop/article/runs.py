@@ -1,4 +1,4 @@
-"""The five motions, computed once, and what several statements ask of them."""
+"""The five motions, computed once, with quantities for several statements."""
 
 from __future__ import annotations
 
@@ -17,38 +17,38 @@ from hophoop.scenario import Hoop, Plane, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 
-# Long enough for the slow end of the slipping motion to show its law.
+# Long enough for the law of the slow end of slip.
 LONG = 3000.0
 
 
 class Runs:
-    """The article's motions, each computed when first asked for."""
+    """The article's motions, each computed on first use."""
 
     def __init__(self) -> None:
         self._motions: dict[str, Trajectory] = {}
         self._samples: dict[str, ArraySample] = {}
 
     def motion(self, name: str) -> Trajectory:
-        """A motion by its name."""
+        """Return a motion by name."""
         if name not in self._motions:
             self._motions[name] = simulate(scenarios()[name])
         return self._motions[name]
 
     def sample(self, name: str) -> ArraySample:
-        """A motion sampled densely, with both sides of each event."""
+        """Return a densely sampled motion, with both sides of each event."""
         if name not in self._samples:
             self._samples[name] = curve(self.motion(name))
         return self._samples[name]
 
     @cached_property
     def long_slipping(self) -> Trajectory:
-        """The motion at 2.8 m/s, followed for long."""
+        """The long motion at 2.8 m/s."""
         scenario = scenarios()["slipping"]
         return simulate(scenario.replace("duration", LONG))
 
     @property
     def hoop(self) -> Hoop:
-        """The article's hoop."""
+        """The reference hoop."""
         return scenarios()["slow"].hoop
 
     @property
@@ -58,7 +58,7 @@ class Runs:
 
 
 def first_time(motion: Trajectory, angle: float) -> float:
-    """When a motion first turns through an angle, by bisection to the last bit [s]."""
+    """Return the first time at which a motion has an angle, bisected to the last bit [s]."""
     grid = motion.times(4001)
     passed = np.flatnonzero(motion.at(grid).angle >= angle)
     if not passed.size:
@@ -74,7 +74,7 @@ def first_time(motion: Trajectory, angle: float) -> float:
 
 
 def crossings(motion: Trajectory, values: Any, times: Any, measure: Any) -> list[float]:
-    """Times at which `measure(sample)` changes sign, bisected from a sampled bracket [s]."""
+    """Return times at which `measure(sample)` changes sign, bisected from sampled brackets [s]."""
     found = []
     for k in np.flatnonzero(np.sign(values[1:]) * np.sign(values[:-1]) < 0.0):
         low, high = float(times[k]), float(times[k + 1])
@@ -90,9 +90,9 @@ def crossings(motion: Trajectory, values: Any, times: Any, measure: Any) -> list
 
 
 def largest(motion: Trajectory, times: NDArray[np.float64], measure: Callable[[ArraySample], NDArray[np.float64]]) -> float:
-    """Largest value of a measure between the first and the last of many times, refined about the largest one sampled."""
+    """Return the maximum of a measure between the first and the last time, refined about the largest sample."""
     found = -math.inf
-    for _ in range(9):  # the spacing falls to a tenth, the error to a hundredth of it or to a tenth at an event
+    for _ in range(9):  # each round divides the spacing by 10, and the error by 100, at an event by 10
         values = measure(motion.at(times, side="left"))
         k = int(np.argmax(values))
         found = max(found, float(values[k]))
@@ -101,5 +101,5 @@ def largest(motion: Trajectory, times: NDArray[np.float64], measure: Callable[[A
 
 
 def rolling_motion(gamma: float, mu: float, speed: float, duration: float) -> Trajectory:
-    """A hoop of another load fraction that starts rolling at the top."""
+    """Simulate a hoop of another load fraction from a rolling start at the top."""
     return simulate(Hoop.ideal(gamma), Plane(mu=mu), Start.rolling(speed), duration=duration)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 
-# Name → v0 (m/s), μ, duration (s). The article does not say how long its films are; here each shows all that
-# the article tells of it, and at least one turn.
+# Name → v0 (m/s), μ, duration (s). The article has no durations; here each motion shows all that the article reports of it,
+# and at least one revolution.
 RUNS = {
     "slow": (0.1, 1.0, 6.0),
     "faster": (2.0, 1.0, 3.4),
@@ -18,7 +18,7 @@ GAMMA, GRAVITY = 0.75, 9.81
 
 
 def scenarios() -> dict[str, Scenario]:
-    """The article's five motions: R = 1 m, m = 1 kg, three quarters of the mass in the load.
+    """Return the article's five motions: R = 1 m, m = 1 kg, γ = 3/4.
 
     Returns
     -------
@@ -48,6 +48,6 @@ def scenarios() -> dict[str, Scenario]:
 
 
 def title(name: str) -> str:
-    """What a motion is called in figures: its speed, and its friction where that is not 1."""
+    """Title of a motion in figures: its speed, and its friction if that is not 1."""
     speed, mu, _ = RUNS[name]
     return f"$v_0$ = {speed:g} m/s" + (f", $\\mu$ = {mu:g}" if mu != 1.0 else "")

@@ -39,7 +39,7 @@ def slips(runs: Runs) -> Statement:
 
 
 def peaks_of(motion: Trajectory, turns: int) -> list[float]:
-    """Greatest velocity of the centre in each of the first turns [m/s]."""
+    """Return the maximum velocity of the centre in each of the first revolutions [m/s]."""
     times = motion.times(int(min(400_000, 2000 * motion.duration)))
     turn = np.floor(motion.at(times).angle / (2.0 * math.pi)).astype(int)
     whole = [k for k in range(turns) if (turn > k).any()]
@@ -61,17 +61,17 @@ def peaks_fall(runs: Runs) -> Statement:
 
 
 def ends_rolling(runs: Runs) -> Statement:
-    """Slip above the critical speed never ends: the loss of a cycle goes as the square of the excess."""
+    """Slip above the critical speed never ends: the loss per cycle is proportional to the square of the excess."""
     motion = runs.long_slipping
     critical = float(theory.first_slip_speed(runs.hoop, runs.plane))
-    floor = (1.0 + runs.hoop.eccentricity) * critical**2  # W_k of rolling with it at the top
+    floor = (1.0 + runs.hoop.eccentricity) * critical**2  # kinetic energy at the top, rolling at that speed
     sticks = motion.find("stick")
     marks = {t: next(event for event in reversed(sticks) if event.t <= t) for t in (30.0, 300.0, LONG / 2.0, LONG)}
     excess = {t: _energy(motion, event) - floor for t, event in marks.items()}
-    products = [float(excess[t] * t) for t in (LONG / 2.0, LONG)]  # the energy stays until slip begins again
+    products = [float(excess[t] * t) for t in (LONG / 2.0, LONG)]  # the energy is constant until the next slip
     limit = slow_end(runs.hoop, runs.plane).product
     times = slip_below(motion, (0.1, 0.01))
-    # what is missing falls as the logarithm of the time over the time, so about to the half
+    # the deviation falls as log(t)/t, so to about half
     missing = [1.0 - product / limit for product in products]
     algebraic = 0.0 < missing[1] < 0.7 * missing[0] and missing[1] < 0.03
     still = motion.sequence[-8:].count("S") + motion.sequence[-8:].count("K") >= 3 and min(excess.values()) > 0.0
@@ -105,7 +105,7 @@ def _energy(motion: Trajectory, event: Any) -> float:
 
 
 def slip_below(motion: Trajectory, limits: tuple[float, ...]) -> dict[float, float]:
-    """From when on a motion's slip velocity stays below a limit [s]."""
+    """Return the time after which a motion's slip velocity stays below a limit [s]."""
     starts = np.array([event.t for event in motion.events if event.to_mode in "SK" and event.kind != "end"])
     ends = np.array([event.t for event in motion.find("stick")])
     count = min(len(starts), len(ends))
@@ -118,7 +118,7 @@ def slip_below(motion: Trajectory, limits: tuple[float, ...]) -> dict[float, flo
         if not above.size:
             result[limit] = 0.0
             continue
-        # the last phase that reaches it: when it falls below
+        # the last phase that exceeds it: the time when it falls below
         k = int(above[-1])
         low, high = float(times[k, np.flatnonzero(slip[k] >= limit)[-1]]), float(ends[k])
         for _ in range(50):

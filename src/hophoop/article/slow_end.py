@@ -1,13 +1,14 @@
-"""How slip above the critical speed dies away: the law of its slow end, from the forces of rolling alone.
+"""Law of the slow end of slip above the critical speed, from the forces of rolling alone.
 
-Rolling with the energy Δ above that of the critical speed would need h = α Δ − β (θ − θ*)²/2 more friction than there
-is, near the angle θ* where the cone is touched. Slip begins where h = 0, at θ* − s with s² = 2 α Δ/β, and v̇_t = K h, so
-that with θ̇ = ω
+Rolling with the energy Δ above that of the critical speed would require h = α Δ − β (θ − θ*)²/2 more friction than
+available, near the angle θ* of contact with the cone. Slip starts where h = 0, at θ* − s with s² = 2 α Δ/β. There
+v̇_t = K h, and with θ̇ = ω
 
     v_t = K β/(2 ω) · (s² φ − φ³/3 + 2 s³/3) = K β/(6 ω) · (φ + s)² (2 s − φ),   φ = θ − θ*
 
-Slip ends at φ = 2 s, and takes (μ N/ω) ∫ v_t dφ = 9 μ N K β s⁴/(8 ω²). On the level the cone is touched twice a turn, as
-far before the bottom as after it: a turn, which lasts T, takes c Δ² with c = 9 μ N K α²/(β ω²), and Δ t tends to T/c.
+Slip ends at φ = 2 s. It dissipates (μ N/ω) ∫ v_t dφ = 9 μ N K β s⁴/(8 ω²). On level ground the cone is touched twice per
+revolution, symmetrically about the bottom. So a revolution of period T dissipates c Δ² with c = 9 μ N K α²/(β ω²), and Δ t
+tends to T/c.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from hophoop import theory
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_stiffness
 from hophoop.scenario import Hoop, Plane, to_body
 
-HALF_WIDTH, DEGREE = 0.2, 24  # of the polynomial through h about θ*: rounding is left
+HALF_WIDTH, DEGREE = 0.2, 24  # of the polynomial through h about θ*, accurate to rounding
 
 
 class SlowEnd(NamedTuple):
@@ -34,7 +35,7 @@ class SlowEnd(NamedTuple):
     period : float
         T [s].
     loss : float
-        c, so that a turn takes c Δ² [1/J].
+        c: the loss per revolution is c Δ² [1/J].
     angle : float
         θ* [rad].
     """
@@ -61,13 +62,13 @@ def slow_end(hoop: Hoop, plane: Plane) -> SlowEnd:
     critical = float(theory.first_slip_speed(hoop, plane))
     mu = plane.mu_kinetic
     guess = float(theory.slip_angle(hoop, critical * (1.0 + 1e-9), plane))
-    # a polynomial through N and F of both speeds gives h, its maximum and its bend there
+    # a polynomial through N and F at both speeds gives h, its maximum and its curvature there
     nodes = np.polynomial.chebyshev.chebpts1(DEGREE)
     angles = guess + HALF_WIDTH * nodes
     forces = theory.rolling_forces(angles, hoop, critical, plane)
     sigma = -math.copysign(1.0, float(theory.rolling_forces(guess, hoop, critical, plane).friction))
     over = -sigma * forces.friction - mu * forces.normal
-    # the forces are linear in the energy: any difference of energy gives the slope
+    # the forces are linear in the energy, so any difference of energy gives the slope
     faster = theory.rolling_forces(angles, hoop, 2.0 * critical, plane)
     inertia = 1.0 + hoop.inertia_ratio + hoop.eccentricity**2 + 2.0 * hoop.eccentricity
     energy = 0.5 * hoop.mass * inertia * 3.0 * critical**2
@@ -82,7 +83,7 @@ def slow_end(hoop: Hoop, plane: Plane) -> SlowEnd:
     omega = float(theory.rolling_speed(angle, hoop, critical, plane))
     sine, cosine = math.sin(angle), math.cos(angle)
     body = to_body(hoop, plane)
-    # det W over p_σ: what slip gains in v̇_t for each newton that is missing
+    # det W over p_σ: the slip acceleration per newton of missing friction
     gain = inertia_at_height(body, load_height(sine, cosine)) / slip_stiffness(body, sine, cosine, sigma, 0.0) / hoop.mass
     loss = 9.0 * mu * normal * gain * slope**2 / (bend * omega**2)
     period = float(theory.rolling_period(hoop, critical, plane))

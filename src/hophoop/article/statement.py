@@ -1,4 +1,4 @@
-"""What the article says, next to what we find."""
+"""A statement of the article with our result."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from hophoop.article.verdicts import Judged
+from hophoop.article.verdicts import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)
-class Statement(Judged):
+class Statement(Verdict):
     """One statement of the article, checked.
 
     Attributes
@@ -18,16 +18,16 @@ class Statement(Judged):
     key : str
         Short name.
     section : str
-        Where in the article.
+        Section of the article.
     statement : str
-        What it says, in our words.
+        Its content, in our words.
     article : str
         Its value.
     ours : str
-        What our motion gives.
+        Our result.
     verdict : str
-        'agrees'; 'agrees within reading accuracy', where the article gives a rounded value or one read off a
-        plot; 'differs', where we know why and have checked the reason itself; 'fails', where neither holds.
+        'agrees'; 'agrees within reading accuracy' if the article's value is rounded or read off a plot; 'differs' with a
+        checked reason; 'fails' otherwise.
     why : str
         The reason for the verdict.
     numbers : dict

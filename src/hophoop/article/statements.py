@@ -18,9 +18,9 @@ def statements(runs: Runs | None = None, progress: Callable[[str], None] | None 
     Parameters
     ----------
     runs : Runs, optional
-        The motions, where they have been computed already.
+        The motions, if already computed.
     progress : callable, optional
-        Called with the key of each statement once it is checked.
+        Called with the key of each checked statement.
 
     Returns
     -------
@@ -34,24 +34,24 @@ def statements(runs: Runs | None = None, progress: Callable[[str], None] | None 
     runs = runs or Runs()
     found = []
     for check in (*rolling.CHECKS, *slipping.CHECKS):
-        statement = checked(check, runs)
+        statement = check_statement(check, runs)
         found.append(statement)
         if progress is not None:
             progress(statement.key)
     return tuple(sorted(found, key=lambda statement: SECTIONS.index(statement.section)))
 
 
-def checked(check: Check, runs: Runs) -> Statement:
-    """One statement checked; it fails where the computed motion does not have what it is about."""
+def check_statement(check: Check, runs: Runs) -> Statement:
+    """Check one statement; it fails if the computed motion lacks its subject."""
     try:
         return check(runs)
     except (IndexError, StopIteration, ValueError):
-        why = "The computed motion does not have what the statement is about."
+        why = "The computed motion lacks the subject of the statement."
         return Statement(
             key=check.__name__, section=SECTIONS[0], statement=check.__name__, article="–", ours="–", verdict=FAILS, why=why
         )
 
 
 def count() -> int:
-    """How many statements there are."""
+    """Return the number of statements."""
     return len(rolling.CHECKS) + len(slipping.CHECKS)

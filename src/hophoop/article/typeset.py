@@ -1,4 +1,4 @@
-"""LaTeX in a page as MathML, which browsers draw by themselves: nothing is asked of the network."""
+"""Convert LaTeX in a page to MathML, which browsers draw without scripts or network."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ INLINE = re.compile(r"\\\((.+?)\\\)", re.DOTALL)
 
 
 def typeset(text: str) -> str:
-    r"""A page whose formulas, as LaTeX in ``\(…\)`` and ``\[…\]``, are MathML.
+    r"""Convert the formulas of a page, LaTeX in ``\(…\)`` and ``\[…\]``, to MathML.
 
     Parameters
     ----------
@@ -32,6 +32,6 @@ def typeset(text: str) -> str:
 
 
 def mathml(latex: str, displayed: bool) -> str:
-    """One formula as an element of a page."""
+    """Convert one formula to MathML."""
     converter = need("math_core", "plots").LatexToMathML(fancy_error=False)
     return str(converter.convert_with_local_state(latex.strip(), displaystyle=displayed))

@@ -1,4 +1,4 @@
-"""The verdicts on what a work says, and the record that every checked claim or statement has."""
+"""Verdicts on claims and statements."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ VERDICTS = (AGREES, WITHIN_READING, DIFFERS, NOT_READ, FAILS)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Judged:
-    """What hophoop finds next to what a work says, with the verdict.
+class Verdict:
+    """Our result on a claim or statement, with the verdict.
 
     Attributes
     ----------
     key : str
         Short name.
     ours : str
-        What our motion gives.
+        Our result.
     verdict : str
-        'agrees'; 'agrees within reading accuracy', where the work's value is rounded or read off a plot; 'differs', where
-        we know why; 'not read', where we have not had what the work says; 'fails', where none of these holds.
+        'agrees'; 'agrees within reading accuracy' if the work's value is rounded or read off a plot; 'differs' with a known
+        reason; 'not read' if the source was not available; 'fails' otherwise.
     why : str
         The reason for the verdict.
     """
@@ -40,16 +40,16 @@ class Judged:
 
     @property
     def holds(self) -> bool:
-        """Whether the verdict is another one than 'fails'."""
+        """True unless the verdict is 'fails'."""
         return self.verdict != FAILS
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the fields as JSON has them.
+        """Convert to a dictionary for JSON.
 
         Returns
         -------
         fields : dict
-            A number that JSON does not have is a word, such as 'inf'.
+            Numbers that JSON lacks are words, such as 'inf'.
         """
         return {name: _plain(getattr(self, name)) for name in self._json}
 
@@ -59,10 +59,10 @@ def _plain(value: Any) -> Any:
 
 
 def agreement(holds: bool, exact: bool = True) -> str:
-    """The verdict on a statement that either holds or fails."""
+    """Return the verdict on a statement that either holds or fails."""
     return (AGREES if exact else WITHIN_READING) if holds else FAILS
 
 
 def difference(reason_holds: bool) -> str:
-    """The verdict where the article is not confirmed: only a checked reason makes it more than a failure."""
+    """Return the verdict if the article is not confirmed: 'differs' with a checked reason, otherwise 'fails'."""
     return DIFFERS if reason_holds else FAILS

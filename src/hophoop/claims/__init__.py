@@ -1,4 +1,4 @@
-"""What the literature claims about the loaded hoop, our number beside it, computed anew, and the verdict."""
+"""Claims of the literature about the loaded hoop, compared with our numbers."""
 
 from hophoop.claims.claim import Claim, Finding
 from hophoop.claims.literature import count, findings, registry, works

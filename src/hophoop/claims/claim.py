@@ -1,4 +1,4 @@
-"""A claim of the literature, our number beside it, and whether that number still holds."""
+"""A claim of the literature, our number, and whether that number still holds."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import pydantic.dataclasses
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, StrictFloat
 
-from hophoop.article.verdicts import AGREES, FAILS, VERDICTS, WITHIN_READING, Judged
+from hophoop.article.verdicts import AGREES, FAILS, VERDICTS, WITHIN_READING, Verdict
 from hophoop.cite import references
 from hophoop.claims import numbers
 
@@ -29,7 +29,7 @@ def _known_verdict(verdict: str) -> str:
 
 
 def _function(name: Any) -> Any:
-    """The function of `numbers` that has this name; anything other than a name is left as it is."""
+    """Return the function of `numbers` with this name; other values stay."""
     if not isinstance(name, str):
         return name
     found = getattr(numbers, name, None)
@@ -49,26 +49,26 @@ class Claim:
     work : str
         Key of the work in references.bib.
     claim : str
-        What it says, in our words.
+        Its content, in our words.
     theirs : str
-        Its number, or its answer in a word.
+        Its number, or its answer as a word.
     quantity : str
-        What our number is.
+        Meaning of our number.
     ours : str
-        Our number, with the digits that must come out again.
+        Our number, with the digits that must be reproduced.
     unit : str
         Unit of our number; empty for a pure number.
     verdict : str
-        'agrees'; 'agrees within reading accuracy', where theirs is rounded; 'differs', where we know why;
-        'not read', where we have not had what it says.
+        'agrees'; 'agrees within reading accuracy' if theirs is rounded; 'differs' with a known reason; 'not read' if the
+        source was not available.
     why : str
         The reason for the verdict.
     compute : callable
         Computes our number [unit]; in the file the name of a function of ``hophoop.claims.numbers``.
     theirs_number : float, optional
-        Its number, where there is one that ours is to be compared with [unit].
+        Its number, if ours is compared with it [unit].
     reading : float
-        How far ours may be from it [unit].
+        Maximum difference from it [unit].
     """
 
     key: str
@@ -86,8 +86,8 @@ class Claim:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Finding(Judged):
-    """A claim with our number as it comes out now.
+class Finding(Verdict):
+    """A claim with our number, computed now.
 
     Attributes
     ----------
@@ -96,17 +96,17 @@ class Finding(Judged):
     work : str
         Key of the work in references.bib.
     claim : str
-        What it says, in our words.
+        Its content, in our words.
     theirs : str
-        Its number, or its answer in a word.
+        Its number, or its answer as a word.
     ours : str
-        Our number or what our motion gives, computed now, with its unit.
+        Our number or result, computed now, with its unit.
     verdict : str
-        As of the claim; 'fails' where our number has not come out again or no longer bears the verdict.
+        That of the claim; 'fails' if our number has changed or contradicts the verdict.
     why : str
         The reason for the verdict.
     value : float or None
-        Our number in full precision, in the unit of `ours`; None where there are several [unit].
+        Our number in full precision, in the unit of `ours`; None if there are several [unit].
     """
 
     work: str
@@ -118,17 +118,17 @@ class Finding(Judged):
 
 
 def with_unit(number: str, unit: str) -> str:
-    """A number with its unit, as it is written."""
+    """Return a number with its unit."""
     return number.replace("-", "−") + ("°" if unit == "°" else f" {unit}" if unit else "")
 
 
 def decimals(number: str) -> int:
-    """Digits after the point of a number as it is written."""
+    """Return the number of digits after the decimal point."""
     return max(0, -int(Decimal(number).as_tuple().exponent))
 
 
-def judged(claim: Claim) -> Finding:
-    """Compute our number anew and see whether the verdict stands.
+def check_claim(claim: Claim) -> Finding:
+    """Compute our number and check the verdict.
 
     Parameters
     ----------
@@ -137,14 +137,14 @@ def judged(claim: Claim) -> Finding:
     Returns
     -------
     finding : Finding
-        'fails' where the number does not come out to the digits written down, where the comparison with the work's number
-        gives another verdict, or where the motion no longer has what the claim is about.
+        'fails' if the number has other digits than the claim, the comparison with the work's number gives another verdict, or
+        the motion lacks the subject of the claim.
     """
     finding = partial(Finding, key=claim.key, work=claim.work, claim=claim.claim, theirs=claim.theirs)
     try:
         value = float(claim.compute())
     except (IndexError, StopIteration, ValueError):
-        why = "The computed motion does not have what the claim is about."
+        why = "The computed motion lacks the subject of the claim."
         return finding(ours="–", verdict=FAILS, why=why)
     places = decimals(claim.ours)
     again = abs(value - float(claim.ours)) <= 0.5000001 * 10.0**-places

@@ -1,4 +1,4 @@
-"""All claims, in the order of their years, and what has become of them."""
+"""All claims by year, and their verdicts."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from pydantic import TypeAdapter
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
 from hophoop.article.statement import Check
-from hophoop.article.statements import checked
-from hophoop.claims.claim import Claim, Finding, judged
+from hophoop.article.statements import check_statement
+from hophoop.claims.claim import Claim, Finding, check_claim
 from hophoop.scenario import InputError
 
 ARTICLE = "Sonnerlind2023"
-# The article's statements with a number of their own that take no long motion; `hophoop reproduce` checks all of them.
+# Statements of the article with a number and without a long motion; `hophoop reproduce` checks all of them.
 FROM_ARTICLE: tuple[Check, ...] = (
     rolling.friction_needed,
     rolling.faster_utilization,
@@ -58,7 +58,7 @@ def claims_of(text: str) -> tuple[Claim, ...]:
 
 @cache
 def registry() -> tuple[Claim, ...]:
-    """All claims with a number, except those of the article.
+    """Return all claims with a number, except those of the article.
 
     Returns
     -------
@@ -75,7 +75,7 @@ def registry() -> tuple[Claim, ...]:
 
 
 def works() -> tuple[str, ...]:
-    """The works that the claims are from.
+    """Return the works of the claims.
 
     Returns
     -------
@@ -91,7 +91,7 @@ def works() -> tuple[str, ...]:
 
 
 def count(chosen: Iterable[str] = ()) -> int:
-    """How many claims there are.
+    """Return the number of claims.
 
     Parameters
     ----------
@@ -102,12 +102,12 @@ def count(chosen: Iterable[str] = ()) -> int:
     -------
     number : int
     """
-    wanted = _wanted(chosen)
+    wanted = _check_works(chosen)
     return sum(claim.work in wanted for claim in registry()) + (len(FROM_ARTICLE) if ARTICLE in wanted else 0)
 
 
 def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tuple[Finding, ...]:
-    """Compute our number for each claim and give the verdict.
+    """Compute our number of each claim and check its verdict.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tu
     Returns
     -------
     findings : tuple of Finding
-        By the year of the work. A claim whose number does not come out again has the verdict 'fails'.
+        By the year of the work. A claim whose number has changed has the verdict 'fails'.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tu
     >>> [one.verdict for one in findings(["Kane1984"])]
     ['agrees']
     """
-    wanted, total = _wanted(chosen), count(chosen)
+    wanted, total = _check_works(chosen), count(chosen)
     found = []
     for work in sorted(wanted, key=works().index):
         for judge in _judges(work):
@@ -141,7 +141,7 @@ def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tu
     return tuple(found)
 
 
-def _wanted(chosen: Iterable[str]) -> tuple[str, ...]:
+def _check_works(chosen: Iterable[str]) -> tuple[str, ...]:
     wanted = tuple(dict.fromkeys(chosen))
     for work in wanted:
         if work not in works():
@@ -153,11 +153,11 @@ def _judges(work: str) -> list[Callable[[], Finding]]:
     if work == ARTICLE:
         runs = Runs()
         return [partial(_of_article, check, runs) for check in FROM_ARTICLE]
-    return [partial(judged, claim) for claim in registry() if claim.work == work]
+    return [partial(check_claim, claim) for claim in registry() if claim.work == work]
 
 
 def _of_article(check: Check, runs: Runs) -> Finding:
-    one = checked(check, runs)
+    one = check_statement(check, runs)
     return Finding(
         key=one.key,
         work=ARTICLE,

@@ -1,4 +1,4 @@
-"""Our numbers: each computed from the motion or from theory, by itself."""
+"""Our numbers, each computed separately from the motion or from theory."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _skimming(speed: float = 1e-3) -> Trajectory:
 
 
 def massless_loss_angle() -> float:
-    """Where the contact force of the massless hoop vanishes after the smallest push [°]."""
+    """Angle at which the contact force of the massless hoop vanishes after the smallest push [°]."""
     return math.degrees(float(theory.massless_loss(0.0, plane=Plane(mu=2.0)).angle))
 
 
@@ -36,7 +36,7 @@ def massless_skim_angle() -> float:
 
 @cache
 def massless_height() -> float:
-    """How high the massless hoop rises above the plane, in any event or between [m]."""
+    """Maximum height of the massless hoop above the plane, at and between events [m]."""
     motion = _skimming()
     times = motion.times(2001)
     return max(*(float(height) for height in motion.at(times).height), *(event.height for event in motion.events))
@@ -54,7 +54,7 @@ def massless_strike() -> float:
 
 
 def massless_hop_speed() -> float:
-    """Speed from which on the massless hoop has no contact force from the start [m/s]."""
+    """Minimum speed at which the massless hoop has no contact force at the start [m/s]."""
     return float(theory.immediate_hop_speed(Hoop.ideal(1.0)))
 
 
@@ -73,12 +73,12 @@ def _slip_before_take_off() -> tuple[Any, Any]:
 
 
 def take_off_angle() -> float:
-    """Where the article's hoop takes off at 3.1 m/s [°]."""
+    """Angle of the reference hoop's take-off at 3.1 m/s [°]."""
     return math.degrees(_hop().find("takeoff")[0].angle)
 
 
 def slip_before_take_off() -> float:
-    """How far it turns in slip before it takes off [°]."""
+    """Rotation in slip before the take-off [°]."""
     slip, off = _slip_before_take_off()
     if off.from_mode not in ("S", "K"):
         raise ValueError("The hoop takes off out of another mode than slip.")
@@ -86,12 +86,12 @@ def slip_before_take_off() -> float:
 
 
 def over_rotation_angle() -> float:
-    """Where the slip begins that ends in the take-off [°]."""
+    """Angle at which the slip before the take-off starts [°]."""
     return math.degrees(_slip_before_take_off()[0].angle)
 
 
 def take_offs_out_of_rolling() -> float:
-    """Classes of the first revolution, at any γ of the catalogue, that roll last before they take off."""
+    """Number of classes of the first revolution, at any γ of the catalogue, with a take-off from rolling."""
     from hophoop.maps import catalogued
 
     return sum(entry.sequence.endswith("RH") for gamma in catalogued() for entry in catalogue(gamma))
@@ -99,7 +99,7 @@ def take_offs_out_of_rolling() -> float:
 
 @cache
 def force_lost_speed() -> float:
-    """Speed from which on rolling would need the plane to pull, whatever the friction [m/s]."""
+    """Minimum speed at which rolling needs a negative normal force with any friction [m/s]."""
     low, high = 2.0, float(theory.immediate_hop_speed(HOOP))
     for _ in range(40):
         middle = 0.5 * (low + high)
@@ -112,7 +112,7 @@ def force_lost_speed() -> float:
 
 @cache
 def first_hop_speed() -> float:
-    """Speed from which on the article's hoop takes off in its first turn, bisected between 2.9 and 2.92 m/s [m/s]."""
+    """Minimum speed of a take-off of the reference hoop in its first revolution, bisected from 2.9 to 2.92 m/s [m/s]."""
     low, high = 2.9, 2.92
     for _ in range(24):
         middle = 0.5 * (low + high)
@@ -125,27 +125,27 @@ def first_hop_speed() -> float:
 
 
 def immediate_hop_speed() -> float:
-    """Speed from which on the article's hoop leaves the plane at the first instant [m/s]."""
+    """Minimum speed at which the reference hoop leaves the plane at the start [m/s]."""
     return float(theory.immediate_hop_speed(HOOP))
 
 
 def first_slip_speed() -> float:
-    """Speed from which on the article's hoop slips in its first turn [m/s]."""
+    """Minimum speed of slip of the reference hoop in its first revolution [m/s]."""
     return float(theory.first_slip_speed(HOOP, PLANE))
 
 
 def friction_from_rest() -> float:
-    """Friction that the article's hoop needs to roll from the smallest push."""
+    """Friction required by the reference hoop to roll from the smallest push."""
     return float(theory.needed_friction(HOOP, 0.0, PLANE).mu)
 
 
 def sequences() -> float:
-    """Sequences of phases in the first revolution, γ = 3/4, whatever ends it."""
+    """Number of sequences of phases in the first revolution, γ = 3/4, with any ending."""
     return len({entry.sequence for entry in catalogue(GAMMA)})
 
 
 def sequences_with_endings() -> float:
-    """Sequences with what ends the revolution, γ = 3/4."""
+    """Number of sequences with their endings, γ = 3/4."""
     return len(catalogue(GAMMA))
 
 
@@ -161,12 +161,12 @@ def _quasi_jump() -> Any:
 
 
 def quasi_jump_angle() -> float:
-    """Where N vanishes in rolling on infinite friction, with 3.1 m/s at the top [°]."""
+    """Angle at which N vanishes in rolling with infinite friction, with 3.1 m/s at the top [°]."""
     return math.degrees(_quasi_jump().angle)
 
 
 def quasi_jump_free_acceleration() -> float:
-    """Acceleration of the contact point away from the plane there, if it were free [m/s²]."""
+    """Free acceleration of the contact point away from the plane there [m/s²]."""
     event = _quasi_jump()
     return GAMMA * float(event.omega) ** 2 * math.cos(event.angle) - PLANE.gravity
 
@@ -179,17 +179,17 @@ def _cylinder(mu: float) -> Trajectory:
 
 
 def cylinder_slip_angle() -> float:
-    """Where a cylinder with a rod, released on 30° with μ = 1, slips first [°]."""
+    """Angle of the first slip of a cylinder with a rod, released on 30° with μ = 1 [°]."""
     return math.degrees(_cylinder(1.0).find("slip_start")[0].angle)
 
 
 def cylinder_jump_angle() -> float:
-    """Where it leaves the slope [°]."""
+    """Angle at which it leaves the slope [°]."""
     return math.degrees(_cylinder(1.0).find("takeoff")[0].angle)
 
 
 def cylinder_force_lost_angle() -> float:
-    """Where N vanishes if the same cylinder rolls without slip [°]."""
+    """Angle at which N vanishes if the same cylinder rolls without slip [°]."""
     return math.degrees(_cylinder(math.inf).events[-1].angle)
 
 
@@ -197,7 +197,7 @@ def cylinder_force_lost_angle() -> float:
 
 
 def painleve_friction() -> float:
-    """Least friction for Painlevé's paradox, γ = 3/4."""
+    """Minimum friction of Painlevé's paradox, γ = 3/4."""
     return float(theory.painleve_minimum(HOOP).mu)
 
 
@@ -210,7 +210,7 @@ def _jam() -> Trajectory:
 
 
 def jam_angle() -> float:
-    """Where a thrown hoop with γ = 0.85, μ = 0.8, 8.9 m/s jams [°]."""
+    """Angle at which a launched hoop with γ = 0.85, μ = 0.8, 8.9 m/s jams [°]."""
     return math.degrees(_jam().events[-1].angle)
 
 
@@ -230,12 +230,12 @@ def impulse_without_collision() -> float:
 
 
 def impulse_of_slip() -> float:
-    """Impulse that stops the slip just below it, 10⁻⁶ of the threshold [N s]."""
+    """Impulse that stops the slip below the threshold by the relative distance 10⁻⁶ [N s]."""
     threshold = float(theory.painleve_threshold(-0.7, HOOP))
     start = Start(angle=-0.7, vx=3.0, omega=1.0)
     body = simulate(HOOP, Plane(mu=threshold * (1.0 - 1e-6)), start, duration=0.01)
     stop = body.find("stick")[0]
-    # the impulse along the normal is the change of the momentum of G and what gravity took
+    # the normal impulse is the change of momentum of G plus the impulse of gravity
     rise = [one.vy - HOOP.eccentricity * one.omega * math.sin(one.angle) for one in (body.at(0.0), stop)]
     return HOOP.mass * (rise[1] - rise[0] + PLANE.gravity * float(stop.t))
 
@@ -248,22 +248,22 @@ def _blow(law: str) -> Trajectory:
 
 
 def kane_gain() -> float:
-    """Energy that Newton's law creates in a blow of 5 J with friction [J]."""
+    """Energy gained by Newton's law in an impact of 5 J with friction [J]."""
     return float(_blow("newton").find("kane_gain")[0].gain)
 
 
 def stronge_separation() -> float:
-    """Velocity with which the rim parts after the same blow under Stronge's law [m/s]."""
+    """Velocity of separation after the same impact under Stronge's law [m/s]."""
     return float(_blow("stronge").find("impact")[0].vy)
 
 
 def stronge_normal_loss() -> float:
-    """What the same blow loses in the normal direction under Stronge's law with e = 1 [J]."""
+    """Energy lost in the normal direction by the same impact under Stronge's law with e = 1 [J]."""
     return abs(float(_blow("stronge").find("impact")[0].impact_normal))
 
 
 def routh_reversal() -> float:
-    """Slip after a plastic blow whose friction is too small to hold it, backwards before [m/s]."""
+    """Slip velocity after a plastic impact with too little friction to stop it, backwards before [m/s]."""
     body = Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.39)
     plane = Plane(mu=0.125, restitution=0.0)
     motion = simulate(body, plane, Start(angle=-math.atan2(4.0, 3.0), vx=-1.0, vy=-3.0), duration=0.01)

@@ -1,4 +1,4 @@
-"""The registry as tables of the documentation: nothing is computed, since the registry has our numbers."""
+"""Tables of the claims for the documentation, with the numbers of the registry."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ END = "<!-- end of claims -->"
 
 
 def table(works: Iterable[str]) -> str:
-    """The claims of some works as a Markdown table.
+    """Return the claims of some works as a Markdown table.
 
     Parameters
     ----------
@@ -33,8 +33,8 @@ def _row(claim: Claim) -> str:
     return f"| {claim.claim} | {claim.theirs} | {ours}. {claim.why} | {claim.verdict} |"
 
 
-def filled(text: str) -> str:
-    """A page with the table between its marks made anew.
+def fill_tables(text: str) -> str:
+    """Return a page with the table between its marks replaced.
 
     Parameters
     ----------

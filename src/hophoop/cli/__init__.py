@@ -1,7 +1,7 @@
 """The command line: each command parses, calls one public function and prints.
 
-A command is a function in a module of its own name here: `hophoop map` is `map` in ``cli/map.py``. Modules
-are loaded when asked for; heavy imports stand inside the functions, so that ``hophoop --help`` is quick.
+A command is a function in a module of the same name: `hophoop map` is `map` in ``cli/map.py``. Modules are loaded on use,
+and heavy imports are inside the functions, so that ``hophoop --help`` is fast.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from hophoop._support.errors import InputError, plain
 from hophoop._support.extras import MissingExtra
 from hophoop._support.stopping import Stopping, stop_on_signals
 
-# In the order in which --help shows them.
+# In the order of --help.
 COMMANDS = (
     "run", "prove", "theory", "reproduce", "claims", "animate", "map", "track", "fit", "plan", "compare", "lab",
 )  # fmt: skip
@@ -30,14 +30,14 @@ DEFECT = 1
 
 
 class Commands(TyperGroup):
-    """The commands, each loaded on use; what goes wrong becomes one sentence and an exit status."""
+    """The commands, each loaded on use; errors become one sentence and an exit status."""
 
     def list_commands(self, ctx: Any) -> list[str]:
-        """Names of the commands that are there."""
+        """Return the names of the commands."""
         return [name for name in COMMANDS if find_spec(f"hophoop.cli.{name}") is not None]
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
-        """The command of a name, or None."""
+        """Return the command of a name, or None."""
         if cmd_name not in self.list_commands(ctx):
             return None
         module = import_module(f"hophoop.cli.{cmd_name}")
@@ -64,13 +64,13 @@ class Commands(TyperGroup):
             raise Failed(sentence(error)) from error
 
     def invoke(self, ctx: Any) -> Any:
-        """Run the command; bad input, files that cannot be used and missing extras end with status 2."""
+        """Run the command; bad input, unusable files and missing extras end with status 2."""
         try:
             return super().invoke(ctx)
         except KeyboardInterrupt as error:
             raise Stopped from error
         except BrokenPipeError:
-            raise  # the reader of a pipe has gone; handled where it has always been
+            raise  # the reader of a pipe has closed it: Typer handles this
         except InputError as error:
             from hophoop.cli._output import in_options
 
@@ -83,7 +83,7 @@ class Commands(TyperGroup):
             raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
 
     def _refuse_empty_names(self, words: list[str]) -> None:
-        """Refuse an option for a file without a name, which pathlib would read as the current folder."""
+        """Refuse an empty file name, which pathlib would read as the current folder."""
         if not any(word == "" or word.endswith("=") for word in words):
             return
         from typing import get_type_hints
@@ -100,7 +100,7 @@ class Commands(TyperGroup):
                 raise Failed(f"{flag} = '' must name a file or a folder.")
 
     def _options(self, ctx: Any) -> dict[str, str]:
-        """Argument → option of the command that was called, but for those of the scenario, whose paths are told."""
+        """Map Python argument names to option names; scenario options keep their paths."""
         from hophoop.cli._options import OPTIONS
 
         flags = {one.name: max(one.opts, key=len) for one in self.get_command(ctx, ctx.invoked_subcommand).params}
@@ -120,7 +120,7 @@ class Commands(TyperGroup):
         if not standalone_mode:
             return super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
         for stream in (sys.stdout, sys.stderr):
-            # a letter that a terminal does not know is no reason to end
+            # replace letters that the terminal does not know
             if hasattr(stream, "reconfigure") and (stream.encoding or "").lower().replace("-", "") != "utf8":
                 stream.reconfigure(errors="replace")
         with stop_on_signals(alone=args is None) as stopping:
@@ -129,19 +129,19 @@ class Commands(TyperGroup):
             except BaseException as error:
                 if stopping.heard:
                     raise
-                status = _told(error, stopping)
+                status = _report_failure(error, stopping)
             sys.exit(status if isinstance(status, int) else DONE)
 
 
-def _told(error: BaseException, stopping: Stopping) -> int:
-    """Say what went wrong; returns the exit status."""
+def _report_failure(error: BaseException, stopping: Stopping) -> int:
+    """Report an error; return the exit status."""
     if isinstance(error, Failed):
         _say_error(str(error))
         return BAD_INPUT
     if isinstance(error, (typer.Abort, Stopped, KeyboardInterrupt)):
         stopping.say()
         return STOPPED
-    # a mistake in the arguments themselves, which the parser reports
+    # an error in the arguments, reported by the parser
     describe = getattr(error, "format_message", None)
     if describe is None:
         if not isinstance(error, Exception):
@@ -150,7 +150,7 @@ def _told(error: BaseException, stopping: Stopping) -> int:
         return DEFECT
     text = " ".join(str(describe()).split())
     command = getattr(getattr(error, "ctx", None), "command_path", "hophoop")
-    if "\n" in str(describe()) or not text:  # the help, where a command was left out
+    if "\n" in str(describe()) or not text:  # the help, if the command is missing
         typer.echo(str(describe()), err=True)
     else:
         _say_error(f"{text.rstrip('.')}. See {command} --help.")
@@ -158,20 +158,20 @@ def _told(error: BaseException, stopping: Stopping) -> int:
 
 
 class Stopped(Exception):
-    """Ctrl-C or SIGTERM, by a name of ours: of a KeyboardInterrupt Typer makes status 130 without a word."""
+    """Ctrl-C or SIGTERM; Typer would end a KeyboardInterrupt with status 130 and no message."""
 
 
 class Failed(Exception):
-    """Bad input, said in one sentence."""
+    """Bad input, described in one sentence."""
 
 
 def say(text: str) -> None:
-    """A line to the person, on standard error: standard output is for results."""
+    """Print a line on standard error; standard output is for results."""
     typer.echo(text, err=True)
 
 
 def _report_defect(error: Exception) -> None:
-    """Print the traceback of an exception that no input may cause, and where to report it."""
+    """Print the traceback of a defect, and how to report it."""
     from hophoop import __version__
 
     traceback.print_exception(error)

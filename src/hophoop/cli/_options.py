@@ -1,4 +1,4 @@
-"""Options that make a scenario, shared by the commands that need one."""
+"""Options for a scenario, shared by the commands that need one."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ OPTIONS = (
     ScenarioOption("--v0", "start.speed", "Rolling start: velocity of the centre, m/s.", START),
     ScenarioOption("--angle", "start.angle", "Angle of the load from the top, rad.", START),
     ScenarioOption("--angle-deg", "start.angle", "The same in degrees.", START, to_si=math.radians),
-    ScenarioOption("--x", "start.x", "Place of the centre along the plane, m.", START),
+    ScenarioOption("--x", "start.x", "Position of the centre along the plane, m.", START),
     ScenarioOption("--height", "start.height", "Gap between rim and plane, m.", START),
     ScenarioOption("--vx", "start.vx", "Velocity of the centre along the plane, m/s.", START),
     ScenarioOption("--vy", "start.vy", "Velocity of the centre away from the plane, m/s.", START),
@@ -55,7 +55,7 @@ OPTIONS = (
 
 
 def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command FILE and the options above; it is called with `scenario` in their place."""
+    """Add FILE and the options above to a command, which is called with `scenario` instead."""
     own = inspect.signature(command, eval_str=True)
     names = [_name(option) for option in OPTIONS]
     added = [
@@ -67,7 +67,7 @@ def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
                 str | None,
                 typer.Argument(
                     metavar="FILE",
-                    help="Scenario in TOML or JSON; '-' is standard input. Options change what it says; "
+                    help="Scenario in TOML or JSON; '-' is standard input. Options change it; "
                     "without it they change the reference case.",
                     show_default=False,
                 ),
@@ -105,11 +105,11 @@ def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
     )
 
     @wraps(command)
-    def wrapped(**values: Any) -> None:
+    def run(**values: Any) -> None:
         file = values.pop("file")
         given = {option: values.pop(name) for name, option in zip(names, OPTIONS, strict=True)}
         settings = values.pop("assign") or []
-        if "file" in own.parameters:  # for a command that must know what it reads
+        if "file" in own.parameters:  # for commands that need the name of the file
             values["file"] = file
         command(scenario=scenario_of(file, given, settings), **values)
 
@@ -119,10 +119,10 @@ def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
         if parameter.name not in ("scenario", "file")
     ]
     parameters = [*added, *rest]
-    wrapped.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    wrapped.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
-    del wrapped.__wrapped__
-    return wrapped
+    run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    run.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    del run.__wrapped__
+    return run
 
 
 def _name(option: ScenarioOption) -> str:
@@ -130,12 +130,12 @@ def _name(option: ScenarioOption) -> str:
 
 
 def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: list[str]) -> Any:
-    """The scenario of a file, or the reference case, with what the options change."""
+    """Return the scenario of a file, or the reference case, changed by the options."""
     from hophoop.scenario import InputError, Scenario
 
     base = Scenario() if file is None else Scenario.load(file)
     values: dict[str, Any] = {}
-    names: dict[str, str] = {}  # what the person called each path
+    names: dict[str, str] = {}  # option used for each path
     for option, value in given.items():
         if value is None:
             continue
@@ -152,12 +152,12 @@ def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: li
             raise InputError(f"--set {path} cannot be given together with {names[path]}.")
         names[path] = f"--set {path}"
         values[path] = value_of(word.strip())
-    _check_ways(base, names)
+    _check_redundancy(base, names)
     return base.with_values(values)
 
 
-def _check_ways(base: Any, names: dict[str, str]) -> None:
-    """Refuse options that say one thing in two ways, or turn a rolling start into half of a free one."""
+def _check_redundancy(base: Any, names: dict[str, str]) -> None:
+    """Refuse redundant options, and options that make a rolling start an incomplete free one."""
     from hophoop.scenario import InputError
     from hophoop.scenario.paths import contradiction
 
@@ -169,12 +169,12 @@ def _check_ways(base: Any, names: dict[str, str]) -> None:
     if free and missing and base.start.speed is not None:
         raise InputError(
             f"{names[free[0]]} cannot be given without {' and '.join(missing)}: the start is a rolling one "
-            f"(start.speed = {base.start.speed:g} m/s), which does not say how a free one moves."
+            f"(start.speed = {base.start.speed:g} m/s), which does not determine a free one."
         )
 
 
 def value_of(word: str) -> Any:
-    """A value as it is written: a number where it reads as one, else a word."""
+    """Return a value as a number if it is one, else as text."""
     for kind in (int, float):
         try:
             return kind(word)

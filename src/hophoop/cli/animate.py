@@ -1,9 +1,8 @@
-"""`hophoop animate`: a film of one or several motions, in 2D or 3D, or a scene that turns in a browser."""
+"""`hophoop animate`: a film of one or several motions, in 2D or 3D, or an interactive scene for a browser."""
 
 from __future__ import annotations
 
 import re
-from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -25,7 +24,7 @@ def animate(
             "--out",
             metavar="FILE",
             help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html "
-            "or .glb, a scene that turns.",
+            "or .glb, an interactive scene.",
             show_default=False,
         ),
     ],
@@ -43,7 +42,7 @@ def animate(
     panel: Annotated[
         list[str] | None,
         typer.Option(
-            help="A plot that runs along, not with --3d: velocity, energy, forces, utilization or phase; may be repeated.",
+            help="An animated plot, not with --3d: velocity, energy, forces, utilization or phase; may be repeated.",
             rich_help_panel=PICTURE,
             show_default=False,
         ),
@@ -53,9 +52,11 @@ def animate(
     shadows: Annotated[bool, typer.Option(help="Cast shadows, with --3d.", rich_help_panel=PICTURE)] = True,
     fps: Annotated[
         float | None,
-        typer.Option(help="Pictures a second; 60, with --3d 30, in a gif 25.", rich_help_panel=PACE, show_default=False),
+        typer.Option(
+            help="Pictures per second; by default 60, with --3d 30, in a gif 25.", rich_help_panel=PACE, show_default=False
+        ),
     ] = None,
-    speed: Annotated[float, typer.Option(help="Seconds of motion a second of film.", rich_help_panel=PACE)] = 1.0,
+    speed: Annotated[float, typer.Option(help="Seconds of motion per second of film.", rich_help_panel=PACE)] = 1.0,
     slow_at: Annotated[
         list[str] | None,
         typer.Option(
@@ -65,11 +66,11 @@ def animate(
             show_default=False,
         ),
     ] = None,
-    slow_factor: Annotated[float, typer.Option(help="How many times slower.", rich_help_panel=PACE)] = 8.0,
+    slow_factor: Annotated[float, typer.Option(help="Factor of the slow motion.", rich_help_panel=PACE)] = 8.0,
     slow_width: Annotated[
         float | None,
         typer.Option(
-            help="How long before and after, in the motion's time, s.",
+            help="Duration of the slow motion before and after, in the motion's time, s.",
             rich_help_panel=PACE,
             show_default=False,
         ),
@@ -79,12 +80,12 @@ def animate(
         float | None,
         typer.Option("--to", help="Last time to show, s.", rich_help_panel=PACE, show_default=False),
     ] = None,
-    beside: Annotated[
+    others: Annotated[
         list[str] | None,
         typer.Option(
             "--with",
             metavar="FILE",
-            help="Another scenario to show as well; may be repeated.",
+            help="Another scenario to show; may be repeated.",
             rich_help_panel=COMPARE,
             show_default=False,
         ),
@@ -93,20 +94,22 @@ def animate(
         str | None,
         typer.Option(
             metavar="PATH=A,B,…",
-            help="Show the scenario for some values of a parameter, such as plane.mu=0.3,1.",
+            help="Show the scenario for several values of a parameter, such as plane.mu=0.3,1.",
             rich_help_panel=COMPARE,
             show_default=False,
         ),
     ] = None,
-    overlay: Annotated[bool, typer.Option("--overlay", help="All in one view.", rich_help_panel=COMPARE)] = False,
-    step: Annotated[str, typer.Option(help="What they have in common: time or angle.", rich_help_panel=COMPARE)] = "time",
+    overlay: Annotated[bool, typer.Option("--overlay", help="Show all in one view.", rich_help_panel=COMPARE)] = False,
+    step: Annotated[
+        str, typer.Option(help="Common quantity of the motions in a frame: time or angle.", rich_help_panel=COMPARE)
+    ] = "time",
     label: Annotated[
         list[str] | None,
-        typer.Option(help="A line for each motion, in their order.", rich_help_panel=COMPARE, show_default=False),
+        typer.Option(help="Label of a motion, in their order; may be repeated.", rich_help_panel=COMPARE, show_default=False),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
-    """Film a motion, or some to compare: real time, ring coloured by speed, traces, forces to scale."""
+    """Make a film of one motion or of several, with traces and forces to scale."""
     from hophoop._support.extras import need
     from hophoop.cli import NO_ANSWER, say
     from hophoop.scenario import InputError, Scenario
@@ -116,32 +119,46 @@ def animate(
     if match is None:
         raise InputError(f"--size = {size} must be a width and a height, such as 1280x720.", field="--size", value=size)
     if three_d and (panel or overlay):
-        raise InputError("--panel and --overlay do not go together with --3d.")
-    if out.suffix:  # else a folder for pictures, which is made
+        raise InputError("--panel and --overlay cannot be given together with --3d.")
+    if out.suffix:  # otherwise a folder for pictures, which is created
         check_folder("--out", out)
-    scenarios = [*_varied(scenario, vary), *(Scenario.load(file) for file in beside or ())]
+    scenarios = [*_variations(scenario, vary), *(Scenario.load(file) for file in others or ())]
     motions = [simulate(each) for each in scenarios]
 
-    need("matplotlib", "films")  # which brings the extra 'plots' as well
+    need("matplotlib", "films")  # in the extra 'plots', which 'films' includes
     from hophoop import animate as films
 
     with named_options({"start": "--from", "panels": "--panel", "labels": "--label"}):
         slow = tuple(_mark(text) for text in slow_at or ())
-        timing = films.Timing(fps, speed, slow, slow_factor, slow_width, begin, end, step)
-        pixels, labels = (int(match[1]), int(match[2])), label or None
-        if three_d:
-            space = films.Look3D(pixels, theme, camera or "chase", labels, traces, forces, shadows)
-        else:
-            layout = "overlay" if overlay else "side"
-            flat = films.Look(pixels, theme, camera or "follow", panel or (), layout, labels, traces, forces)
-        if three_d and out.suffix.lower() in SCENES:
-            films.scene(motions, out, timing, space)
-        else:
-            with nullcontext(None) if quiet else films.bar(out.name) as progress:
-                if three_d:
-                    films.film_3d(motions, out, timing, space, progress)
+        timing = films.Timing(
+            fps=fps,
+            speed=speed,
+            slow_at=slow,
+            slow_factor=slow_factor,
+            slow_width=slow_width,
+            start=begin,
+            end=end,
+            step=step,
+        )
+        common: dict[str, Any] = {
+            "size": (int(match[1]), int(match[2])),
+            "theme": theme,
+            "labels": label or None,
+            "traces": traces,
+            "forces": forces,
+        }
+        with films.bar(out.name, quiet=quiet) as progress:
+            if not three_d:
+                look = films.Look(
+                    camera=camera or "follow", panels=panel or (), layout="overlay" if overlay else "side", **common
+                )
+                films.film(motions, out, timing, look, progress)
+            else:
+                space = films.Look3D(camera=camera or "chase", shadows=shadows, **common)
+                if out.suffix.lower() in SCENES:
+                    films.scene(motions, out, timing, space)
                 else:
-                    films.film(motions, out, timing, flat, progress)
+                    films.film_3d(motions, out, timing, space, progress)
     if not quiet:
         say(f"Wrote {out}.")
     for motion in motions:
@@ -150,7 +167,7 @@ def animate(
             raise typer.Exit(NO_ANSWER)
 
 
-def _varied(scenario: Any, vary: str | None) -> list[Any]:
+def _variations(scenario: Any, vary: str | None) -> list[Any]:
     from hophoop.cli._options import value_of
     from hophoop.scenario import InputError
 

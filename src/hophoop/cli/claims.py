@@ -1,26 +1,18 @@
-"""`hophoop claims`: what the literature claims, our number computed now, the verdict."""
+"""`hophoop claims`: claims of the literature, our numbers computed now, verdicts."""
 
 from __future__ import annotations
 
-import json as json_text
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_table, table_of, verdict
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from hophoop.claims import Finding
-
-COLORS = {
-    "agrees": "green",
-    "agrees within reading accuracy": "cyan",
-    "differs": "yellow",
-    "not read": "dim",
-    "fails": "bold white on red",
-}
 
 
 def claims(
@@ -28,43 +20,28 @@ def claims(
         list[str] | None,
         typer.Argument(
             metavar="[WORK]...",
-            help="Works to look at, by their keys, such as Littlewood1953; all of them if none is named.",
+            help="Works by key, such as Littlewood1953; all by default.",
             show_default=False,
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON, numbers in full precision.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Print no table: the exit status tells.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Print no table; see the exit status.")] = False,
 ) -> None:
-    """What the literature claims, our number computed now, the verdict; status 1 where a number does not hold."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    from hophoop.claims import count, findings
+    """Compare claims of the literature with numbers computed now; status 1 if a number of ours has changed."""
+    from hophoop._support.progress import bar
+    from hophoop.claims import findings
     from hophoop.cli import NO_ANSWER, say
 
-    chosen = works or []
-    total = count(chosen)
-    console = Console(stderr=True)
-    bars = Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        console=console,
-        transient=True,
-        disable=quiet or not console.is_terminal,
-    )
-    with bars:
-        task = bars.add_task("computing our numbers", total=total)
-        found = findings(chosen, lambda done, of: bars.update(task, completed=done, total=of))
+    with bar("computing our numbers", quiet=quiet) as progress:
+        found = findings(works or [], progress)
     if json:
-        typer.echo(json_text.dumps(_as_json(found), indent=2, ensure_ascii=False, allow_nan=False))
+        print_json(_as_json(found))
     elif not quiet:
         _print(found)
         _print_hint(found)
     failed = [one.key for one in found if not one.holds]
     if failed:
-        say(f"A number of ours no longer holds: {', '.join(failed)}.")
+        say(f"Numbers of ours that have changed: {', '.join(failed)}.")
         raise typer.Exit(NO_ANSWER)
 
 
@@ -80,21 +57,12 @@ def _as_json(found: Sequence[Finding]) -> dict[str, object]:
 
 
 def _print(found: Sequence[Finding]) -> None:
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title, width in (("work", 19), ("claim", None), ("theirs", 15), ("ours, computed now", None), ("verdict", 15)):
-        table.add_column(title, width=width, overflow="fold")
-    before = ""
+    titles = ("work", "claim", "theirs", "ours, computed now", "verdict")
+    rows, before = [], ""
     for one in found:
-        table.add_row(
-            "" if one.work == before else one.work, one.claim, one.theirs, one.ours, Text(one.verdict, COLORS[one.verdict])
-        )
+        rows.append(("" if one.work == before else one.work, one.claim, one.theirs, one.ours, verdict(one.verdict)))
         before = one.work
-    console = console_of(150)
-    console.print(table)
+    print_table(table_of(titles, rows, wrap=titles, widths={"work": 19, "theirs": 15, "verdict": 15}), 150)
 
 
 def _print_hint(found: Sequence[Finding]) -> None:
@@ -102,4 +70,4 @@ def _print_hint(found: Sequence[Finding]) -> None:
     from hophoop.cli import say
 
     if any(one.work == ARTICLE for one in found):
-        say("Of the article only some statements stand here; hophoop reproduce checks all of them.")
+        say("This table has some statements of the article; hophoop reproduce checks all of them.")

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_table, table_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,15 +34,15 @@ def compare(
         list[str] | None, typer.Argument(metavar="[ENGINE …]", help="All by default.", autocompletion=_engine_names)
     ] = None,
     scenario: Annotated[
-        list[str] | None, typer.Option(help="A motion; may be repeated; all by default.", autocompletion=_scenario_names)
+        list[str] | None, typer.Option(help="A motion; may be repeated; by default all.", autocompletion=_scenario_names)
     ] = None,
-    dt: Annotated[list[float] | None, typer.Option(help="Time step in place of the usual ones, s; may be repeated.")] = None,
+    dt: Annotated[list[float] | None, typer.Option(help="Time step instead of the usual ones, s; may be repeated.")] = None,
     out: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for index.html, film and scores.json.")] = None,
     command: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME=COMMAND", help="An engine that reads JSON and writes CSV; may be repeated."),
     ] = None,
-    npm: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder in which npm installed engines.")] = None,
+    npm: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder with node_modules of installed engines.")] = None,
     score: Annotated[Path | None, typer.Option(metavar="FILE.csv", help="Score a record, without any engine.")] = None,
     ladder: Annotated[bool, typer.Option(help="Run the hop over ten time steps, for the limits and orders.")] = True,
     film: Annotated[bool, typer.Option(help="Make the film.")] = True,
@@ -49,13 +50,11 @@ def compare(
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress and no table.")] = False,
 ) -> None:
     """Run physics engines on the benchmark hophoop-bench/1, or score a record of any program."""
-    import json as json_text
-
     from hophoop.cli import NO_ANSWER, say
     from hophoop.engines.adapters.npm import FOLDER
     from hophoop.engines.registry import command_engine, engines, physics_engines
     from hophoop.engines.registry import engine as one_engine
-    from hophoop.engines.scenarios import chosen
+    from hophoop.engines.scenarios import scenarios_named
     from hophoop.scenario import InputError
 
     if score is not None:
@@ -65,7 +64,7 @@ def compare(
         return
     if npm is not None:
         if not npm.is_dir():
-            raise InputError(f"--npm = {npm} must be a folder that is there.", field="--npm", value=npm)
+            raise InputError(f"--npm = {npm} must be an existing folder.", field="--npm", value=npm)
         os.environ[FOLDER] = str(npm.absolute())
     for step in dt or ():
         if not 0.0 < step <= 0.1:
@@ -75,9 +74,9 @@ def compare(
         raise typer.Exit(NO_ANSWER)
     known = [one_engine(name) for name in engine] if engine else [] if command else list(engines().values())
     known += [command_engine(text) for text in command or ()]
-    result = _run(known, chosen(scenario), dt, ladder, quiet or json)
+    result = _run(known, scenarios_named(scenario), dt, ladder, quiet or json)
     if json:
-        typer.echo(json_text.dumps(result.to_dict(), indent=1, ensure_ascii=False, allow_nan=False))
+        print_json(result.to_dict(), indent=1)
     elif not quiet:
         _show(result)
     if out is not None:
@@ -90,56 +89,27 @@ def compare(
 
 
 def _run(known: Sequence[Engine], scenarios: Any, dt: list[float] | None, ladder: bool, quiet: bool) -> Any:
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
+    from hophoop._support.progress import bar
     from hophoop.engines.comparing import compare as run
 
-    console = Console(stderr=True)
-    bars = Progress(
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        TextColumn("{task.description}"),
-        console=console,
-        disable=quiet or not console.is_terminal,
-    )
-    task = bars.add_task("starting", total=None)
-
-    def step(words: str, done: int, total: int) -> None:
-        bars.update(task, description=words, completed=done, total=total)
-
-    with bars:
-        return run(known, scenarios, dt, ladder, step)
+    with bar("starting", quiet=quiet) as report:
+        progress = None if report is None else lambda job, done, total: report(done, total, job)
+        return run(known, scenarios, dt, ladder, progress)
 
 
 def _show(result: Any) -> None:
-    from rich import box
-    from rich.markup import escape
-    from rich.table import Table
-
     from hophoop.engines.tables import cells, heads, scenario_rows, summary
-
-    console = console_of(4000)
-
-    def table(title: str, head: list[str], rows: list[list[str]]) -> None:
-        shown = Table(box=box.SIMPLE_HEAD, title=title, title_justify="left", pad_edge=False)
-        for k, name in enumerate(head):
-            shown.add_column(name, justify="left" if k < 3 else "right", no_wrap=k < 3)
-        for row in rows:
-            shown.add_row(*(escape(cell) for cell in row))  # [engines] is no markup
-        console.print(shown)
 
     names = list(dict.fromkeys(row.scenario for row in result.rows))
     if len(names) == 1:
-        table(names[0], heads(), [cells(result, row) for row in scenario_rows(result, names[0])])
+        titles, rows = heads(), [cells(result, row) for row in scenario_rows(result, names[0])]
     else:
-        table("hophoop-bench/1", *summary(result))
+        titles, rows = summary(result)
+    name = names[0] if len(names) == 1 else "hophoop-bench/1"
+    print_table(table_of(titles, rows, right=titles[3:], wrap=titles[3:], name=name), 4000)
 
 
 def _score(path: Path, scenario: list[str] | None, json: bool) -> None:
-    import json as json_text
-
     from hophoop.engines.comparing import score_file
     from hophoop.engines.recording import load_csv
     from hophoop.engines.tables import COLUMNS, number
@@ -150,8 +120,7 @@ def _score(path: Path, scenario: list[str] | None, json: bool) -> None:
         raise InputError("--scenario must name one motion with --score.")
     name, found, measures = score_file(load_csv(path), scenario[0] if scenario else None)
     if json:
-        both = {"scenario": name, "scores": found.to_dict(), "measures": measures.to_dict()}
-        typer.echo(json_text.dumps(both, indent=1, ensure_ascii=False))
+        print_json({"scenario": name, "scores": found.to_dict(), "measures": measures.to_dict()}, indent=1)
         return
     right = truths()[name].measures.sequence
     verdict = "right" if found.sequence_right else f"should be {right}"

@@ -7,7 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_parameters
 from hophoop.vocabulary.laws import NAMED
 
 OUTPUT, DATA, MODEL = "Output", "Data", "Model"
@@ -27,25 +28,31 @@ def fit(
     ] = None,
     film: Annotated[
         Path | None,
-        typer.Option(metavar="VIDEO", help="The film, to lay the motion over; with --out or --lab.", rich_help_panel=OUTPUT),
+        typer.Option(metavar="VIDEO", help="The film, to draw the motion over; with --out or --lab.", rich_help_panel=OUTPUT),
     ] = None,
     save: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The fit with its data, .json.", rich_help_panel=OUTPUT)
+        Path | None, typer.Option(metavar="FILE", help="File for the fit with its data, .json.", rich_help_panel=OUTPUT)
     ] = None,
     lab: Annotated[
-        bool, typer.Option("--lab", help="Open the lab with what was found, and over --film if given.", rich_help_panel=OUTPUT)
+        bool, typer.Option("--lab", help="Open the lab with the fitted motion, over --film if given.", rich_help_panel=OUTPUT)
     ] = False,
-    json: Annotated[bool, typer.Option("--json", help="Print it as JSON, without the data.", rich_help_panel=OUTPUT)] = False,
+    json: Annotated[
+        bool, typer.Option("--json", help="Print the fit as JSON, without the data.", rich_help_panel=OUTPUT)
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
-    radius: Annotated[float | None, typer.Option(help="Of the rim, m, if the data do not say.", rich_help_panel=DATA)] = None,
+    radius: Annotated[
+        float | None, typer.Option(help="Radius of the rim, m, if the data lack it.", rich_help_panel=DATA)
+    ] = None,
     sigma: Annotated[
         float | None,
-        typer.Option(help="Standard deviation of each coordinate, m, if the data do not say.", rich_help_panel=DATA),
+        typer.Option(help="Standard deviation of each coordinate, m, if the data lack it.", rich_help_panel=DATA),
     ] = None,
-    sigma_angle: Annotated[float | None, typer.Option(help="The same of angles, rad.", rich_help_panel=DATA)] = None,
-    centre: Annotated[str | None, typer.Option(help="Name of the point that is the centre.", rich_help_panel=DATA)] = None,
-    marker: Annotated[str | None, typer.Option(help="Name of the point that is the marker.", rich_help_panel=DATA)] = None,
-    angle_unit: Annotated[str | None, typer.Option(help="rad or deg, if not written.", rich_help_panel=DATA)] = None,
+    sigma_angle: Annotated[float | None, typer.Option(help="Standard deviation of angles, rad.", rich_help_panel=DATA)] = None,
+    centre: Annotated[str | None, typer.Option(help="Name of the point at the centre.", rich_help_panel=DATA)] = None,
+    marker: Annotated[str | None, typer.Option(help="Name of the point at the marker.", rich_help_panel=DATA)] = None,
+    angle_unit: Annotated[
+        str | None, typer.Option(help="Unit of angles, rad or deg, if the data lack it.", rich_help_panel=DATA)
+    ] = None,
     hoop: Annotated[
         str, typer.Option(help="ideal, general, or a scenario file with the hoop's measured parts.", rich_help_panel=MODEL)
     ] = "ideal",
@@ -63,23 +70,26 @@ def fit(
         ),
     ] = None,
     bound: Annotated[
-        list[str] | None, typer.Option(metavar="NAME=LOW:HIGH", help="May be repeated.", rich_help_panel=MODEL)
+        list[str] | None,
+        typer.Option(metavar="NAME=LOW:HIGH", help="Range of a parameter; may be repeated.", rich_help_panel=MODEL),
     ] = None,
     tie: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=EXPRESSION", help="A parameter by others; may be repeated.", rich_help_panel=MODEL),
+        typer.Option(
+            metavar="NAME=EXPRESSION", help="A parameter as an expression of others; may be repeated.", rich_help_panel=MODEL
+        ),
     ] = None,
-    gravity: Annotated[float, typer.Option(help="m/s².", rich_help_panel=MODEL)] = 9.81,
-    law: Annotated[str, typer.Option(help=f"Of impacts: {NAMED}.", rich_help_panel=MODEL)] = "stronge",
+    gravity: Annotated[float, typer.Option(help="Gravity, m/s².", rich_help_panel=MODEL)] = 9.81,
+    law: Annotated[str, typer.Option(help=f"Impact law: {NAMED}.", rich_help_panel=MODEL)] = "stronge",
     sample: Annotated[
         int | None,
-        typer.Option(metavar="STEPS", help="Walk through the posterior, some 1000 steps (emcee).", rich_help_panel=MODEL),
+        typer.Option(metavar="STEPS", help="Sample the posterior with emcee, about 1000 steps.", rich_help_panel=MODEL),
     ] = None,
     squares: Annotated[
-        bool, typer.Option("--squares", help="Plain squares: outliers count in full.", rich_help_panel=MODEL)
+        bool, typer.Option("--squares", help="Least squares without a robust loss for outliers.", rich_help_panel=MODEL)
     ] = False,
 ) -> None:
-    """Fit the exact motion to a track; status 1 where no fit is good."""
+    """Fit the exact motion to a track; status 1 if the fit is not good."""
     from hophoop.cli import NO_ANSWER
     from hophoop.cli._output import check_ending, check_folder
     from hophoop.fitting import fit as find
@@ -92,23 +102,23 @@ def fit(
     if save is not None:
         check_ending("--save", save, (".json",))
     if film is not None and out is None and not lab:
-        raise InputError("--film needs --out, the folder of the page that shows it, or --lab.")
-    track = read_track(data, Reading(centre, marker, angle_unit, radius, sigma, sigma_angle))
+        raise InputError("--film needs --out, the folder of the page, or --lab.")
+    reading = Reading(centre=centre, marker=marker, angle_unit=angle_unit, radius=radius, sigma=sigma, sigma_angle=sigma_angle)
     found = find(
-        track,
-        _hoop(hoop),
-        start,
-        {name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
-        tuple(free or ()),
-        {name: _range(name, text) for name, text in _pairs("--bound", bound)},
-        dict(_pairs("--tie", tie)),
-        Plane(gravity=gravity, impact_law=law),
-        sigma,
-        sigma_angle,
-        not squares,
+        read_track(data, reading),
+        hoop=_hoop(hoop),
+        start=start,
+        fixed={name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
+        free=tuple(free or ()),
+        bounds={name: _range(name, text) for name, text in _pairs("--bound", bound)},
+        tied=dict(_pairs("--tie", tie)),
+        plane=Plane(gravity=gravity, impact_law=law),
+        sigma=sigma,
+        sigma_angle=sigma_angle,
+        robust=not squares,
     )
     if sample is not None:
-        found = _sampled(found, sample, quiet)
+        found = _sample(found, sample, quiet)
     _show(found, json)
     if save is not None:
         found.save(save)
@@ -117,18 +127,16 @@ def fit(
     if lab:
         from hophoop.cli.lab import open_fit
 
-        open_fit(found, film)
+        open_fit(found, film, browser=True)
     if not found.good:
         raise typer.Exit(NO_ANSWER)
 
 
-def _sampled(found: Any, steps: int, quiet: bool) -> Any:
-    from contextlib import nullcontext
-
-    from hophoop.animate.export import bar
+def _sample(found: Any, steps: int, quiet: bool) -> Any:
+    from hophoop._support.progress import bar
     from hophoop.fitting import sample
 
-    with nullcontext(None) if quiet else bar("sampling") as progress:
+    with bar("sampling", quiet=quiet) as progress:
         return sample(found, steps, progress=progress)
 
 
@@ -169,45 +177,20 @@ def _range(name: str, text: str) -> tuple[float, float]:
 
 
 def _show(found: Any, json: bool) -> None:
-    import json as json_text
+    from hophoop.fitting.result import plain
 
     if json:
-        whole = {key: value for key, value in found.to_dict().items() if key != "track"}
-        typer.echo(json_text.dumps(finite(whole), indent=1, ensure_ascii=False, allow_nan=False))
+        print_json(plain({key: value for key, value in found.to_dict().items() if key != "track"}), indent=1)
         return
-    table(found.rows())
+    print_parameters(found.rows())
     for sentence in found.sentences():
         typer.echo(sentence)
 
 
-def finite(value: Any) -> Any:
-    """The same for JSON, without nan and infinity."""
-    from hophoop.fitting.result import plain
-
-    return plain(value)
-
-
-def table(rows: list[tuple[str, str, str]]) -> None:
-    """Print parameters, values and meanings."""
-    from rich import box
-    from rich.markup import escape
-    from rich.table import Table
-
-    console = console_of(200)
-    shown = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for name in ("parameter", "value", "meaning"):
-        shown.add_column(name, no_wrap=name != "meaning")
-    for row in rows:
-        shown.add_row(*(escape(cell) for cell in row))
-    console.print(shown)
-
-
 def _write(found: Any, out: Path, film: Path | None, quiet: bool) -> None:
-    from contextlib import nullcontext
-
-    from hophoop.animate.export import bar
+    from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.fitting import report
 
-    with nullcontext(None) if quiet or film is None else bar("drawing") as progress:
+    with bar("drawing", quiet=quiet or film is None) as progress:
         say(f"The page: {report(found, out, film, progress)}")

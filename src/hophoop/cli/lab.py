@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,15 +13,11 @@ def lab(
         str | None, typer.Argument(metavar="[FILE]", help="Scenario to open with, or a fit (fit.json); '-' is standard input.")
     ] = None,
     host: Annotated[str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option(help="Port to listen on; 0 takes a free one.")] = 8765,
-    workers: Annotated[int, typer.Option(help="Processes that compute.")] = 2,
-    name: Annotated[
-        list[str] | None, typer.Option(help="A name under which it is reached, such as a proxy's; may be given again.")
-    ] = None,
+    port: Annotated[int, typer.Option(help="Port to listen on; 0 for a free one.")] = 8765,
+    workers: Annotated[int, typer.Option(help="Number of computing processes.")] = 2,
+    name: Annotated[list[str] | None, typer.Option(help="Host name of the lab, such as a proxy's; may be repeated.")] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
-    film: Annotated[
-        Path | None, typer.Option(metavar="VIDEO", help="With a fit: the film that was tracked, to lay under the hoop.")
-    ] = None,
+    film: Annotated[Path | None, typer.Option(metavar="VIDEO", help="With a fit: the tracked film, as the background.")] = None,
     export: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="Write the lab as a folder of files for any web host instead of serving it."),
@@ -30,7 +25,7 @@ def lab(
     docs: Annotated[
         str | None,
         typer.Option(
-            metavar="URL", help="With --export: where this documentation is, for teachers; an address or a path like ../."
+            metavar="URL", help="With --export: address of this documentation, for teachers; a URL or a path like ../."
         ),
     ] = None,
 ) -> None:
@@ -43,20 +38,21 @@ def lab(
     from hophoop.scenario import InputError, Scenario
 
     if docs is not None:
-        raise InputError("--docs needs --export: it stands in the pages of that folder.")
-    found = fit_in(file)
+        raise InputError("--docs needs --export: it is a link in the exported pages.")
+    found = fit_of_file(file)
     if found is None:
         if film is not None:
             raise InputError("--film needs a fit to a track of that film, such as fitted/fit.json.")
         from hophoop.lab.app import serve
 
-        serve(host, port, workers, browser, "" if file is None else Scenario.load(file).to_query(), name or ())
+        query = "" if file is None else Scenario.load(file).to_query()
+        serve(host=host, port=port, workers=workers, browser=browser, query=query, names=name or ())
         return
-    open_fit(found, film, host, port, workers, browser, name or ())
+    open_fit(found, film, host=host, port=port, workers=workers, browser=browser, names=name or ())
 
 
-def fit_in(file: str | None) -> Any:
-    """The fit that a file holds; None where it holds none."""
+def fit_of_file(file: str | None) -> Any:
+    """Return the fit in a file, or None."""
     if file is None or not file.lower().endswith(".json") or not Path(file).is_file():
         return None
     with open(file, "rb") as stream:
@@ -68,25 +64,17 @@ def fit_in(file: str | None) -> Any:
     return load_fit(file)
 
 
-def open_fit(
-    found: Any,
-    film: Path | None,
-    host: str = "127.0.0.1",
-    port: int = 8765,
-    workers: int = 2,
-    browser: bool = True,
-    names: Sequence[str] = (),
-) -> None:
-    """Open the lab with a fit's scenario, and its film under the hoop."""
+def open_fit(found: Any, film: Path | None, **server: Any) -> None:
+    """Serve the lab with a fit's scenario and its film under the hoop; `server` goes to `hophoop.lab.app.serve`."""
+    from hophoop._support.progress import bar
     from hophoop._support.stopping import temporary_folder
-    from hophoop.animate.export import bar
     from hophoop.lab.app import serve
 
     with temporary_folder() as folder:
         backdrop = None
         if film is not None:
-            from hophoop.fitting import backdrop as prepared
+            from hophoop.fitting import backdrop as prepare
 
             with bar("preparing the film") as progress:
-                backdrop = prepared(found, film, folder / "film.mp4", progress)
-        serve(host, port, workers, browser, found.scenario.to_query(), names, backdrop)
+                backdrop = prepare(found, film, folder / "film.mp4", progress)
+        serve(query=found.scenario.to_query(), backdrop=backdrop, **server)

@@ -16,16 +16,16 @@ def _quantity_names() -> list[str]:
 
 
 class MapCommand(TyperCommand):
-    """Its help ends with the list of quantities."""
+    """The command with a list of quantities in its help."""
 
     def get_help(self, ctx: Any) -> str:
-        """The help, with the quantities that a map can hold, their meaning and unit."""
-        text = super().get_help(ctx)  # Typer prints it itself
-        typer.echo(_listed())
+        """Return the help; print the quantities of a map with their meaning and unit."""
+        text = super().get_help(ctx)  # printed by Typer
+        typer.echo(_quantity_list())
         return text
 
 
-def _listed() -> str:
+def _quantity_list() -> str:
     from hophoop.maps.grid.quantities import QUANTITIES
 
     wide = max(len(name) for name in QUANTITIES) + 2
@@ -48,7 +48,7 @@ def map(
     quantity: Annotated[
         list[str] | None,
         typer.Option(
-            help="What the map holds, by default sequence; may be repeated. See the list below.",
+            help="Quantity of the map, by default sequence; may be repeated. See the list below.",
             autocompletion=_quantity_names,
         ),
     ] = None,
@@ -56,16 +56,16 @@ def map(
         str,
         typer.Option(help="first_revolution, takeoff, reversal, duration or revolutions:N."),
     ] = "first_revolution",
-    out: Annotated[Path | None, typer.Option(help="Where the map goes: a name ending in .zarr or .nc.")] = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Take up a map that was stopped.")] = False,
+    out: Annotated[Path | None, typer.Option(help="File of the map, ending in .zarr or .nc.")] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Resume a map that was stopped.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw the map's first quantity: .png, .svg, .pdf or .jpg.")] = None,
-    threads: Annotated[int | None, typer.Option(help="How many cores; all by default.")] = None,
-    workers: Annotated[int | None, typer.Option(help="Start a Dask cluster of so many processes here.")] = None,
+    threads: Annotated[int | None, typer.Option(help="Number of cores; by default all.")] = None,
+    workers: Annotated[int | None, typer.Option(help="Start a local Dask cluster with this number of processes.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
     gpu: Annotated[bool, typer.Option("--gpu", help="Compute on a CUDA GPU (extra 'gpu').")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
-    """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
+    """Compute a map over two or more parameters of a scenario (by default the reference hoop)."""
     from hophoop._support.files import replacing
     from hophoop._support.stopping import say_when_stopped
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
@@ -75,9 +75,9 @@ def map(
     from hophoop.scenario import InputError, Scenario
 
     if out is None and plot is None:
-        raise InputError("--out or --plot must say where the map goes.")
+        raise InputError("--out or --plot must name a file for the map.")
     if resume and out is None:
-        raise InputError("--out must name the map to take up with --resume.")
+        raise InputError("--out must name the map to resume.")
     if plot is not None:
         check_ending("--plot", plot, PICTURES)
         check_folder("--plot", plot)
@@ -96,10 +96,10 @@ def map(
         raise InputError(f"--plot needs a map of two axes, not {len(axes)}.")
     quantities = quantity or ["sequence"]
     if plot is not None or out is None:
-        # a picture takes its values, their colours and its mesh at once
+        # a picture needs its values, colours and mesh in memory
         shape = [len(values) for values in axes.values()]
-        check_memory(shape, ["f8"] * 6, "draw fewer values, or leave --plot out and name a file with --out")
-    say_when_stopped(lambda: _stopped(out))
+        check_memory(shape, ["f8"] * 6, "use fewer values, or --out without --plot")
+    say_when_stopped(lambda: _stop_message(out))
     with named_options({"axes": "--axis"}):
         dataset = sweep(
             base,
@@ -124,8 +124,8 @@ def map(
         typer.echo(f"{dataset[quantities[0]].size:,} motions in {out}", err=True)
 
 
-def _stopped(out: Path | None) -> str:
-    """What a stop is told by."""
+def _stop_message(out: Path | None) -> str:
+    """Message after a stop."""
     from hophoop.maps.grid.sweeping import place_of
 
     place = None if out is None else place_of(out)

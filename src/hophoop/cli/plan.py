@@ -1,4 +1,4 @@
-"""`hophoop plan`: what a film that you intend to take would determine."""
+"""`hophoop plan`: predicted uncertainties of a fit to a planned film."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from typing import Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_parameters
 
 FILM = "The film"
 
@@ -14,40 +16,51 @@ FILM = "The film"
 @with_scenario
 def plan(
     scenario: Any,
-    rate: Annotated[float, typer.Option(help="Frames a second.", rich_help_panel=FILM)] = 240.0,
+    rate: Annotated[float, typer.Option(help="Frames per second.", rich_help_panel=FILM)] = 240.0,
     sigma: Annotated[
         float, typer.Option(help="Standard deviation of each coordinate in a frame, m.", rich_help_panel=FILM)
     ] = 2e-4,
-    sigma_angle: Annotated[float, typer.Option(help="The same of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
+    sigma_angle: Annotated[float, typer.Option(help="Standard deviation of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
     sigma_scale: Annotated[
-        float, typer.Option(help="The same of the scale over the scale, one for all frames; 0 if known.", rich_help_panel=FILM)
+        float,
+        typer.Option(
+            help="Relative standard deviation of the scale, one error for all frames; 0 if known.", rich_help_panel=FILM
+        ),
     ] = 1e-3,
     no_marker: Annotated[
-        bool, typer.Option("--no-marker", help="There is no marker, so no angle.", rich_help_panel=FILM)
+        bool, typer.Option("--no-marker", help="Without marker, so without angle.", rich_help_panel=FILM)
     ] = False,
     free: Annotated[
-        list[str] | None, typer.Option(metavar="NAME", help="Fit this as well, such as slope.", rich_help_panel=FILM)
+        list[str] | None,
+        typer.Option(metavar="NAME", help="Another parameter to fit, such as slope; may be repeated.", rich_help_panel=FILM),
     ] = None,
-    fixed: Annotated[list[str] | None, typer.Option(metavar="NAME", help="This is known.", rich_help_panel=FILM)] = None,
+    fixed: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="A known parameter; may be repeated.", rich_help_panel=FILM)
+    ] = None,
     hoop_known: Annotated[
         bool, typer.Option("--hoop-known", help="The hoop is known from its parts.", rich_help_panel=FILM)
     ] = False,
-    json: Annotated[bool, typer.Option("--json", help="Print it as JSON.", rich_help_panel=FILM)] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print the plan as JSON.", rich_help_panel=FILM)] = False,
 ) -> None:
-    """Say which parameters a film of a motion would determine, and how well."""
-    import json as json_text
+    """Predict which parameters a film of a motion determines, and how accurately."""
     from dataclasses import asdict
 
-    from hophoop.cli.fit import finite, table
     from hophoop.fitting import plan as make
+    from hophoop.fitting.result import plain
 
     found = make(
-        scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known,
-        sigma_scale,
-    )  # fmt: skip
+        scenario,
+        rate=rate,
+        sigma=sigma,
+        sigma_angle=None if no_marker else sigma_angle,
+        sigma_scale=sigma_scale,
+        free=tuple(free or ()),
+        fixed=tuple(fixed or ()),
+        hoop_known=hoop_known,
+    )
     if json:
-        typer.echo(json_text.dumps(finite(asdict(found)), indent=1, ensure_ascii=False, allow_nan=False))
+        print_json(plain(asdict(found)), indent=1)
         return
-    table(found.rows())
+    print_parameters(found.rows())
     for sentence in found.sentences():
         typer.echo(sentence)

@@ -1,30 +1,24 @@
-"""`hophoop run --digits` and `--check`: the motion in many digits, and what of the kernel's answer is right."""
+"""`hophoop run --digits` and `--check`: the motion in arbitrary precision, and the correct digits of the kernel."""
 
 from __future__ import annotations
 
-import json as json_text
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from hophoop.cli._output import console_of
-from hophoop.cli._tables import say_left_out, table_of, unanswered
+from hophoop.cli._motion import no_answer, print_events
+from hophoop.cli._output import print_json, write_json
 from hophoop.results.event_table import change_of
 from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
-
     from hophoop.precise import Agreement, PreciseEvent, PreciseMotion
     from hophoop.precise import Row as AgreementRow
 
-Row = TypeVar("Row")
-
 
 def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, everything: bool) -> None:
-    """Solve in many digits; print or write it, or compare the kernel's motion with it."""
-    from hophoop._support.files import replacing
+    """Solve in arbitrary precision; print or write the motion, or compare the kernel's motion with it."""
     from hophoop.cli import NO_ANSWER, say
     from hophoop.simulation.simulate import simulate
 
@@ -34,38 +28,29 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, 
 
         agreement = compare(simulate(scenario), precise)
         if json is not None:
-            typer.echo(json_text.dumps(_agreement_dict(agreement, precise), indent=2, ensure_ascii=False))
+            print_json(_agreement_dict(agreement, precise))
         elif not quiet:
             _show_agreement(agreement, precise, everything)
         if agreement.difference:
             say(agreement.difference)
             raise typer.Exit(NO_ANSWER)
         return
-    if json is not None:
-        text = json_text.dumps(precise.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
-        if json == "-":
-            typer.echo(text)
-        else:
-            with replacing(Path(json)) as file:
-                file.write_text(text + "\n", encoding="utf-8")
+    if json == "-":
+        print_json(precise.to_dict())
+    elif json is not None:
+        write_json(precise.to_dict(), Path(json))
     if json != "-" and not quiet:
         _show_motion(precise, digits, everything)
     if precise.digits_right < digits:
         say(f"Only {precise.digits_right} of the {digits} digits asked are certain.")
     if not precise.ok:
-        say(unanswered(float(precise.duration), precise.status))
+        say(no_answer(float(precise.duration), precise.status))
         raise typer.Exit(NO_ANSWER)
-
-
-def _show(titles: Sequence[str], rows: Sequence[Row], cells: Callable[[Row], Iterable[str]], everything: bool) -> None:
-    console = console_of(4000)
-    console.print(table_of(titles, rows, cells, everything))
-    say_left_out(console, len(rows), everything)
 
 
 def _show_motion(precise: PreciseMotion, digits: int, everything: bool) -> None:
     titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)", "digits")
-    _show(titles, precise.events, _event, everything)
+    print_events(titles, precise.events, _event, everything)
     typer.echo(f"phases  {precise.sequence}\nstatus  {plain(precise.status)}")
     typer.echo(f"digits  {min(precise.digits_right, digits)} right of {digits} asked, in every event")
 
@@ -82,7 +67,7 @@ def _show_agreement(agreement: Agreement, precise: PreciseMotion, everything: bo
         counts = [f"{row.digits[name]:.1f}" if name in row.digits else "" for name in NUMBERS]
         return [plain(row.kind), f"{row.t:.9f}", *counts]
 
-    _show(("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇"), agreement.rows, cells, everything)
+    print_events(("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇"), agreement.rows, cells, everything)
     if agreement.rows:
         typer.echo(
             f"At least {agreement.least:.1f} digits of every number are right, by a solution in {precise.digits} digits "

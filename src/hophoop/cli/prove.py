@@ -1,6 +1,6 @@
 """`hophoop prove`: enclosures of every event and a certificate of the sequence; `--check` verifies a certificate.
 
-`--boxes`, `--thresholds` and `--article` prove other things instead.
+`--boxes`, `--thresholds` and `--article` prove something else.
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
 
 if TYPE_CHECKING:
     from hophoop.prove import Proof
+    from hophoop.prove.proof import ProvedEvent
 
 OUTPUT, INSTEAD = "Output", "Instead of one motion"
 
@@ -27,7 +28,7 @@ def prove(
     digits: Annotated[int, typer.Option("--digits", help="Digits that the enclosures determine.")] = 15,
     until: Annotated[
         str,
-        typer.Option("--until", help="duration, or revolution: the first of a whole turn, a turning point and a take-off."),
+        typer.Option("--until", help="duration, or revolution: the first of a revolution, a turning point and a take-off."),
     ] = "duration",
     check: Annotated[
         Path | None,
@@ -37,8 +38,8 @@ def prove(
         list[str] | None,
         typer.Option(
             "--boxes",
-            metavar="PATH=LEAST:GREATEST",
-            help="Prove a window of parameters box by box, each with one sequence in the first turn; may be repeated.",
+            metavar="PATH=LOW:HIGH",
+            help="Prove a window of parameters box by box, each with one sequence in the first revolution; may be repeated.",
             rich_help_panel=INSTEAD,
             show_default=False,
         ),
@@ -46,12 +47,12 @@ def prove(
     depth: Annotated[
         int | None,
         typer.Option(
-            "--depth", help="How often a box is halved at most, 8 unless given.", rich_help_panel=INSTEAD, show_default=False
+            "--depth", help="Maximum number of halvings of a box, 8 by default.", rich_help_panel=INSTEAD, show_default=False
         ),
     ] = None,
     seconds: Annotated[
         float | None,
-        typer.Option("--seconds", help="Give up, or halve no more boxes, after so long.", show_default=False),
+        typer.Option("--seconds", help="Time limit, s.", show_default=False),
     ] = None,
     thresholds: Annotated[
         str | None,
@@ -69,12 +70,12 @@ def prove(
         typer.Option("--article", help="Prove the article's inequalities and sequences.", rich_help_panel=INSTEAD),
     ] = False,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Write what is proved as JSON.", rich_help_panel=OUTPUT)
+        Path | None, typer.Option("--out", metavar="FILE", help="Write the result as JSON.", rich_help_panel=OUTPUT)
     ] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print what is proved as JSON.", rich_help_panel=OUTPUT)] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.", rich_help_panel=OUTPUT)] = False,
 ) -> None:
-    """Prove which events a motion has, and enclose them; status 1 where something stays undecided."""
-    from hophoop.cli import NO_ANSWER, _proved, say
+    """Prove the events of a motion and enclose them; status 1 if something is undecided."""
+    from hophoop.cli import NO_ANSWER, _proofs, say
     from hophoop.cli._output import check_apart, check_folder
     from hophoop.prove import prove as proof_of
     from hophoop.scenario import InputError
@@ -84,31 +85,31 @@ def prove(
     if len(asked) > 1:
         raise InputError(f"{asked[0]} cannot be given together with {asked[1]}.")
     if depth is not None and not boxes:
-        raise InputError("--depth needs --boxes: it says how far a window is divided.")
+        raise InputError("--depth needs --boxes: it limits the division of the window.")
     if seconds is not None and asked and not boxes:
         raise InputError(f"{asked[0]} cannot be given together with --seconds.")
     if check is not None:
         if file is not None or out is not None or json:
-            raise InputError("--check takes a certificate alone, which holds its scenario.")
+            raise InputError("--check takes only a certificate, which includes its scenario.")
         _verify(check)
         return
     if out is not None:
         check_folder("--out", out)
         check_apart([out], file)
     if boxes:
-        _proved.boxes(scenario, boxes, 8 if depth is None else depth, seconds, out, json)
+        _proofs.boxes(scenario, boxes, 8 if depth is None else depth, seconds, out, json)
         return
     if thresholds is not None:
-        _proved.thresholds(scenario, thresholds, digits, out, json)
+        _proofs.thresholds(scenario, thresholds, digits, out, json)
         return
     if article:
-        _proved.statements(out, json)
+        _proofs.statements(out, json)
         return
     proof = proof_of(scenario, digits, until, seconds=seconds)
     if out is not None and proof.proved:
         proof.save(out)
     if json and proof.certificate is not None:
-        typer.echo(json_text.dumps(proof.certificate, ensure_ascii=False))
+        print_json(proof.certificate, indent=None)
     elif not json:
         _show(proof)
     if not proof.proved:
@@ -117,7 +118,7 @@ def prove(
 
 
 def _verify(path: Path) -> None:
-    """Print what the checker says of a certificate."""
+    """Verify a certificate and print the verdict."""
     from hophoop.cli import NO_ANSWER, say
     from hophoop.prove import check
     from hophoop.scenario import InputError
@@ -142,19 +143,15 @@ def _verify(path: Path) -> None:
 
 
 def _show(proof: Proof) -> None:
-    """The events with their enclosures."""
-    from rich import box
-    from rich.table import Table
+    """Print the events with their enclosures."""
+    from hophoop.cli._motion import print_events
+    from hophoop.results.event_table import change_of
+    from hophoop.vocabulary.words import plain
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title in ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)"):
-        table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
-    for event in proof.events:
-        change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-        numbers = (event.t, event.angle, event.x, event.vx, event.omega)
-        table.add_row(event.kind.replace("_", " "), change, *map(str, numbers))
-    console = console_of(4000)
-    console.print(table)
+    def cells(event: ProvedEvent) -> list[str]:
+        return [plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x, event.vx, event.omega))]
+
+    print_events(("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)"), proof.events, cells, everything=True)
     typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
     if proof.proved:
         typer.echo(f"status  {proof.status.replace('_', ' ')}\ndigits  {proof.digits_proved}")

@@ -25,20 +25,20 @@ CHECK_DIGITS = 25
 
 
 class RunCommand(TyperCommand):
-    """`--json` takes a file or nothing, which the parser itself does not know."""
+    """The command with `--json`, whose value is optional."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Spell out `--json` as `--json=FILE` or `--json=-`."""
-        return super().parse_args(ctx, _spelt_out(list(args), self._valued()))
+        """Replace `--json` by `--json=FILE` or `--json=-`."""
+        return super().parse_args(ctx, _with_explicit_json(list(args), self._options_with_value()))
 
-    def _valued(self) -> set[str]:
+    def _options_with_value(self) -> set[str]:
         return {name for parameter in self.params if not getattr(parameter, "is_flag", False) for name in parameter.opts}
 
 
-def _spelt_out(args: list[str], valued: set[str]) -> list[str]:
-    """What follows `--json` is the file to write, but for a scenario that stands nowhere else.
+def _with_explicit_json(args: list[str], valued: set[str]) -> list[str]:
+    """Return the arguments with the value of `--json`: the next word, unless that is the only scenario.
 
-    So `run --json hop.toml` reads hop.toml and prints, and never writes over it.
+    So `run --json hop.toml` reads hop.toml and prints, and never overwrites it.
     """
     result: list[str] = []
     words = 0  # scenarios seen outside of options
@@ -74,7 +74,7 @@ def _spelt_out(args: list[str], valued: set[str]) -> list[str]:
 
 
 def _is_scenario(path: Path) -> bool:
-    """Whether a file that is there is a scenario rather than an older result."""
+    """Return True if an existing file is a scenario, not a result."""
     try:
         data = json_text.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -104,7 +104,7 @@ def run(
         typer.Option(
             "--csv",
             metavar="FILE",
-            help="Sampled states, one line each.",
+            help="Sampled states, one per line.",
             rich_help_panel=OUTPUT,
             show_default=False,
         ),
@@ -140,18 +140,18 @@ def run(
     ] = False,
     errors: Annotated[
         bool,
-        typer.Option("--errors", help="Print also how sure each event is: estimated errors.", rich_help_panel=OUTPUT),
+        typer.Option("--errors", help="Print also the estimated errors of the events.", rich_help_panel=OUTPUT),
     ] = False,
     explain: Annotated[
         bool,
-        typer.Option("--explain", help="Say also why each phase begins and ends, with the margins.", rich_help_panel=OUTPUT),
+        typer.Option("--explain", help="Print also why each phase starts and ends, with the margins.", rich_help_panel=OUTPUT),
     ] = False,
     sensitivity: Annotated[
         str | None,
         typer.Option(
             "--sensitivity",
             metavar="OF,…",
-            help="Say, also in --json, how quantities change with the parameters of --wrt, such as takeoff.angle,hop.height.",
+            help="Print, also in --json, derivatives of quantities like takeoff.angle,hop.height by the parameters of --wrt.",
             rich_help_panel=OUTPUT,
             show_default=False,
         ),
@@ -172,7 +172,7 @@ def run(
         typer.Option(
             "--digits",
             metavar="N",
-            help="Solve in so many digits, 15 to 1000: the table, and --json with decimal strings.",
+            help="Solve with this number of digits, 15 to 1000: the table, and --json with decimal strings.",
             rich_help_panel=OUTPUT,
             show_default=False,
         ),
@@ -181,7 +181,7 @@ def run(
         bool,
         typer.Option(
             "--check",
-            help="Say how many digits of every event are right, by a solution in 25 digits or --digits.",
+            help="Print the number of correct digits of each event, by a solution in 25 digits or --digits.",
             rich_help_panel=OUTPUT,
         ),
     ] = False,
@@ -190,7 +190,7 @@ def run(
         typer.Option(
             "--check-fingerprint",
             metavar="HEX",
-            help="Compare the motion's fingerprint with this one: whether this machine gets the same bits.",
+            help="Compare the motion's fingerprint with this one, to check that this machine gets the same bits.",
             rich_help_panel=OUTPUT,
             show_default=False,
         ),
@@ -198,8 +198,8 @@ def run(
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop._support.fingerprint import DIGITS, is_fingerprint
-    from hophoop.cli import NO_ANSWER, _tables, say
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
+    from hophoop.cli import NO_ANSWER, _motion, say
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options, print_json
     from hophoop.scenario import InputError
 
     if plot is not None:
@@ -212,7 +212,7 @@ def run(
         raise InputError.of_field("--check-fingerprint", check_fingerprint, f"{DIGITS} hexadecimal digits")
     result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
-        raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")
+        raise InputError("--sensitivity and --wrt need each other: the quantities and the parameters.")
     if errors and scenario.contact.model != "rigid":
         raise InputError("--errors needs rigid contact; a compliant contact keeps to contact.rtol.")
     outputs = {"--csv": csv, "--save": save, "--plot": plot, "--json": result}
@@ -236,31 +236,31 @@ def run(
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet, everything)
         return
     shown = not quiet and json != "-"
-    explained = _phases(scenario) if explain else None  # says at once what it cannot explain
-    motion = _computed(scenario, quiet)
+    explained = _phases(scenario) if explain else None  # refuses a compliant contact before anything is computed
+    motion = _simulate(scenario, quiet)
     with named_options({"of": "--sensitivity"}):
         derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
     if json == "-":
-        typer.echo(json_text.dumps(motion.to_dict() | more, indent=2, ensure_ascii=False, allow_nan=False))
+        print_json(motion.to_dict() | more)
     _write(motion, outputs, samples, more)
     if shown:
-        _tables.print_motion(motion, everything)
+        _motion.print_motion(motion, everything)
         if errors:
-            _tables.print_errors(motion, _errors(motion), everything)
+            _motion.print_errors(motion, _errors(motion), everything)
         if explained is not None:
-            _tables.print_phases(explained, everything)
+            _motion.print_phases(explained, everything)
         if derived is not None:
             typer.echo(derived)
     same = check_fingerprint is None or _compare_fingerprints(motion, check_fingerprint.lower(), json == "-")
     if not motion.ok:
-        say(_tables.unanswered(motion.duration, motion.status))
+        say(_motion.no_answer(motion.duration, motion.status))
     if not (motion.ok and same):
         raise typer.Exit(NO_ANSWER)
 
 
 def _compare_fingerprints(motion: Trajectory, expected: str, aside: bool) -> bool:
-    """Say whether this machine gets the expected bits; `aside` where standard output is for JSON alone."""
+    """Report whether this machine gets the expected bits, on standard error if `aside`."""
     from hophoop.cli import say
 
     found = motion.fingerprint
@@ -280,30 +280,30 @@ def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     return phases(scenario)
 
 
-def _computed(scenario: Scenario, quiet: bool) -> Trajectory:
-    """The motion, after a word on how long it will take."""
-    from rich.console import Console
-
+def _simulate(scenario: Scenario, quiet: bool) -> Trajectory:
+    """Compute the motion; announce the work of a long one."""
+    from hophoop._support.progress import bar
     from hophoop.cli import say
-    from hophoop.cli._work import with_progress, work_ahead
+    from hophoop.cli._work import work_ahead
+    from hophoop.simulation.simulate import simulate
 
     ahead = work_ahead(scenario)
     if ahead is not None and not quiet:
         say(ahead)
-    return with_progress(scenario, Console(stderr=True, quiet=quiet))
+    with bar("motion", quiet=quiet, share=True) as progress:
+        return simulate(scenario, progress=progress)
 
 
 def _errors(motion: Trajectory) -> EventErrors:
-    from rich.console import Console
+    from hophoop._support.progress import bar
+    from hophoop.simulation.event_errors import event_errors
 
-    from hophoop.cli._work import watched
-    from hophoop.simulation.event_errors import event_errors_watched
-
-    return watched(lambda reached: event_errors_watched(motion, reached), Console(stderr=True), "errors")
+    with bar("errors", share=True) as progress:
+        return event_errors(motion, progress)
 
 
 def _write(motion: Trajectory, outputs: Mapping[str, Path | None], samples: int, more: Mapping[str, Any]) -> None:
-    """Write the files that are asked for."""
+    """Write the requested files."""
     from hophoop import io
 
     if (result := outputs["--json"]) is not None:

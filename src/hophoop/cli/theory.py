@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json as json_text
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
@@ -10,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json
+from hophoop.cli._tables import print_table, table_of
 
 if TYPE_CHECKING:
     from hophoop.theory import Quantity
@@ -26,25 +26,20 @@ def theory(
 
     rows = summary(scenario)
     if json:
-        typer.echo(json_text.dumps(as_json(scenario, rows), indent=2, ensure_ascii=False, allow_nan=False))
+        print_json(as_json(scenario, rows))
         return
-    from rich import box
-    from rich.table import Table
+    titles = ("quantity", "value", "unit", "")
+    print_table(table_of(titles, map(_cells, rows), right=("value",), wrap=("quantity", "unit", "")), 120)
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title in ("quantity", "value", "unit", ""):
-        table.add_column(title, justify="right" if title == "value" else "left", no_wrap=title == "value", overflow="fold")
-    for row in rows:
-        degrees = row.unit == "rad" and row.value is not None
-        value = math.degrees(row.value) if degrees and row.value is not None else row.value
-        unit = {"1": "", "rad": "°"}.get(row.unit, row.unit)
-        table.add_row(row.words, "–" if value is None else f"{value:.9g}", unit, row.note)
-    console = console_of(120)
-    console.print(table)
+
+def _cells(row: Quantity) -> list[str]:
+    value = math.degrees(row.value) if row.unit == "rad" and row.value is not None else row.value
+    unit = {"1": "", "rad": "°"}.get(row.unit, row.unit)
+    return [row.words, "–" if value is None else f"{value:.9g}", unit, row.note]
 
 
 def as_json(scenario: Any, rows: Sequence[Quantity]) -> dict[str, Any]:
-    """The rows as JSON: numbers in SI units, "inf" where there is no bound, null where there is no value."""
+    """Convert the rows for JSON: numbers in SI units, "inf" without a bound, null without a value."""
     from hophoop._version import __version__
 
     def plain(value: float | None) -> float | str | None:

@@ -8,12 +8,12 @@ from typing import Annotated, Any
 
 import typer
 
-OUTPUT, FILM, HINTS, CAMERA = "Output", "The film", "Hints, where it does not find the hoop by itself", "Camera"
+OUTPUT, FILM, HINTS, CAMERA = "Output", "The film", "Hints, if the hoop is not found", "Camera"
 
 
 def track(
-    video: Annotated[Path, typer.Argument(metavar="VIDEO", help="A film, anything that FFmpeg reads.", show_default=False)],
-    radius: Annotated[float, typer.Option(help="Of the outside of the rim, m; it gives the scale.", show_default=False)],
+    video: Annotated[Path, typer.Argument(metavar="VIDEO", help="A film in any format of FFmpeg.", show_default=False)],
+    radius: Annotated[float, typer.Option(help="Outer radius of the rim, m, for the scale.", show_default=False)],
     out: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="Folder for index.html, overlay.mp4, track.json, track.csv.", rich_help_panel=OUTPUT),
@@ -22,15 +22,17 @@ def track(
         Path | None, typer.Option(metavar="FILE", help="The track: .json (everything) or .csv.", rich_help_panel=OUTPUT)
     ] = None,
     film: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The film with what was found, .mp4.", rich_help_panel=OUTPUT)
+        Path | None, typer.Option(metavar="FILE", help="Film with the track drawn over it, .mp4.", rich_help_panel=OUTPUT)
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
     rate: Annotated[
-        float | None, typer.Option(help="Frames a second as taken, if the file shows slow motion.", rich_help_panel=FILM)
+        float | None, typer.Option(help="Frames per second as taken, if the file is in slow motion.", rich_help_panel=FILM)
     ] = None,
-    exposure: Annotated[float, typer.Option(help="How long the shutter is open, s.", rich_help_panel=FILM)] = 0.0,
-    row_delay: Annotated[float, typer.Option(help="Rolling shutter, s from row to row.", rich_help_panel=FILM)] = 0.0,
-    pick: Annotated[bool, typer.Option("--pick", help="Open a page and click in a still.", rich_help_panel=HINTS)] = False,
+    exposure: Annotated[float, typer.Option(help="Exposure time, s.", rich_help_panel=FILM)] = 0.0,
+    row_delay: Annotated[float, typer.Option(help="Rolling shutter: delay from row to row, s.", rich_help_panel=FILM)] = 0.0,
+    pick: Annotated[
+        bool, typer.Option("--pick", help="Click on the hoop in a still, on a page.", rich_help_panel=HINTS)
+    ] = False,
     marker: Annotated[
         str, typer.Option(help="Colour of the marker: auto, none, a name such as red, or #rrggbb.", rich_help_panel=HINTS)
     ] = "auto",
@@ -42,10 +44,10 @@ def track(
     at: Annotated[float, typer.Option(help="Time of that frame, s.", rich_help_panel=HINTS)] = 0.0,
     ground: Annotated[
         str | None,
-        typer.Option(metavar="C,R,C,R", help="Two points of the line on which the rim stands, pixels.", rich_help_panel=CAMERA),
+        typer.Option(metavar="C,R,C,R", help="Two points of the ground line below the rim, pixels.", rich_help_panel=CAMERA),
     ] = None,
     level_deg: Annotated[
-        float, typer.Option(help="By how much a level line rises to the right in the picture, degrees.", rich_help_panel=CAMERA)
+        float, typer.Option(help="Rise of a level line to the right in the picture, degrees.", rich_help_panel=CAMERA)
     ] = 0.0,
     slope_deg: Annotated[
         float | None, typer.Option(help="Slope of the plane, downhill to the right, degrees.", rich_help_panel=CAMERA)
@@ -54,14 +56,15 @@ def track(
         str | None,
         typer.Option(
             metavar="A,B",
-            help="Turn of the plane of motion about the picture's horizontal and vertical axis, degrees; 0,0 is straight on. "
+            help="Rotation of the plane of motion about the picture's horizontal and vertical axis, degrees; 0,0 without tilt. "
             "Found from the film by default.",
             rich_help_panel=CAMERA,
         ),
     ] = None,
     focal: Annotated[float | None, typer.Option(help="Focal length, pixels.", rich_help_panel=CAMERA)] = None,
 ) -> None:
-    """Find a hoop in a film: time, centre and angle with an uncertainty a frame, printed as CSV or saved."""
+    """Track a hoop in a film: time, centre, angle and their uncertainties per frame, as CSV or in files."""
+    from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.cli._output import named_options
     from hophoop.tracking import Hints
@@ -71,13 +74,23 @@ def track(
     tilt = _numbers("--tilt-deg", tilt_deg, 2)
     with named_options({"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}):
         hints = Hints(
-            marker, ring, _numbers("--centre", centre, 2), rim, at, _numbers("--ground", ground, 4), math.radians(level_deg),
-            None if slope_deg is None else math.radians(slope_deg), exposure, row_delay, rate,
-            None if tilt is None else (math.radians(tilt[0]), math.radians(tilt[1])), focal,
-        )  # fmt: skip
+            marker=marker,
+            ring=ring,
+            centre=_numbers("--centre", centre, 2),
+            rim=rim,
+            at=at,
+            ground=_numbers("--ground", ground, 4),
+            level=math.radians(level_deg),
+            slope=None if slope_deg is None else math.radians(slope_deg),
+            exposure=exposure,
+            row_delay=row_delay,
+            rate=rate,
+            tilt=None if tilt is None else (math.radians(tilt[0]), math.radians(tilt[1])),
+            focal=focal,
+        )
         if pick:
-            hints = _picked(video, hints)
-        with _bar("tracking", quiet) as progress:
+            hints = _pick(video, hints)
+        with bar("tracking", quiet=quiet) as progress:
             found = find(video, radius, hints, progress)
     say(f"Found in {int(found.found.sum())} of {len(found.t)} frames. " + " ".join(found.notes))
     _write(found, video, out, save, film, quiet)
@@ -101,6 +114,7 @@ def _check(out: Path | None, save: Path | None, film: Path | None, video: Path) 
 
 
 def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: Path | None, quiet: bool) -> None:
+    from hophoop._support.progress import bar
     from hophoop.cli import say
     from hophoop.tracking import overlay
 
@@ -113,7 +127,7 @@ def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: P
     if save is not None:
         found.save(save)
     if film is not None:
-        with _bar("drawing", quiet) as progress:
+        with bar("drawing", quiet=quiet) as progress:
             overlay(video, found, film, page, progress)
     if out is not None:
         say(f"The page: {out / 'index.html'}")
@@ -128,7 +142,7 @@ def _print(found: Any) -> None:
     csv.writer(sys.stdout, lineterminator="\n").writerows(found.rows())
 
 
-def _picked(video: Path, hints: Any) -> Any:
+def _pick(video: Path, hints: Any) -> Any:
     from hophoop.lab.pick import pick
 
     return pick(video, hints)
@@ -146,11 +160,3 @@ def _numbers(option: str, text: str | None, count: int) -> Any:
     if len(values) != count:
         raise InputError(f"{option} {text} must be {count} numbers with commas between them.")
     return values
-
-
-def _bar(words: str, quiet: bool) -> Any:
-    from contextlib import nullcontext
-
-    from hophoop.animate.export import bar
-
-    return nullcontext(None) if quiet else bar(words)

@@ -8,11 +8,11 @@ from hophoop.engines.registry import Engine, command_engine, engine, engines
 from hophoop.engines.report import write
 from hophoop.engines.scenarios import BENCHMARK, BenchScenario, bench_scenarios
 from hophoop.engines.scores import Scores, score
-from hophoop.engines.task import Body, States, Task, task_of
+from hophoop.engines.task import BodyState, States, Task, task_of
 from hophoop.engines.truth import Truth, schema, truths
 
 __all__ = [
-    "BENCHMARK", "BenchScenario", "Body", "Comparison", "Engine", "Measures", "Phase", "Recording", "Row", "Scores", "States",
-    "Task", "Truth", "bench_scenarios", "command_engine", "compare", "engine", "engines", "load_csv", "measure", "phases",
-    "read_csv", "schema", "score", "score_file", "task_of", "to_csv", "truths", "write",
+    "BENCHMARK", "BenchScenario", "BodyState", "Comparison", "Engine", "Measures", "Phase", "Recording", "Row", "Scores",
+    "States", "Task", "Truth", "bench_scenarios", "command_engine", "compare", "engine", "engines", "load_csv", "measure",
+    "phases", "read_csv", "schema", "score", "score_file", "task_of", "to_csv", "truths", "write",
 ]  # fmt: skip

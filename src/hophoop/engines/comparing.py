@@ -1,4 +1,4 @@
-"""The comparison: engines on the same motions, scored; what fails is a row that says why."""
+"""Compare engines on the same motions; a failed run is a row with its reason."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from hophoop.scenario import InputError
 COMMON_STEP, FINE_STEP = 0.001, 0.0001
 LADDER = (0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001, 0.00005, 0.00002, 0.00001)
 LADDER_SCENARIO = "hop"
-PATIENCE = 8.0  # s: a run that would take longer, by the one before it, is left out
-LIMIT = 120.0  # s a run
+PATIENCE = 8.0  # s; longer runs, as estimated from the one before, are left out
+LIMIT = 120.0  # s per run
 FITTED = {"hop_height": "m", "takeoff_angle": "rad"}
 
 Progress = Callable[[str, int, int], None]
@@ -44,7 +44,7 @@ class Job(NamedTuple):
 
 @dataclass(frozen=True)
 class Row:
-    """What came of one run.
+    """Result of one run.
 
     Attributes
     ----------
@@ -52,13 +52,13 @@ class Row:
     dt : float
         [s].
     failure : str
-        Why there are no scores; else empty.
+        Reason for missing scores; empty otherwise.
     scores : Scores or None
     measures : Measures or None
     states : States or None
-        The record itself.
+        The record.
     relative_wall : float or None
-        Its wall time over that of hophoop on the same motion in the same comparison [1].
+        Wall time over that of hophoop on the same motion in the same comparison [1].
     """
 
     engine: str
@@ -81,7 +81,7 @@ class Comparison:
     engines : dict of str to Engine
     rows : tuple of Row
     reference_seconds : dict of str to float
-        Wall time of hophoop on each motion, sampled 2048 times a second [s].
+        Wall time of hophoop on each motion, sampled at 2048 Hz [s].
     made : str
         Date.
     """
@@ -92,7 +92,7 @@ class Comparison:
     made: str = field(default_factory=lambda: date.today().isoformat())
 
     def row(self, engine: str, setting: str, scenario: str, dt: float) -> Row | None:
-        """One row.
+        """Return one row.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ class Comparison:
         return next(same, None)
 
     def ladder(self, engine: str, setting: str, scenario: str = LADDER_SCENARIO) -> list[Row]:
-        """The rows of an engine over the time step that have scores, coarse to fine.
+        """Return the rows of an engine with scores, from coarse to fine time steps.
 
         Parameters
         ----------
@@ -122,7 +122,7 @@ class Comparison:
         return sorted(found, key=lambda row: -row.dt)
 
     def limit(self, engine: str, setting: str, quantity: str) -> Limit | None:
-        """Where a measure of the hop goes as the time step goes to 0.
+        """Return the limit of a measure of the hop as the time step goes to 0.
 
         Parameters
         ----------
@@ -133,14 +133,14 @@ class Comparison:
         Returns
         -------
         limit : Limit or None
-            In the measure's own unit; None for fewer than four time steps.
+            In the unit of the measure; None for fewer than four time steps.
         """
         rows = self.ladder(engine, setting)
         values = [getattr(row.measures, quantity) for row in rows]
         return limit_of([row.dt for row in rows], [float("nan") if value is None else value for value in values])
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything but the records, ready for JSON.
+        """Convert to a dictionary for JSON, without the records.
 
         Returns
         -------
@@ -201,7 +201,7 @@ def _row_dict(row: Row) -> dict[str, Any]:
 def jobs_of(
     chosen: Sequence[Engine], scenarios: Sequence[BenchScenario], steps: Sequence[float] | None, ladder: bool
 ) -> list[Job]:
-    """What is run: each set of settings on each motion, the ladder of time steps on the hop.
+    """Return the runs: each set of settings on each motion, and the ladder of time steps on the hop.
 
     Without given steps, the manual's settings run with the manual's step and with 1 ms, the others with 1 ms and 0.1 ms.
 
@@ -212,7 +212,7 @@ def jobs_of(
     steps : sequence of float or None
         Time steps [s].
     ladder : bool
-        Whether the hop is run over the whole ladder as well.
+        Whether to run the hop over the whole ladder.
 
     Returns
     -------
@@ -244,11 +244,11 @@ def compare(
     chosen : sequence of Engine
     scenarios : sequence of BenchScenario
     steps : sequence of float, optional
-        Time steps in place of the usual ones [s].
+        Time steps instead of the usual ones [s].
     ladder : bool, default True
-        Whether the hop is run over ten time steps, from which the limits are fitted.
+        Whether to run the hop with ten time steps, to fit the limits.
     progress : callable, optional
-        Called with what runs, how many runs are done, and of how many.
+        Called with the present run, the number of runs done and of all.
 
     Returns
     -------
@@ -260,7 +260,7 @@ def compare(
     rows: list[Row] = []
     names: dict[str, Engine] = {one.name: one for one in chosen}
     worker: Worker | None = None
-    pace: dict[tuple[str, str], float] = {}  # engine and setting → wall time a step, of the run before
+    pace: dict[tuple[str, str], float] = {}  # engine and setting → wall time per step of the run before
     for count, job in enumerate(jobs):
         if progress is not None:
             progress(f"{job.engine.title} · {job.setting} · {job.bench.name} · {job.dt:g} s", count, len(jobs))
@@ -283,7 +283,7 @@ def compare(
         elif row.failure.startswith("it took more"):
             pace[key] = LIMIT / truth.task.steps(job.dt)
         if version and not job.engine.version:
-            names[job.engine.name] = _versioned(names[job.engine.name], version)
+            names[job.engine.name] = _with_version(names[job.engine.name], version)
     if worker is not None:
         worker.close()
     if progress is not None:
@@ -303,15 +303,15 @@ def _run(worker: Worker, job: Job, truth: Truth, ours: float) -> tuple[Row, str]
 
 
 def _adaptive(one: Engine) -> bool:
-    return one.ours  # dt is no step there
+    return one.ours  # dt is not a step there
 
 
-def _versioned(one: Engine, version: str) -> Engine:
+def _with_version(one: Engine, version: str) -> Engine:
     return replace(one, version=version)
 
 
 def reference_seconds(truth: Truth) -> float:
-    """Wall time of hophoop on a motion, sampled as densely as a record is: the fastest of five, once it is compiled.
+    """Measure the wall time of hophoop on a motion, sampled as densely as a record: the fastest of five, compiled.
 
     Parameters
     ----------
@@ -335,7 +335,7 @@ def score_file(recording: Recording, scenario: str | None = None) -> tuple[str, 
     ----------
     recording : Recording
     scenario : str, optional
-        Name of the motion, where the file does not say it in a line ``# scenario: name``.
+        Name of the motion, if the file has no line ``# scenario: name``.
 
     Returns
     -------
@@ -346,7 +346,7 @@ def score_file(recording: Recording, scenario: str | None = None) -> tuple[str, 
     Raises
     ------
     ValueError
-        If it is not said which motion it is, or there is no such motion, or the record cannot be used.
+        If the motion is not named or unknown, or the record is invalid.
     """
     name = scenario or recording.notes.get("scenario", "")
     if name not in truths():

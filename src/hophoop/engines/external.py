@@ -16,7 +16,7 @@ from hophoop.engines.task import Task
 
 
 def job_text(task: Task, dt: float, settings: Mapping[str, Any]) -> str:
-    """What a command reads: the task, the time step, how many steps lie between two states to write, the settings.
+    """Return the input of a command: the task, the time step, the number of steps per written state, the settings.
 
     Parameters
     ----------
@@ -51,21 +51,21 @@ def run_command(
         [s].
     settings : mapping, optional
     folder : Path, optional
-        Where it runs.
+        Working folder.
     limit : float, default 120
-        Time that it may take [s].
+        Maximum time [s].
 
     Returns
     -------
     recording : Recording
-        Its wall time is that which the command states, else that of the whole command.
+        With the wall time stated by the command, otherwise that of the whole command.
 
     Raises
     ------
     RuntimeError
         If the command cannot be run, fails, or takes too long.
     ValueError
-        If what it writes is not a record.
+        If its output is not a record.
     """
     began = time.perf_counter()
     pipe = subprocess.PIPE
@@ -81,7 +81,7 @@ def run_command(
         lines = [line for line in said.strip().splitlines() if line.strip()]
         named = [line for line in lines if re.match(r"\s*[\w.]*(Error|Exception)\b.*:", line)]
         last = (named or lines[-1:] or ["nothing"])[0].strip()
-        raise RuntimeError(f"{command[0]} ended with {process.returncode} and said: {last}")
+        raise RuntimeError(f"{command[0]} ended with status {process.returncode}: {last}")
     record = read_csv(written, "what the command wrote")
     if record.wall_seconds is None:
         return Recording(record.states, took, record.steps or task.steps(dt), record.notes)

@@ -1,4 +1,4 @@
-"""Pictures of a comparison: the hop of every engine over the exact one, and error against work."""
+"""Figures of a comparison: the hop of every engine and the exact one, and error against work."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from hophoop.engines.scenarios import bench_scenarios
 from hophoop.vocabulary import colors
 
 COLUMNS = 4
-SPAN = (0.95, 1.95)  # s: the hop and a little of what is around it
-FLOOR = 1e-3  # mm: what the record resolves
+SPAN = (0.95, 1.95)  # s, around the hop
+FLOOR = 1e-3  # mm, the resolution of the record
 
 
 def _panels(count: int, size: tuple[float, float]) -> tuple[Any, list[Any]]:
@@ -47,13 +47,13 @@ def _label_below(axes: list[Any], words: str) -> None:
 
 
 def hops(comparison: Comparison, dt: float = COMMON_STEP) -> Any:
-    """The height of the rim over time in the hop, one panel for each engine, over the exact motion.
+    """Height of the rim over time in the hop, one panel per engine, with the exact motion.
 
     Parameters
     ----------
     comparison : Comparison
     dt : float
-        The time step that is shown [s].
+        The shown time step [s].
 
     Returns
     -------
@@ -108,7 +108,7 @@ def _height_words(row: Row) -> str:
 
 
 def work_precision(comparison: Comparison) -> Any:
-    """Error of the hop's height against wall time, over the time step, one panel for each engine.
+    """Error of the hop's height against wall time for all time steps, one panel per engine.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Where an engine goes as its time step goes to 0: the limit of a quantity, and the order in which it gets there."""
+"""Limit of a quantity as the time step goes to 0, and the order of convergence."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ class Limit:
     Attributes
     ----------
     limit : float
-        What the quantity goes to, in its own unit [1].
+        Limit of the quantity, in its unit [1].
     order : float or None
-        None where the quantity jumps about, or does not change any more [1].
+        Order of convergence; None if the quantity scatters, or does not change [1].
     scatter : float
-        How far the values lie from the fit, or from each other where there is none, in their own unit [1].
+        Deviation of the values from the fit, or their range without a fit, in their unit [1].
     """
 
     limit: float
@@ -33,16 +33,16 @@ class Limit:
 def limit_of(steps: ArrayLike, values: ArrayLike) -> Limit | None:
     """Fit the limit of a quantity over the time step.
 
-    The order is the one from 0.25 to 4 that fits the finest five values best. It is only stated where it is from 0.4 to 3,
-    where the values go one way only, where the fit leaves less than a twentieth of what they change, and where they change
-    by more than a millionth of themselves.
+    The order, from 0.25 to 4, is that of the best fit to the values of the five smallest steps. It is reported only if it is
+    from 0.4 to 3, the values are monotonic, the fit leaves less than 5 % of their change, and their relative change is above
+    1e-6.
 
     Parameters
     ----------
     steps : array_like
         Time steps [s].
     values : array_like
-        The quantity at each, in its own unit; what is not finite is left out [1].
+        The quantity at each, in its unit; values that are not finite are dropped [1].
 
     Returns
     -------

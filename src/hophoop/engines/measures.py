@@ -1,4 +1,4 @@
-"""What is measured of a record, alike for the truth and for every engine: phases, take-off, hop, landing, energies."""
+"""Measures of a record, the same for the truth and every engine: phases, take-off, hop, landing, energies."""
 
 from __future__ import annotations
 
@@ -7,40 +7,40 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.engines.phases import FREE, SHORT, Phase, normal_force, phases, slip_velocity, thinned
+from hophoop.engines.phases import FREE, SHORT, Phase, normal_force, phases, slip_velocity, thin
 from hophoop.engines.scenarios import BenchScenario
 from hophoop.engines.task import SPACING, Floats, States, Task, task_of
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.energy import kinetic_energies, potential_energies
 
-BACK = 0.010  # s of contact before a take-off from which it is found
+BACK = 0.010  # s of contact before a take-off, for its time
 BEFORE, AFTER = 0.005, 0.020  # s around a landing
 
 
 @dataclass(frozen=True)
 class Measures:
-    """What a record shows. None where there is no such thing.
+    """Measures of a record; None if the motion has no such quantity.
 
     Attributes
     ----------
     sequence : str
         Letters of the phases of at least 20 ms.
     chatter : int
-        Runs below 20 ms that were left out.
+        Number of removed runs below 20 ms.
     takeoff_time, takeoff_angle : float or None
-        Where N falls to zero before the highest flight; None where the record begins in flight [s], [rad].
+        Zero of N before the highest flight; None if the record starts in flight [s], [rad].
     hop_height : float or None
-        Greatest gap from take-off to landing, over the gap at take-off [m].
+        Maximum gap from take-off to landing, minus the gap at take-off [m].
     landing_time, landing_angle : float or None
-        Where that flight, or the one in which the record begins, comes down first [s], [rad].
+        First landing of that flight, or of the one in which the record starts [s], [rad].
     slip_loss : float
-        Energy lost up to that take-off or landing, or to the end where there is none [J].
+        Energy lost up to that take-off or landing, or to the end without one [J].
     impact_loss : float or None
         Energy lost from 5 ms before to 20 ms after that landing [J].
     total_loss : float
         Energy lost from the start to the end [J].
     penetration : float
-        Greatest depth of the rim in the plane [m].
+        Maximum depth of the rim in the plane [m].
     """
 
     sequence: str
@@ -56,7 +56,7 @@ class Measures:
     penetration: float
 
     def to_dict(self) -> dict[str, Any]:
-        """The measures by name.
+        """Return the measures by name.
 
         Returns
         -------
@@ -66,7 +66,7 @@ class Measures:
 
 
 def energy(task: Task, states: States) -> Floats:
-    """Kinetic and potential energy.
+    """Return the sum of kinetic and potential energy.
 
     Parameters
     ----------
@@ -82,20 +82,31 @@ def energy(task: Task, states: States) -> Floats:
     size = task.radius
     kappa = task.inertia / (task.mass * size**2)
     # lengths in radii, times in seconds
-    body = Body(task.arm / size, kappa, task.mu, task.mu, -off / size, along / size, task.restitution, 0, False, task.slope)
+    body = Body(
+        eps=task.arm / size,
+        kap=kappa,
+        mu_s=task.mu,
+        mu_k=task.mu,
+        gn=-off / size,
+        gt=along / size,
+        rest=task.restitution,
+        law=0,
+        strike=False,
+        slope=task.slope,
+    )
     slip = slip_velocity(task, states) / size
     kinetic = kinetic_energies(body, states.angle, states.omega, slip, states.vy / size)
     result: Floats = kinetic + potential_energies(body, states.x / size, states.y / size, states.angle)
     return task.mass * size**2 * result
 
 
-def between(t: Floats, value: Floats, rate: Floats, when: float) -> float:
-    """A quantity between two states, by Hermite's cubic through values and rates.
+def interpolate(t: Floats, value: Floats, rate: Floats, when: float) -> float:
+    """Interpolate a quantity between two states by the cubic Hermite polynomial.
 
     Parameters
     ----------
     t, value, rate : ndarray
-        [s], any unit, and that unit a second [1].
+        [s], any unit, and that unit per second [1].
     when : float
         [s].
 
@@ -113,7 +124,7 @@ def between(t: Floats, value: Floats, rate: Floats, when: float) -> float:
 
 
 def takeoff_time(task: Task, states: States, flight: Phase) -> float:
-    """When N fell to zero before a flight: the root of a parabola through N over the last 10 ms of contact.
+    """Return the time when N fell to zero before a flight: the root of a parabola through N over the last 10 ms of contact.
 
     Parameters
     ----------
@@ -124,7 +135,7 @@ def takeoff_time(task: Task, states: States, flight: Phase) -> float:
     Returns
     -------
     t : float
-        The flight's own beginning where N scatters too much for a parabola [s].
+        The start of the flight if N scatters too much for a parabola [s].
     """
     middle, force = normal_force(task, states)
     weight = task.mass * task.gravity
@@ -146,7 +157,7 @@ def takeoff_time(task: Task, states: States, flight: Phase) -> float:
 
 
 def _flight(task: Task, states: States, pieces: list[Phase]) -> int | None:
-    """The flight that is measured: the one in which the motion begins, else the highest."""
+    """Return the measured flight: that of the start, otherwise the highest."""
     tops = {
         k: float(states.y[(states.t >= piece.begin) & (states.t <= piece.end)].max())
         for k, piece in enumerate(pieces)
@@ -157,10 +168,10 @@ def _flight(task: Task, states: States, pieces: list[Phase]) -> int | None:
     return 0 if 0 in tops and task.height > 0.0 else max(tops, key=tops.__getitem__)
 
 
-def landing_of(task: Task, states: States, flight: Phase, level: float) -> tuple[float, float] | None:
-    """When the rim comes down in a flight: a blow of more than m g/2, and from there the way to the level.
+def find_landing(task: Task, states: States, flight: Phase, level: float) -> tuple[float, float] | None:
+    """Find the landing of a flight: a force above m g/2, extrapolated to the level.
 
-    It is looked for from where the rim is first half as high as it gets, beyond what an engine does while it takes off.
+    The search starts at half of the maximum height, after the take-off.
 
     Parameters
     ----------
@@ -168,12 +179,12 @@ def landing_of(task: Task, states: States, flight: Phase, level: float) -> tuple
     states : States
     flight : Phase
     level : float
-        Gap at which the flight began, or 0 [m].
+        Gap at the start of the flight, or 0 [m].
 
     Returns
     -------
     landing : (float, float) or None
-        Time [s] and angle [rad]; None where nothing lands.
+        Time [s] and angle [rad]; None without a landing.
     """
     t, y = states.t, states.y - level
     middle, force = normal_force(task, states)
@@ -182,7 +193,7 @@ def landing_of(task: Task, states: States, flight: Phase, level: float) -> tuple
     struck = np.flatnonzero((middle > max(high, flight.begin + 0.5 * SHORT)) & (force > 0.5 * task.mass * task.gravity))
     if not struck.size:
         return None
-    # the state before the blow is still in flight: go on from it, or back where the rim is below the level already
+    # the state before the impact is in flight: extrapolate forwards, or backwards if the rim is below the level
     k = int(struck[0])
     fall = states.vy[k]
     pull = (states.vy[k] - states.vy[k - 1]) / (t[k] - t[k - 1]) if k else task.pull[1]
@@ -208,14 +219,14 @@ def measure(task: Task, record: States) -> Measures:
     Raises
     ------
     ValueError
-        If the record cannot be used: see `thinned`.
+        If the record is invalid: see `thin`.
     """
-    states = thinned(record)
+    states = thin(record)
     t = states.t
     pieces, chatter = phases(task, states)
     total = energy(task, states)
     place = _flight(task, states, pieces)
-    falls = place == 0 and task.height > 0.0  # the motion begins in flight: nothing takes off
+    falls = place == 0 and task.height > 0.0  # the motion starts in flight, without a take-off
     lift = angle = height = landing = landing_angle = blow = None
     until = float(t[-1])
     if place is not None:
@@ -223,10 +234,10 @@ def measure(task: Task, record: States) -> Measures:
         level = 0.0
         if not falls:
             lift = takeoff_time(task, states, flight)
-            angle = between(t, states.angle, states.omega, lift)
-            level = between(t, states.y, states.vy, lift)
+            angle = interpolate(t, states.angle, states.omega, lift)
+            level = interpolate(t, states.y, states.vy, lift)
             until = lift
-        landed = landing_of(task, states, flight, level)
+        landed = find_landing(task, states, flight, level)
         if landed is not None:
             down, landing_angle = landed
             landing = down
@@ -255,13 +266,13 @@ def measure(task: Task, record: States) -> Measures:
 
 
 def exact_record(bench: BenchScenario, spacing: float = SPACING) -> States:
-    """The exact motion of a scenario, sampled like the record of an engine.
+    """Return the exact motion of a scenario, sampled like the record of an engine.
 
     Parameters
     ----------
     bench : BenchScenario
     spacing : float
-        Between two states [s].
+        Time between two states [s].
 
     Returns
     -------
@@ -276,23 +287,23 @@ def exact_record(bench: BenchScenario, spacing: float = SPACING) -> States:
 
 
 def measures_of_truth(bench: BenchScenario, entry: dict[str, Any]) -> dict[str, Any]:
-    """The measures of the exact motion, with exact events in place of what the rule finds of them.
+    """Return the measures of the exact motion, with its exact events.
 
     Parameters
     ----------
     bench : BenchScenario
     entry : dict
-        Of the truth: its events.
+        Entry of the truth, with its events.
 
     Returns
     -------
     measures : dict
-        As `Measures` has them, and `lossless_until`: how long no energy may be lost from the start on [s].
+        Fields of `Measures`, and `lossless_until`, the time from the start without loss of energy [s].
 
     Raises
     ------
     ValueError
-        If the rule finds something else than the events say.
+        If the rule and the events disagree.
     """
     found = measure(task_of(bench), exact_record(bench)).to_dict()
     events = entry["events"]
@@ -310,7 +321,7 @@ def measures_of_truth(bench: BenchScenario, entry: dict[str, Any]) -> dict[str, 
         other = found[name]
         same = value == other if value is None or other is None else abs(value - other) < 1e-3
         if bench.scored and not same:
-            raise ValueError(f"{bench.name}: the rule finds {name} = {other!r}, the events say {value!r}.")
+            raise ValueError(f"{bench.name}: {name} = {other!r} by the rule, {value!r} by the events.")
     losing = [event for event in events if event["to"] in ("S", "K") or event["kind"] == "impact"]
     found |= exact | {"penetration": 0.0}
     found["lossless_until"] = float(losing[0]["t"]) if losing else bench.scenario.duration

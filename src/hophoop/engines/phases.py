@@ -1,11 +1,11 @@
-"""What counts as a phase: one written rule, used alike for the truth and for every engine.
+"""Phases of a record by one rule, the same for the truth and every engine.
 
 1. The record is thinned to at most one state in 1/2048 s.
-2. N, the mean normal force over 5 ms (over one interval where the record is coarser), follows from the change of the
+2. N, the mean normal force over 5 ms (over one interval of coarser records), follows from the change of the
    velocity of the centre of gravity; v̄, the mean slip velocity, from the same 5 ms.
-3. An interval is flight (H) where N < 0.01 m g; else roll (R) where abs(v̄) ≤ 0.01 m/s; else slip, K for v̄ > 0 and S for v̄ < 0.
-4. Intervals with one letter are a run. The shortest run below 20 ms is taken away and its time given to its neighbours,
-   until no such run is left. What was taken away is counted as chatter.
+3. An interval is flight (H) if N < 0.01 m g; else roll (R) if abs(v̄) ≤ 0.01 m/s; else slip, K for v̄ > 0 and S for v̄ < 0.
+4. Intervals with one letter are a run. The shortest run below 20 ms is removed and its time divided between its neighbours,
+   until no such run remains. Removed runs are counted as chatter.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ SHORT = 0.020  # s
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of one kind of contact.
+    """A phase of one kind of contact.
 
     Attributes
     ----------
@@ -41,8 +41,8 @@ class Phase:
     end: float
 
 
-def thinned(states: States) -> States:
-    """The record with at most one state in 1/2048 s, which makes all records alike.
+def thin(states: States) -> States:
+    """Thin a record to at most one state per 1/2048 s, so that all records are comparable.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def thinned(states: States) -> States:
     Raises
     ------
     ValueError
-        If there are fewer than three states, a number is not finite, or the times do not grow from 0.
+        If there are fewer than three states, a number is not finite, or the times do not increase from 0.
     """
     t = states.t
     if len(t) < 3:
@@ -66,7 +66,7 @@ def thinned(states: States) -> States:
         if not np.isfinite(column).all():
             raise InputError(f"{name} must be finite; state {int(np.argmin(np.isfinite(column)))} is not.")
     if abs(t[0]) > 1e-9 or not (np.diff(t) > 0).all():
-        raise InputError("t must begin with 0 and grow.")
+        raise InputError("t must start at 0 and increase.")
     if np.diff(t).min() >= SPACING * (1 - 1e-6):
         return states
     kept, last = [0], t[0]
@@ -78,7 +78,7 @@ def thinned(states: States) -> States:
 
 
 def slip_velocity(task: Task, states: States) -> Floats:
-    """Velocity of the rim's lowest point along the plane.
+    """Return the velocity of the rim's lowest point along the plane.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def slip_velocity(task: Task, states: States) -> Floats:
 
 
 def rise(task: Task, states: States) -> Floats:
-    """Velocity of the centre of gravity off the plane.
+    """Return the velocity of the centre of gravity away from the plane.
 
     Parameters
     ----------
@@ -112,14 +112,14 @@ def rise(task: Task, states: States) -> Floats:
 
 
 def normal_force(task: Task, states: States, window: float = 0.0) -> tuple[Floats, Floats]:
-    """Mean normal force about the middle of each interval of a record.
+    """Return the mean normal force about the middle of each interval.
 
     Parameters
     ----------
     task : Task
     states : States
     window : float, default 0
-        Over how long; at least the interval [s].
+        Averaging time; at least the interval [s].
 
     Returns
     -------
@@ -136,19 +136,19 @@ def normal_force(task: Task, states: States, window: float = 0.0) -> tuple[Float
 
 
 def phases(task: Task, states: States) -> tuple[list[Phase], int]:
-    """The phases of a record, after the rule above.
+    """Divide a record into phases by the rule above.
 
     Parameters
     ----------
     task : Task
     states : States
-        As `thinned` gives it.
+        Result of `thin`.
 
     Returns
     -------
     phases : list of Phase
     chatter : int
-        Runs that were too short to count.
+        Number of removed runs.
     """
     t = states.t
     middle, force = normal_force(task, states, WINDOW)
@@ -165,10 +165,10 @@ def phases(task: Task, states: States) -> tuple[list[Phase], int]:
     for letter, group in groupby(range(len(letters)), key=letters.__getitem__):
         places = list(group)
         runs.append([letter, float(t[places[0]]), float(t[places[-1] + 1])])
-    return _merged(runs)
+    return _merge_short_runs(runs)
 
 
-def _merged(runs: list[list[object]]) -> tuple[list[Phase], int]:
+def _merge_short_runs(runs: list[list[object]]) -> tuple[list[Phase], int]:
     chatter = 0
     while len(runs) > 1:
         lengths = [float(run[2]) - float(run[1]) for run in runs]  # type: ignore[arg-type]

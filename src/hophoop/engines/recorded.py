@@ -1,4 +1,4 @@
-"""The record of an engine in the clothes of a motion, so that our films can show it."""
+"""Adapter that presents the record of an engine as a motion, for films."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop.engines.phases import WINDOW, normal_force, phases, slip_velocity, thinned
+from hophoop.engines.phases import WINDOW, normal_force, phases, slip_velocity, thin
 from hophoop.engines.task import States, Task
 from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario import Scenario
 
 
-class Recorded:
-    """A record that can be sampled like a computed motion; it has no events.
+class RecordedMotion:
+    """A record with the interface of a motion, without events.
 
     Parameters
     ----------
@@ -30,25 +30,25 @@ class Recorded:
     def __init__(self, scenario: Scenario, task: Task, record: States) -> None:
         self.scenario = scenario
         self.task = task
-        self.states = thinned(record)
+        self.states = thin(record)
         self.duration = float(min(self.states.t[-1], scenario.duration))
         self._phases, _ = phases(task, self.states)
         self.sequence = "".join(phase.letter for phase in self._phases)
         self._force = normal_force(task, self.states, WINDOW)
 
     def find(self, kind: str) -> tuple[Any, ...]:
-        """No events of any kind."""
+        """Return no events."""
         return ()
 
     def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> ArraySample:
-        """The record between its states.
+        """Interpolate the record.
 
         Parameters
         ----------
         t : array_like
             [s].
         side : {'right', 'left'}
-            Without meaning here.
+            Ignored.
 
         Returns
         -------

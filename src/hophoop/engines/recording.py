@@ -1,4 +1,4 @@
-"""A motion as an engine gave it: states, what it took, and its file, which any language can write."""
+"""The record of an engine: states and costs, and its file, which any language can write."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Recording:
     ----------
     states : States
     wall_seconds : float or None
-        Time that the engine took to set up and step, without its start [s].
+        Time for setup and steps, without the start of the engine [s].
     steps : int or None
-        Steps that it took.
+        Number of steps.
     notes : dict of str to str
-        What the file says besides: engine, version, settings, scenario.
+        Further lines of the file: engine, version, settings, scenario.
     """
 
     states: States
@@ -37,13 +37,13 @@ class Recording:
 
 
 def read_csv(text: str, name: str = "the record") -> Recording:
-    """Read a record: lines ``# key: value``, the header ``t,x,y,theta,vx,vy,omega``, and a line for each state.
+    """Read a record: lines ``# key: value``, the header ``t,x,y,theta,vx,vy,omega``, and one line per state.
 
     Parameters
     ----------
     text : str
     name : str, default 'the record'
-        What an error calls it.
+        Name in error messages.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def read_csv(text: str, name: str = "the record") -> Recording:
     Raises
     ------
     ValueError
-        If the header or a line is not as it must be.
+        If the header or a line has another format.
     """
     notes: dict[str, str] = {}
     lines = []
@@ -67,14 +67,14 @@ def read_csv(text: str, name: str = "the record") -> Recording:
     except csv.Error as error:
         raise InputError(f"{name} is not CSV: {error}.") from None
     if not rows or tuple(cell.strip() for cell in rows[0]) != HEADER:
-        raise InputError(f"{name} must begin with the header {','.join(HEADER)}.")
+        raise InputError(f"{name} must start with the header {','.join(HEADER)}.")
     for number, row in enumerate(rows[1:], start=1):
         if len(row) != len(HEADER):
             raise InputError(f"{name} has {len(row)} numbers in state {number}; a state has {len(HEADER)}.")
     try:
         table = np.array(rows[1:], dtype=float).reshape(-1, len(HEADER))
     except ValueError as error:
-        raise InputError(f"{name} holds something that is not a number: {error}.") from None
+        raise InputError(f"{name} has a cell that is not a number: {error}.") from None
     wall, steps = notes.pop("wall_seconds", None), notes.pop("steps", None)
     try:
         return Recording(States(*table.T), float(wall) if wall else None, int(steps) if steps else None, notes)
@@ -107,7 +107,7 @@ def load_csv(path: str | Path) -> Recording:
 
 
 def to_csv(recording: Recording) -> str:
-    """Write a record as `read_csv` reads it.
+    """Return a record as text for `read_csv`.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Which engines there are: those of the package, those of entry points, and commands."""
+"""Registry of engines: those of the package, those of entry points, and commands."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ NO_PHYSICS_ENGINES = ("hophoop", "compliant", "scipy")  # ours, and a solver of 
 
 @dataclass(frozen=True)
 class Engine:
-    """An engine as the comparison sees it.
+    """An engine of the comparison.
 
     Attributes
     ----------
     name : str
         Key on the command line and in files.
     title : str
-        What tables call it.
+        Name in tables.
     run : callable or None
         ``run(task, dt, **settings)`` gives states; None for a command.
     command : tuple of str
-        What runs it, empty for Python.
+        Command that runs it, empty for Python.
     package : str
-        The distribution that holds it.
+        Name of its distribution.
     version : str
-        Empty where it is not installed.
+        Empty if it is not installed.
     step : float
         Its manual's time step [s].
     model, contact : str
@@ -64,7 +64,7 @@ class Engine:
 
     @property
     def installed(self) -> bool:
-        """Whether its package is found; True for a command and for an adapter that names no package."""
+        """True if its package is installed; also for a command and for an adapter without package."""
         if self.name in NODE_ENGINES:
             folder = npm_folder().absolute()
             packages = (place / "node_modules" / self.package for place in (folder, *folder.parents))
@@ -73,7 +73,7 @@ class Engine:
 
 
 def engine_of(name: str, adapter: Any, ours: bool = False) -> Engine:
-    """The engine of an adapter: a module or any object with ``run``, and what else it says of itself.
+    """Return the engine of an adapter, a module or any object with ``run`` and further attributes.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def engine_of(name: str, adapter: Any, ours: bool = False) -> Engine:
 
 
 def command_engine(text: str) -> Engine:
-    """An engine from ``NAME=COMMAND``.
+    """Return the engine of ``NAME=COMMAND``.
 
     Parameters
     ----------
@@ -127,7 +127,7 @@ def command_engine(text: str) -> Engine:
     name, _, command = text.partition("=")
     try:
         words = tuple(shlex.split(command))
-    except ValueError:  # a quotation that is not closed
+    except ValueError:  # an unclosed quotation mark
         words = ()
     if not re.fullmatch(r"[\w.-]+", name) or not words:
         raise InputError.of_field("command", text, "NAME=COMMAND, such as mine='node mine.mjs'")
@@ -135,7 +135,7 @@ def command_engine(text: str) -> Engine:
 
 
 def engines() -> dict[str, Engine]:
-    """All engines that there are adapters for, installed or not.
+    """Return all engines with adapters, installed or not.
 
     Returns
     -------
@@ -155,7 +155,7 @@ def engines() -> dict[str, Engine]:
 
 
 def physics_engines() -> list[Engine]:
-    """The installed physics engines: all installed engines except ours and SciPy.
+    """Return the installed physics engines: all except ours and SciPy.
 
     Returns
     -------
@@ -165,7 +165,7 @@ def physics_engines() -> list[Engine]:
 
 
 def engine(name: str) -> Engine:
-    """One engine by name.
+    """Return one engine by name.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The motions of the benchmark hophoop-bench/1: what they are, which are scored, and why each is there."""
+"""The motions of the benchmark hophoop-bench/1, with the reason for each."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 
 BENCHMARK = "hophoop-bench/1"
-GRID = 32  # states of the truth a second
+GRID = 32  # states of the truth per second
 
 
 @dataclass(frozen=True)
@@ -100,8 +100,8 @@ _ALL = (
     ),
     BenchScenario(
         "border",
-        "beside the border of hopping, v₀ = 2.909 m/s",
-        "Below 2.90816 m/s it does not leave the plane; here it hops by a quarter of a millimetre.",
+        "close to the boundary of hopping, v₀ = 2.909 m/s",
+        "Below 2.90816 m/s it does not leave the plane; here it hops by 0.25 mm.",
         _article(2.909, 2.0),
         scored=False,
     ),
@@ -109,12 +109,12 @@ _ALL = (
 
 
 def bench_scenarios() -> dict[str, BenchScenario]:
-    """The motions of the benchmark by name.
+    """Return the motions of the benchmark by name.
 
     Returns
     -------
     scenarios : dict of str to BenchScenario
-        In the order in which tables show them; those that are not scored come last.
+        In the order of tables, with those that are not scored last.
 
     Examples
     --------
@@ -124,8 +124,8 @@ def bench_scenarios() -> dict[str, BenchScenario]:
     return {one.name: one for one in _ALL}
 
 
-def chosen(names: list[str] | None) -> list[BenchScenario]:
-    """The motions of some names, all for None.
+def scenarios_named(names: list[str] | None) -> list[BenchScenario]:
+    """Return the motions with these names, all for None.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Scores: the measures of a record beside those of the truth, a column each."""
+"""Scores: differences between the measures of a record and those of the truth."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.engines.measures import Measures, between, energy, measure
-from hophoop.engines.phases import thinned
+from hophoop.engines.measures import Measures, energy, interpolate, measure
+from hophoop.engines.phases import thin
 from hophoop.engines.recording import Recording
 from hophoop.engines.truth import Truth
 from hophoop.scenario import InputError
@@ -17,7 +17,7 @@ from hophoop.scenario import InputError
 
 @dataclass(frozen=True)
 class Scores:
-    """How far a record is from the truth. None where the truth has no such thing; nan where the record lacks it.
+    """Errors of a record. None if the truth has no such quantity; nan if the record lacks it.
 
     Attributes
     ----------
@@ -30,21 +30,21 @@ class Scores:
     landing_angle, landing_time : float or None
         Error at the first landing [deg], [s].
     energy_drift : float
-        Greatest change of the energy before the truth loses any [J].
+        Maximum change of the energy while that of the truth is conserved [J].
     slip_loss, impact_loss : float or None
         Error of the energy lost in slip up to the first take-off or landing, and in the first landing [J].
     total_loss : float
         Error of the energy lost from the start to the end [J].
     penetration : float
-        Greatest depth of the rim in the plane [m].
+        Maximum depth of the rim in the plane [m].
     chatter : int
-        Changes of phase that lasted less than 20 ms, beyond those of the truth.
+        Phases below 20 ms, minus those of the truth.
     angle_error, place_error : float
-        Greatest error of θ [deg] and of the centre's place [m] over the whole motion.
+        Maximum error of θ [deg] and of the centre's position [m] over the motion.
     steps : int or None
-        Steps that were taken.
+        Number of steps.
     wall_seconds : float or None
-        Time that it took [s].
+        Wall time [s].
     """
 
     sequence_right: bool
@@ -65,7 +65,7 @@ class Scores:
     wall_seconds: float | None
 
     def to_dict(self) -> dict[str, Any]:
-        """The scores by column, ready for JSON: nan becomes the word 'missing'.
+        """Convert to a dictionary for JSON, nan as 'missing'.
 
         Returns
         -------
@@ -98,19 +98,19 @@ def score(recording: Recording, truth: Truth) -> tuple[Scores, Measures]:
     Raises
     ------
     ValueError
-        If the record cannot be used, or ends before the motion does.
+        If the record is invalid or too short.
     """
     task, right = truth.task, truth.measures
-    states = thinned(recording.states)
+    states = thin(recording.states)
     t = states.t
     step = float(np.median(np.diff(t)))
     if t[-1] < task.duration - 2.0 * step - 1e-9:
         raise InputError(f"the record ends at {t[-1]:.6g} s; the motion {task.name!r} lasts {task.duration:.6g} s.")
     found = measure(task, states)
     grid = truth.states
-    angles = np.array([between(t, states.angle, states.omega, when) for when in grid.t])
-    places = np.array([between(t, states.x, states.vx, when) for when in grid.t])
-    heights = np.array([between(t, states.y, states.vy, when) for when in grid.t])
+    angles = np.array([interpolate(t, states.angle, states.omega, when) for when in grid.t])
+    places = np.array([interpolate(t, states.x, states.vx, when) for when in grid.t])
+    heights = np.array([interpolate(t, states.y, states.vy, when) for when in grid.t])
     total = energy(task, states)
     early = t <= max(truth.lossless_until - step, step)
     return (

@@ -1,4 +1,4 @@
-"""The comparison as tables of words: for the terminal, the page and the documentation."""
+"""The comparison as tables of text, for the terminal, the page and the documentation."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from hophoop.engines.scores import Scores
 
 @dataclass(frozen=True)
 class Column:
-    """One column: its head, the field of `Scores`, and how its number is written."""
+    """One column: its head, the field of `Scores`, and the format of its numbers."""
 
     head: str
     field: str
@@ -42,7 +42,7 @@ COLUMNS = (
 
 
 def number(value: Any, column: Column) -> str:
-    """A number of a column in as few figures as say something.
+    """Format a number of a column with two significant digits.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def heads() -> list[str]:
 
 
 def cells(comparison: Comparison, row: Row) -> list[str]:
-    """One row of the full table.
+    """Return one row of the full table.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def cells(comparison: Comparison, row: Row) -> list[str]:
 
 
 def scenario_rows(comparison: Comparison, scenario: str) -> list[Row]:
-    """The rows of one motion, without those that only the ladder needs.
+    """Return the rows of one motion, without those of the ladder only.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def scenario_rows(comparison: Comparison, scenario: str) -> list[Row]:
 
 
 def summary(comparison: Comparison) -> tuple[list[str], list[list[str]]]:
-    """The short table: how many sequences are right, the hop, its limit and order, and what it costs.
+    """Return the short table: correct sequences, the hop, its limit and order, and its cost.
 
     Parameters
     ----------
@@ -207,12 +207,12 @@ def _true_hop() -> float:
 
 
 def compact(head: Sequence[str], rows: Sequence[Sequence[str]]) -> tuple[list[str], list[list[str]]]:
-    """The short table for a narrow page: the engine with its version once, settings and step in one column.
+    """Return the short table for a narrow page: engine and version once, settings and step in one column.
 
     Parameters
     ----------
     head : sequence of str
-        Of `summary`.
+        Heads of `summary`.
     rows : sequence of sequence of str
 
     Returns
@@ -230,7 +230,7 @@ def compact(head: Sequence[str], rows: Sequence[Sequence[str]]) -> tuple[list[st
 
 
 def markdown(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table in Markdown.
+    """Format a table as Markdown.
 
     Parameters
     ----------
@@ -247,7 +247,7 @@ def markdown(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def settings_words(one: Engine) -> str:
-    """The settings of an engine in full, as they are passed.
+    """Describe all settings of an engine.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What an engine is asked to compute, in plain numbers, and the way between its coordinates and ours."""
+"""The task of an engine in plain numbers, and the conversion between its coordinates and ours."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop.engines.scenarios import BENCHMARK, BenchScenario
 
 Floats = NDArray[np.float64]
-SPACING = 1.0 / 2048.0  # seconds: a record needs no more than one state in so long
+SPACING = 1.0 / 2048.0  # s, minimum spacing of states of a record
 
 
 class States(NamedTuple):
-    """A motion at n times, as every adapter returns it.
+    """A motion at n times, returned by every adapter.
 
     Attributes
     ----------
     t : ndarray, shape (n,)
-        Time, growing from 0 [s].
+        Time, increasing from 0 [s].
     x, y : ndarray, shape (n,)
-        Place of the rim's centre along the plane, and the gap between rim and plane [m].
+        Position of the rim's centre along the plane, and the gap between rim and plane [m].
     angle : ndarray, shape (n,)
-        θ, not wrapped, growing as the hoop rolls towards +x [rad].
+        θ, not wrapped, increasing while the hoop rolls towards +x [rad].
     vx, vy : ndarray, shape (n,)
         Velocity of the rim's centre [m/s].
     omega : ndarray, shape (n,)
@@ -42,15 +42,15 @@ class States(NamedTuple):
     omega: Floats
 
 
-class Body(NamedTuple):
-    """Place, turn and velocities of the centre of gravity, x along the plane, y off it, turn counterclockwise.
+class BodyState(NamedTuple):
+    """Position, rotation and velocities of the centre of gravity, x along the plane, y away from it, rotation counterclockwise.
 
     Attributes
     ----------
     x, y, turn : float
-        Place [m] and turn [rad].
+        Position [m] and rotation [rad].
     vx, vy, spin : float
-        Velocity [m/s] and rate of turn [rad/s].
+        Velocity [m/s] and angular velocity [rad/s].
     """
 
     x: float
@@ -70,7 +70,7 @@ class Task:
     Attributes
     ----------
     name : str
-        Of the scenario.
+        Name of the scenario.
     radius, mass : float
         R [m] and m [kg].
     eccentricity : float
@@ -82,9 +82,9 @@ class Task:
     slope : float
         β, downhill along +x [rad].
     mu, restitution : float
-        Coulomb's friction, static and kinetic, and e [1].
+        Coulomb friction, static and kinetic, and e [1].
     x, height, angle : float
-        Start: place of the centre and gap [m], θ [rad].
+        Start: position of the centre and gap [m], θ [rad].
     vx, vy, omega : float
         Start: velocity of the centre [m/s], θ̇ [rad/s].
     duration : float
@@ -115,11 +115,11 @@ class Task:
 
     @property
     def pull(self) -> tuple[float, float]:
-        """Gravity along the plane and off it [m/s²]."""
+        """Gravity along the plane and away from it [m/s²]."""
         return self.gravity * math.sin(self.slope), -self.gravity * math.cos(self.slope)
 
     def steps(self, dt: float) -> int:
-        """Steps of dt that reach the end.
+        """Number of steps of dt to the end.
 
         Parameters
         ----------
@@ -133,7 +133,7 @@ class Task:
         return math.ceil(self.duration / dt - 1e-9)
 
     def every(self, dt: float) -> int:
-        """Steps of dt between two states that are kept.
+        """Number of steps of dt per recorded state.
 
         Parameters
         ----------
@@ -143,22 +143,22 @@ class Task:
         Returns
         -------
         every : int
-            1 unless the step is much finer than the record needs.
+            1 unless the step is much finer than the record.
         """
         return max(1, int(SPACING / dt + 1e-9))
 
-    def body(self) -> Body:
-        """The start as place and velocities of G.
+    def body(self) -> BodyState:
+        """Return the start as position and velocities of G.
 
-        With turn = −θ the centre of the rim lies at (0, −arm) in the body's own axes.
+        With turn = −θ the centre of the rim is at (0, −arm) in the axes of the body.
 
         Returns
         -------
-        body : Body
+        body : BodyState
             [m, rad, s].
         """
         sine, cosine = math.sin(self.angle), math.cos(self.angle)
-        return Body(
+        return BodyState(
             self.x + self.arm * sine,
             self.radius + self.height + self.arm * cosine,
             -self.angle,
@@ -168,16 +168,16 @@ class Task:
         )
 
     def states(self, t: ArrayLike, bodies: ArrayLike, unwrap: bool = False) -> States:
-        """A record of the motion of G as states of the hoop.
+        """Convert a record of the motion of G to states of the hoop.
 
         Parameters
         ----------
         t : array_like, shape (n,)
             [s].
         bodies : array_like, shape (n, 6)
-            Rows as in `Body` [m, rad, s].
+            Rows as in `BodyState` [m, rad, s].
         unwrap : bool, default False
-            Whether the turn comes back into one turn and must be unwrapped.
+            Whether the rotation is wrapped into one revolution.
 
         Returns
         -------
@@ -185,7 +185,7 @@ class Task:
         """
         x, y, turn, vx, vy, spin = np.asarray(bodies, dtype=float).T
         angle = -(np.unwrap(turn) if unwrap else turn)
-        if unwrap:  # the start says which turn it is
+        if unwrap:  # the start gives the revolution
             angle = angle + 2.0 * math.pi * round((self.angle - angle[0]) / (2.0 * math.pi))
         sine, cosine, omega = np.sin(angle), np.cos(angle), -spin
         return States(
@@ -199,7 +199,7 @@ class Task:
         )
 
     def march(self, dt: float, step: Callable[[], Any], read: Callable[[], Any], unwrap: bool = False) -> States:
-        """Step an engine to the end, and keep what is needed of its motion.
+        """Step an engine to the end and record its motion.
 
         Parameters
         ----------
@@ -208,7 +208,7 @@ class Task:
         step : callable
             Takes one step.
         read : callable
-            Gives the six numbers of `Body`.
+            Returns the six numbers of `BodyState`.
         unwrap : bool, default False
             As in `states`.
 
@@ -216,11 +216,11 @@ class Task:
         -------
         states : States
         """
-        t, rows = self._marched(dt, step, read)
+        t, rows = self._march(dt, step, read)
         return self.states(t, rows, unwrap)
 
     def march_rim(self, dt: float, step: Callable[[], Any], read: Callable[[], Any]) -> States:
-        """As `march`, for an engine whose coordinates are the hoop's own.
+        """Like `march`, for an engine with the coordinates of the hoop.
 
         Parameters
         ----------
@@ -229,16 +229,16 @@ class Task:
         step : callable
             Takes one step.
         read : callable
-            Gives x, y, θ, and their rates [m, rad, s].
+            Returns x, y, θ, and their rates [m, rad, s].
 
         Returns
         -------
         states : States
         """
-        t, rows = self._marched(dt, step, read)
+        t, rows = self._march(dt, step, read)
         return States(np.array(t), *np.array(rows, dtype=float).T)
 
-    def _marched(
+    def _march(
         self, dt: float, step: Callable[[], Any], read: Callable[[], Any]
     ) -> tuple[list[float], list[tuple[float, ...]]]:
         every = self.every(dt)
@@ -251,12 +251,12 @@ class Task:
         return t, rows
 
     def to_dict(self) -> dict[str, Any]:
-        """The task as the JSON that external commands read.
+        """Return the task as JSON for external commands.
 
         Returns
         -------
         task : dict
-            Ready for `json.dumps`, with the start of G and the pull of gravity worked out.
+            For `json.dumps`, with the start of G and the components of gravity.
         """
         along, off = self.pull
         return {
@@ -269,7 +269,7 @@ class Task:
 
 
 def task_of(bench: BenchScenario) -> Task:
-    """The task of a motion of the benchmark.
+    """Return the task of a motion of the benchmark.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The truth of the benchmark: decimal strings in a file of the package, read, checked and turned into numbers."""
+"""The truth of the benchmark, read from decimal strings in a file of the package."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ class Truth:
     task : Task
     measures : Measures
     states : States
-        On the grid of the file.
+        At the times of the file.
     events : tuple of dict
-        As in the file: times and states are decimal strings.
+        Events of the file, with times and states as decimal strings.
     energy : dict of float
-        At the end, and what was lost on the way [J].
+        Energies at the end, and losses [J].
     lossless_until : float
-        How long no energy may be lost from the start on [s].
+        Time from the start without loss of energy [s].
     """
 
     task: Task
@@ -45,7 +45,7 @@ class Truth:
 
 
 def truth_text() -> str:
-    """The file with the truth, checked against its checksum.
+    """Return the text of the file with the truth, after checking its checksum.
 
     Returns
     -------
@@ -55,13 +55,13 @@ def truth_text() -> str:
     Raises
     ------
     ValueError
-        If the file is not the one that the checksum was made of.
+        If the file does not match its checksum.
     """
     data = files("hophoop.engines").joinpath("data")
     content = data.joinpath(FILE).read_bytes()
     line = data.joinpath(FILE.replace(".json", ".sha256")).read_text(encoding="utf-8")
     if hashlib.sha256(content).hexdigest() != line.split()[0]:
-        raise ValueError(f"{FILE} is not the file that its checksum was made of.")
+        raise ValueError(f"{FILE} does not match its checksum.")
     return content.decode("utf-8")
 
 
@@ -79,7 +79,7 @@ def schema() -> dict[str, Any]:
 
 @lru_cache(maxsize=1)
 def truths() -> dict[str, Truth]:
-    """The exact motions by the names of their scenarios.
+    """Return the exact motions by name of their scenarios.
 
     Returns
     -------

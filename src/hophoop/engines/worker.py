@@ -1,4 +1,4 @@
-"""Engines run in a process of their own, so that a crash, a hang or a quarrel between libraries costs one row only."""
+"""Run engines in a separate process, so that a crash, a hang or a conflict between libraries costs one row only."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from typing import Any
 from hophoop._support.stopping import ignored_by_children, undoing
 from hophoop.engines.adapters.npm import npm_folder
 from hophoop.engines.external import run_command
-from hophoop.engines.phases import thinned
+from hophoop.engines.phases import thin
 from hophoop.engines.recording import Recording
 from hophoop.engines.registry import Engine, engine
 from hophoop.engines.task import States, Task
 
-WARM = 20  # steps of the run before the first, for what is compiled or loaded on first use
+WARM = 20  # steps of a run before the timed one, which compiles and loads
 
 
 def run_here(one: Engine, task: Task, dt: float, settings: Mapping[str, Any]) -> Recording:
@@ -52,7 +52,7 @@ def run_here(one: Engine, task: Task, dt: float, settings: Mapping[str, Any]) ->
 
 
 class Worker:
-    """A process that runs one engine on one task after another.
+    """A process that runs one engine on several tasks.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class Worker:
         self._undoing = ExitStack()
 
     def run(self, task: Task, dt: float, settings: Mapping[str, Any], limit: float) -> Recording:
-        """Run the engine; whatever goes wrong is a RuntimeError with one sentence.
+        """Run the engine; all failures are RuntimeErrors with one sentence.
 
         Parameters
         ----------
@@ -75,7 +75,7 @@ class Worker:
             [s].
         settings : mapping
         limit : float
-            Time that it may take [s].
+            Maximum time [s].
 
         Returns
         -------
@@ -88,7 +88,7 @@ class Worker:
         """
         if self.engine.run is None:
             record = run_command(self.engine.command, task, dt, settings, npm_folder(), limit)
-            return Recording(thinned(record.states), record.wall_seconds, record.steps, record.notes)
+            return Recording(thin(record.states), record.wall_seconds, record.steps, record.notes)
         if self._process is None or not self._process.is_alive():
             self._start()
         assert self._pipe is not None
@@ -128,9 +128,9 @@ class Worker:
 
 
 def _serve(pipe: Connection, name: str) -> None:
-    os.environ["HOPHOOP_KERNELS"] = "compiled"  # no row of ours is timed while it is still interpreted
+    os.environ["HOPHOOP_KERNELS"] = "compiled"  # interpreted kernels must not be timed
     silent = os.open(os.devnull, os.O_WRONLY)
-    for stream in (1, 2):  # engines print as they like
+    for stream in (1, 2):  # engines may print
         os.dup2(silent, stream)
     sys.stdout = sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     one = engine(name)
@@ -144,13 +144,13 @@ def _serve(pipe: Connection, name: str) -> None:
             key = repr(sorted(settings.items()))
             if key not in warmed:
                 warmed.add(key)
-                run_here(one, _shortened(task, WARM * dt), dt, settings)
+                run_here(one, _shorten(task, WARM * dt), dt, settings)
             record = run_here(one, task, dt, settings)
-            pipe.send(Recording(thinned(record.states), record.wall_seconds, record.steps, record.notes))
+            pipe.send(Recording(thin(record.states), record.wall_seconds, record.steps, record.notes))
         except Exception as error:
             text = " ".join(str(error).split()) or type(error).__name__
             pipe.send(text[:400])
 
 
-def _shortened(task: Task, duration: float) -> Task:
+def _shorten(task: Task, duration: float) -> Task:
     return Task(**{**task.__dict__, "duration": min(task.duration, duration)})

@@ -1,4 +1,4 @@
-"""The film of a fit, to be laid under the motion that is drawn."""
+"""The film of a fit as the background of the drawn motion."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ import numpy as np
 from hophoop.fitting.reporting import first_row, on_plane
 from hophoop.fitting.result import Fit
 from hophoop.scenario import InputError
-from hophoop.tracking.video import pictures, rgb, writing
+from hophoop.tracking.video import open_writer, pictures, rgb
 
-EVERY = 12  # frames from one that can be shown by itself to the next, so that a browser finds any of them fast
+EVERY = 12  # frames between key frames, so that a browser seeks fast
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Backdrop:
     corners : tuple of tuple of float
         Where the picture's corners lie, from the top left clockwise: along the plane, and above it [m].
     start : float
-        When in the film the motion begins [s].
+        Time of the film at which the motion starts [s].
     """
 
     film: Path
@@ -39,7 +39,7 @@ class Backdrop:
     start: float
 
     def to_dict(self) -> dict[str, Any]:
-        """What a page needs to know beside the film.
+        """Position and start of the film, for a page.
 
         Returns
         -------
@@ -50,7 +50,7 @@ class Backdrop:
 
 
 def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[int, int], None] | None = None) -> Backdrop:
-    """Write a film as a browser can show it, and tell where it lies under the fitted motion.
+    """Write the film as MP4 for a browser, and compute its position relative to the fitted motion.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[
     video : str or Path
         The film that was tracked.
     film : str or Path
-        To be written, .mp4.
+        File to write, .mp4.
     progress : callable, optional
         Called with the number of frames done and of all.
 
@@ -81,7 +81,7 @@ def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[
         raise InputError("The fit is not to a track of a film, so that no film can be laid under it.")
     camera, target = view.camera, Path(film)
     size, first, start = (camera.width, camera.height), first_row(fit), 0.0
-    with writing(target, size, EVERY) as writer:
+    with open_writer(target, size, EVERY) as writer:
         for row, picture in enumerate(pictures(video, view.rate)):
             if picture.size != size:
                 raise InputError(f"{video} is not the film of the track, whose pictures have {size[0]} × {size[1]} pixels.")

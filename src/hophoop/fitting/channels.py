@@ -1,4 +1,4 @@
-"""What was measured: the quantities of a track that a fit uses, with their uncertainties."""
+"""Measured quantities of a track that a fit uses, with their uncertainties."""
 
 from __future__ import annotations
 
@@ -14,38 +14,38 @@ from hophoop.tracking.scatter import spread, third_differences
 Floats = NDArray[np.float64]
 
 
-LONGEST = 0.98  # correlation of errors from a frame to the next at most
-PLACE_ERROR = 0.01  # of a place in a film, by where in the picture it is: coding, background, sensor, lens [pixel]
-PATCH = 40.0  # how far the hoop goes until that is another one [pixel]
+LONGEST = 0.98  # maximum correlation of errors from one frame to the next
+PLACE_ERROR = 0.01  # error that depends on the position in the picture: coding, background, sensor, lens [pixel]
+PATCH = 40.0  # length over which that error changes [pixel]
 
 
-class Lasting(NamedTuple):
-    """Errors of which a share fades from frame to frame: neighbours n frames apart correlate by share × fade^n."""
+class Autocorrelation(NamedTuple):
+    """Autocorrelation of errors: share × fade^n between frames n apart."""
 
     share: float
     fade: float
 
     @property
     def frames(self) -> float:
-        """How many frames say as much as one would whose errors do not last [1]."""
+        """Number of frames with the information of one frame of independent errors [1]."""
         return 1.0 + 2.0 * self.share * self.fade / (1.0 - self.fade)
 
 
-NONE = Lasting(0.0, 0.0)
+NONE = Autocorrelation(0.0, 0.0)
 
 
 class Channel(NamedTuple):
-    """One quantity that was measured."""
+    """One measured quantity."""
 
     name: str  # x, y, angle, marker_x or marker_y
     rows: NDArray[np.int64]  # of the track
     values: Floats
     errors: Floats
-    lasting: Lasting = NONE  # how its errors last, whatever the residuals say
+    autocorrelation: Autocorrelation = NONE  # known of its errors in advance
 
 
 def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
-    """The centre with the angle, or the marker where there is no centre.
+    """Centre and angle, or the marker if there is no centre.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple
     Raises
     ------
     ValueError
-        If there is too little data, or their uncertainty cannot be told.
+        If there are too few data, or their uncertainty cannot be estimated.
     """
     t, result = track.t, []
     centred = np.isfinite(track.centre[:, 0]).any()
@@ -85,12 +85,12 @@ def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple
             own = np.where(np.isfinite(own) & (own > 0), own, usual)
         result.append(Channel(name, rows, values[rows], own, _by_place(track, name, float(np.median(own)))))
     if sum(len(channel.rows) for channel in result) < 12:
-        raise InputError("The track knows the hoop in too few frames to fit anything.")
+        raise InputError("The track has the hoop in too few frames to fit anything.")
     return tuple(result)
 
 
-def _by_place(track: Track, name: str, error: float) -> Lasting:
-    """The share of a film's errors that goes with the place in the picture, and so lasts until the hoop is elsewhere."""
+def _by_place(track: Track, name: str, error: float) -> Autocorrelation:
+    """Autocorrelation of the errors that depend on the position in the picture."""
     view = track.view
     steps = np.hypot(*np.diff(track.pixel, axis=0).T)
     if view is None or not np.isfinite(steps).any():
@@ -98,16 +98,16 @@ def _by_place(track: Track, name: str, error: float) -> Lasting:
     size = PLACE_ERROR / view.scale
     if name == "angle":
         size /= track.radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
-    return Lasting(min((size / error) ** 2, 1.0), min(float(np.exp(-np.nanmean(steps) / PATCH)), LONGEST))
+    return Autocorrelation(min((size / error) ** 2, 1.0), min(float(np.exp(-np.nanmean(steps) / PATCH)), LONGEST))
 
 
 def scatter(t: Floats, values: Floats) -> float:
-    """Standard deviation of one value, from third differences, to which a smooth motion adds little.
+    """Standard deviation of one value, from third differences, which are small for a smooth motion.
 
     Parameters
     ----------
     t, values : ndarray, shape (n,)
-        Times [s] and what was measured then [1].
+        Times [s] and measured values [1].
 
     Returns
     -------
@@ -117,10 +117,10 @@ def scatter(t: Floats, values: Floats) -> float:
     Raises
     ------
     ValueError
-        If there are less than eight values, or they are free of scatter.
+        If there are fewer than eight values, or they do not scatter.
     """
     if len(t) < 8:
-        raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames do not tell it: give sigma.")
+        raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames are too few to estimate it: give sigma.")
     usual = spread(third_differences(t, values))
     if not usual > 1e-12 * max(1.0, float(np.abs(values).max())):
         raise InputError("The uncertainty of the data is missing, and they do not scatter: give sigma.")

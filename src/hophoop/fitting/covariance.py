@@ -1,27 +1,26 @@
-"""How uncertain the parameters are: outliers say little, and errors that last over several frames say the same again."""
+"""Covariance of the parameters, with robust loss and correlated errors."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.channels import LONGEST, NONE, Channel, Lasting
+from hophoop.fitting.channels import LONGEST, NONE, Autocorrelation, Channel
 from hophoop.fitting.losses import influence, influence_slope
 from hophoop.fitting.problem import Problem
 
 Floats = NDArray[np.float64]
 
-FEWEST = 30  # residuals of which the correlation of neighbours is taken
-CERTAIN = 3.0  # standard deviations from which it is believed
-FIRST = 5  # lags that tell whether there is any
+FEWEST = 30  # residuals for an estimate of the autocorrelation
+CERTAIN = 3.0  # standard deviations of a significant autocorrelation
+FIRST = 5  # lags that are tested
 
 
-def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
+def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust: bool) -> Floats:
     """Covariance of parameters: A⁻¹ B A⁻¹ of an estimator whose equations have the slopes A and the variance B.
 
-    With ψ the slope of half the loss, A = Jᵀ ψ' J with the residuals found, which is E[ψ'] times what the data would say
-    without outliers, and B = E[ψ²] Jᵀ P J for residuals as large as the data say; P holds the correlations of errors in a
-    quantity, a share of which fades from frame to frame.
+    ψ is the slope of half the loss. A = Jᵀ ψ' J with the residuals, and B = E[ψ²] Jᵀ P J for residuals as large as the data's
+    errors. P has the correlations of errors in a quantity.
 
     Parameters
     ----------
@@ -29,16 +28,16 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
     jacobian : ndarray, shape (count, n)
     residuals : ndarray, shape (count,)
         At the minimum [standard deviations].
-    soft : bool
+    robust : bool
         Whether outliers count less.
 
     Returns
     -------
     covariance : ndarray, shape (n, n)
-        Infinite where the data say nothing [products of the parameters' units].
+        Infinite where the data have no information [products of the parameters' units].
     """
     pulls, information, square = residuals, jacobian.T @ jacobian, 1.0
-    if soft:
+    if robust:
         nodes, weights = np.polynomial.hermite_e.hermegauss(40)
         weights = weights / weights.sum()
         pulls = influence(residuals)
@@ -46,7 +45,7 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
         square, slope = float(weights @ influence(nodes) ** 2), float(weights @ influence_slope(nodes))
         information, square = information / slope, square / slope**2
     known = inverse(information)
-    memory = memories(problem, pulls)
+    memory = autocorrelations(problem, pulls)
     if not any(one.share for one in memory.values()) or not np.isfinite(known).all():
         return known * square
     variance, begin = information.copy(), 0
@@ -57,31 +56,31 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
     return known @ variance @ known * square
 
 
-def memories(problem: Problem, pulls: Floats) -> dict[str, Lasting]:
-    """How the errors of a quantity last from frame to frame.
+def autocorrelations(problem: Problem, pulls: Floats) -> dict[str, Autocorrelation]:
+    """Autocorrelation of the errors of each quantity.
 
     Parameters
     ----------
     problem : Problem
     pulls : ndarray, shape (count,)
-        Residuals, or how much they pull [1].
+        Residuals, or their influence [1].
 
     Returns
     -------
-    memories : dict of Lasting
-        By quantity; where they are not alike beyond what chance has, or fewer than 30, what is known of the channel [1].
+    autocorrelations : dict of Autocorrelation
+        By quantity; that of the channel if none is significant, or with fewer than 30 residuals [1].
     """
     result, begin = {}, 0
     for channel in problem.channels:
         own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
         own[channel.rows - channel.rows[0]] = pulls[begin : begin + len(channel.rows)]
         begin += len(channel.rows)
-        result[channel.name] = max(_lasting(own), channel.lasting, key=lambda one: one.frames)
+        result[channel.name] = max(_autocorrelation_of(own), channel.autocorrelation, key=lambda one: one.frames)
     return result
 
 
-def _lasting(values: Floats) -> Lasting:
-    """From correlations up to the lag from which they are gone in pairs: their sum, and the lag of its middle."""
+def _autocorrelation_of(values: Floats) -> Autocorrelation:
+    """Estimate from the sum of the correlations up to the first pair of lags without any, and the lag of its middle."""
     known = np.isfinite(values)
     count, size = int(known.sum()), float(np.nanmean(values**2))
     if count < FEWEST or not size > 0:
@@ -94,19 +93,19 @@ def _lasting(values: Floats) -> Lasting:
     if max(alike[0] * np.sqrt(count), first * np.sqrt(FIRST * count)) < CERTAIN or first <= 0.0:
         return NONE
     pairs = np.array(alike[: len(alike) // 2 * 2]).reshape(-1, 2).sum(axis=1)
-    gone = pairs <= np.sqrt(2.0 / count)  # what chance makes of them
+    gone = pairs <= np.sqrt(2.0 / count)  # the level of chance
     until = 2 * (int(np.argmax(gone)) if gone.any() else len(pairs))
     kept = np.array(alike[: max(until, 1)])
     whole = float(kept.sum())
     fade = float(np.clip(1.0 - whole / float((np.arange(1, len(kept) + 1) * kept).sum()), 0.05, LONGEST))
-    share = Lasting(float(np.clip(whole * (1.0 - fade) / fade, 0.0, 1.0)), fade)
-    # where all of it fades, the first lag alone tells how fast; the sum, which ends where chance begins, tells a little less
-    all_of_it = Lasting(1.0, float(np.clip(alike[0], 0.0, LONGEST)))
+    share = Autocorrelation(float(np.clip(whole * (1.0 - fade) / fade, 0.0, 1.0)), fade)
+    # if all of it fades, the first lag gives the rate; the sum is cut at the level of chance and a little too small
+    all_of_it = Autocorrelation(1.0, float(np.clip(alike[0], 0.0, LONGEST)))
     return max(share, all_of_it, key=lambda one: one.frames)
 
 
-def _from_neighbours(channel: Channel, columns: Floats, memory: Lasting) -> Floats:
-    """P − 1 times columns, P_ij = share × fade^|i − j|, by going through the frames once forwards and once backwards."""
+def _from_neighbours(channel: Channel, columns: Floats, memory: Autocorrelation) -> Floats:
+    """Return (P − 1) times columns, P_ij = share × fade^|i − j|, by one pass forwards and one backwards."""
     fading = memory.fade ** np.diff(channel.rows).astype(float)
     before, after = np.zeros_like(columns), np.zeros_like(columns)
     for k in range(1, len(columns)):
@@ -116,7 +115,7 @@ def _from_neighbours(channel: Channel, columns: Floats, memory: Lasting) -> Floa
 
 
 def inverse(information: Floats) -> Floats:
-    """The inverse, scaled so that units do not matter; infinite where there is nothing known.
+    """Return the inverse, scaled so that units do not matter; infinite where nothing is known.
 
     Parameters
     ----------

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from hophoop.fitting.covariance import memories
+from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.guess import candidates, guess, start_kind
-from hophoop.fitting.judging import WORDS, correlations, lacking, least_static_friction, shares
-from hophoop.fitting.limits import NOT_SEEN, absent, least_friction, one_sided
+from hophoop.fitting.judging import WORDS, correlations, least_static_friction, misfits, shares
+from hophoop.fitting.limits import NOT_SEEN, least_friction, one_sided_limits, unobserved
 from hophoop.fitting.losses import influence
 from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, shared_errors
@@ -24,6 +24,7 @@ from hophoop.tracking import Track, read_track
 def fit(
     data: Track | str | Path,
     hoop: Hoop | str = "ideal",
+    *,
     start: str = "auto",
     fixed: Mapping[str, float] | None = None,
     free: Sequence[str] = (),
@@ -32,38 +33,38 @@ def fit(
     plane: Plane | None = None,
     sigma: float | None = None,
     sigma_angle: float | None = None,
-    soft: bool = True,
+    robust: bool = True,
     seed: int = 0,
 ) -> Fit:
-    """Find the parameters with which the exact motion is nearest to a track.
+    """Find the parameters with which the exact motion is closest to a track.
 
     Parameters
     ----------
     data : Track, str or Path
         A track, or a file of one.
     hoop : Hoop or {'ideal', 'general'}, default 'ideal'
-        A hoop that is known (from its parts, say), so that only the contact is fitted; or an ideal one, given by gamma; or any,
-        given by eccentricity and inertia_ratio.
+        A known hoop, for example from its parts, so that only the contact is fitted; or an ideal hoop, described by gamma; or
+        a general one, described by eccentricity and inertia_ratio.
     start : {'auto', 'rolling', 'sliding', 'flying'}, default 'auto'
-        How the hoop moves in the first frame.
+        Motion of the hoop in the first frame.
     fixed : dict, optional
-        Parameters that are known, and their values [SI units].
+        Known parameters and their values [SI units].
     free : sequence of str, optional
-        Parameters to fit beside the usual ones: rolling_resistance, slope, scale, tilt, origin_y, row_delay, marker_angle,
-        marker_ratio. Slope, scale, tilt and origin_y are fitted anyway where the track is of a film, within what the film says
-        of them; named here, the frames alone tell them.
+        Parameters to fit in addition to the usual ones: rolling_resistance, slope, scale, tilt, origin_y, row_delay,
+        marker_angle, marker_ratio. With the track of a film, slope, scale, tilt and origin_y are always fitted, with the film's
+        estimates as priors; those named here have no prior.
     bounds : dict, optional
-        Least and greatest values of parameters [SI units].
+        Minimum and maximum values of parameters [SI units].
     tied : dict, optional
-        Parameters that follow from others, as expressions of them.
+        Parameters that are expressions of others.
     plane : Plane, optional
-        Gravity and the law of impacts.
+        Gravity and the impact law.
     sigma, sigma_angle : float, optional
         Standard deviations of places [m] and angles [rad], in place of the track's own.
-    soft : bool, default True
+    robust : bool, default True
         Let outliers count less than by their square.
     seed : int, default 0
-        Of the starts that are drawn [1].
+        Seed of the drawn starts [1].
 
     Returns
     -------
@@ -72,9 +73,9 @@ def fit(
     Raises
     ------
     ValueError
-        If a name is not known, cannot be fitted, or the data are too few.
+        If a name is unknown or cannot be fitted, or there are too few data.
     ImportError
-        If SciPy or lmfit is missing.
+        If SciPy or asteval is missing.
 
     Examples
     --------
@@ -99,7 +100,7 @@ def fit(
     if start == "auto" and (kind := start_kind(problem)) != "rolling":
         problem = problem_of(track, hoop, kind, plane, (sigma, sigma_angle))
     choice = _choice(problem, track, fixed or {}, free, bounds or {}, tied or {})
-    # what was asked for is told by the frames alone
+    # parameters that the caller frees have no prior
     priors = {name: prior for name, prior in shared_errors(track).items() if name in choice.free and name not in free}
     problem = replace(problem, priors=priors)
     found = guess(problem, choice.values)
@@ -108,14 +109,14 @@ def fit(
         raise InputError(f"{len(choice.free)} parameters cannot be fitted to {problem.count} numbers.")
     starts = candidates(problem, first, set(choice.free), seed)
     if not starts:
-        raise InputError("No motion could be computed from what the data say of themselves: fix or bound some parameters.")
-    solution, blind = best_of(problem, choice, starts, soft)
+        raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
+    solution, blind = best_of(problem, choice, starts, robust)
     settings: dict[str, object] = {
         "hoop": hoop if isinstance(hoop, str) else hoop.to_dict(),
         "start": problem.start,
         "gravity": plane.gravity,
         "law": plane.impact_law,
-        "soft": soft,
+        "robust": robust,
         "sigma": sigma,
         "sigma_angle": sigma_angle,
         "free": list(choice.free),
@@ -123,7 +124,7 @@ def fit(
         "tied": dict(choice.tied),
         "priors": {name: list(prior) for name, prior in priors.items()},
     }
-    return _told(problem, choice, solution, blind, track, settings)
+    return _fit_of(problem, choice, solution, blind, track, settings)
 
 
 def _choice(
@@ -158,47 +159,47 @@ def _choice(
     return Choice(values, chosen, dict(bounds), dict(tied))
 
 
-def _told(
+def _fit_of(
     problem: Problem, choice: Choice, solution: Solution, blind: list[str], track: Track, settings: dict[str, object]
 ) -> Fit:
-    """The fit with what it does not say: limits of what may be at an end of its range, or is out of sight."""
-    soft, wanted = bool(settings["soft"]), choice
-    gone = absent(problem.motion(solution.values)) & set(blind)
+    """Return the fit, with limits of parameters that may be at an end of their range or have no effect."""
+    robust, wanted = bool(settings["robust"]), choice
+    gone = unobserved(problem.motion(solution.values)) & set(blind)
     names = [name for name in choice.free if name not in gone]
-    solution, limits = one_sided(problem, choice.only(solution.free), solution, names, soft)
+    solution, limits = one_sided_limits(problem, choice.only(solution.free), solution, names, robust)
     limits |= {name: NOT_SEEN for name in choice.free if name in gone or name not in (*solution.free, *limits)}
     motion = problem.motion(solution.values)
-    gone = absent(motion)
+    gone = unobserved(motion)
     notes = []
     if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):
         least = least_static_friction(motion)
         if not choice.tied:
-            least = least_friction(problem, wanted, solution, least, soft)
+            least = least_friction(problem, wanted, solution, least, robust)
         limits["mu_static"] = ("≥", least)
-        notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction is not seen.")
+        notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction has no effect.")
     if "restitution" in gone & set(limits):
-        notes.append("There is no impact in the film, so that it says nothing about restitution.")
-    notes += [f"The film says nothing about {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
-    pulls = influence(solution.residuals) if soft else solution.residuals
-    for name, memory in memories(problem, pulls).items():
+        notes.append("There is no impact in the film, so restitution cannot be determined.")
+    notes += [f"The film does not determine {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
+    pulls = influence(solution.residuals) if robust else solution.residuals
+    for name, memory in autocorrelations(problem, pulls).items():
         if memory.share:
             notes.append(
-                f"Errors of {WORDS[name]} last over several frames ({memory.frames:.1f} of them say as much as one); "
-                "the uncertainties count with that."
+                f"Errors of {WORDS[name]} are correlated ({memory.frames:.1f} frames have the information of one); "
+                "the uncertainties include that."
             )
     chi_square = float((solution.residuals**2).sum())
-    freedom = problem.count - len(solution.free)
-    scale = max(1.0, float(np.sqrt(chi_square / max(freedom, 1))))
+    degrees_of_freedom = problem.count - len(solution.free)
+    scale = max(1.0, float(np.sqrt(chi_square / max(degrees_of_freedom, 1))))
     return Fit(
         solution.values,
         solution.free,
         solution.covariance,
         chi_square,
-        freedom,
+        degrees_of_freedom,
         limits,
         shares(problem, solution, scale),
         correlations(solution, set(problem.priors)),
-        lacking(problem, motion, solution.residuals),
+        misfits(problem, motion, solution.residuals),
         tuple(notes),
         track,
         settings,

@@ -1,4 +1,4 @@
-"""Where to begin: what the data say of themselves, and motions drawn around that, the best few of each sequence."""
+"""Starts of a fit: a guess from the data, and the best of many motions drawn around it, for each sequence."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
 
-WIDTH = 0.05  # of the pieces over which velocities are taken [s]
-LEAST = 5  # frames of such a piece
-FIRST = 8  # frames from which the start is told at least
-SLIPS = 4.0  # slip over its standard deviation that is believed
+WIDTH = 0.05  # of the pieces for velocities [s]
+LEAST = 5  # minimum frames of such a piece
+FIRST = 8  # minimum frames for the start
+SLIPS = 4.0  # significant slip over its standard deviation
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
 SEQUENCES = 4
@@ -32,7 +32,7 @@ class Rates(NamedTuple):
 
 
 def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
-    """Values and rates at times, from a parabola through the data around each.
+    """Return values and rates at times, from a parabola through the data around each.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
 
 
 def rates_of(problem: Problem, name: str) -> Rates | None:
-    """The rates of a channel.
+    """Return the rates of a channel.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def rates_of(problem: Problem, name: str) -> Rates | None:
     Returns
     -------
     rates : Rates or None
-        None where it was not measured.
+        None if it was not measured.
     """
     for channel in problem.channels:
         if channel.name == name and len(channel.rows) >= LEAST:
@@ -77,7 +77,7 @@ def rates_of(problem: Problem, name: str) -> Rates | None:
 
 
 def start_kind(problem: Problem) -> str:
-    """How the hoop moves in the first frame, as far as the data tell.
+    """Return the kind of motion in the first frame.
 
     Parameters
     ----------
@@ -86,9 +86,9 @@ def start_kind(problem: Problem) -> str:
     Returns
     -------
     start : str
-        'rolling', unless the data contradict it.
+        'rolling' unless the data contradict it.
     """
-    x, angle, y = (beginning(problem, name) for name in ("x", "angle", "y"))
+    x, angle, y = (initial_rate(problem, name) for name in ("x", "angle", "y"))
     if x is None or angle is None:
         return "rolling"
     if y is not None:
@@ -100,18 +100,18 @@ def start_kind(problem: Problem) -> str:
     return "sliding" if abs(slip) > max(SLIPS * error, 0.03 * abs(x.rate)) else "rolling"
 
 
-class Beginning(NamedTuple):
+class InitialRate(NamedTuple):
     """A quantity and its rate in the first frame, from a parabola through the first frames."""
 
     value: float
     rate: float
     error: float  # of the rate
-    values: Floats  # the first of the data
+    values: Floats  # data of the first frames
     errors: Floats
 
 
-def beginning(problem: Problem, name: str) -> Beginning | None:
-    """How a quantity begins.
+def initial_rate(problem: Problem, name: str) -> InitialRate | None:
+    """Return value and rate of a quantity in the first frame.
 
     Parameters
     ----------
@@ -121,8 +121,8 @@ def beginning(problem: Problem, name: str) -> Beginning | None:
 
     Returns
     -------
-    beginning : Beginning or None
-        None where it was not measured.
+    rate : InitialRate or None
+        None if it was not measured.
     """
     for channel in problem.channels:
         if channel.name == name and len(channel.rows) >= LEAST:
@@ -133,18 +133,18 @@ def beginning(problem: Problem, name: str) -> Beginning | None:
             inverse = np.linalg.pinv(design.T @ design)
             found = inverse @ (design.T @ (channel.values[:count] * weight))
             error = float(np.sqrt(max(inverse[1, 1], 0.0)))
-            return Beginning(float(found[0]), float(found[1]), error, channel.values[:count], channel.errors[:count])
+            return InitialRate(float(found[0]), float(found[1]), error, channel.values[:count], channel.errors[:count])
     return None
 
 
 def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
-    """Parameters from the data alone: the start from its first frames, the share of the load from energies in rolling.
+    """Guess parameters from the data: the start from the first frames, the share of the load from the energy in rolling.
 
     Parameters
     ----------
     problem : Problem
     values : dict
-        What is known or usual.
+        Known and default values.
 
     Returns
     -------
@@ -153,7 +153,7 @@ def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
     result = dict(values)
     x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
     if x is None and (marker := rates_of(problem, "marker_x")) is not None:
-        travel = np.polyfit(marker.t, marker.value, 1)  # the marker turns about where the centre goes
+        travel = np.polyfit(marker.t, marker.value, 1)  # the marker revolves about the centre
         x = Rates(
             marker.t,
             np.asarray(np.polyval(travel, marker.t), dtype=float),
@@ -161,7 +161,7 @@ def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
             np.full(len(marker.t), 1.0),
         )
     if x is not None:
-        first = beginning(problem, "x")
+        first = initial_rate(problem, "x")
         place, rate = (float(x.value[0]), float(x.rate[0])) if first is None else (first.value, first.rate)
         result |= {"x0": place, "speed": rate, "vx0": rate}
     if "tilt" in values and x is not None and y is not None and not values["tilt"] and np.ptp(x.value) > problem.radius:
@@ -169,12 +169,12 @@ def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
         if abs(line[0]) > 1e-3:
             result["tilt"] = float(np.arctan(line[0]))
     if y is not None:
-        above = beginning(problem, "y")
+        above = initial_rate(problem, "y")
         if above is not None:
             result |= {"height0": max(above.value - problem.radius, 0.0), "vy0": above.rate}
         result["origin_y"] = float(np.quantile(y.value, 0.1)) - problem.radius if "origin_y" in values else 0.0
     if angle is not None:
-        turning = beginning(problem, "angle")
+        turning = initial_rate(problem, "angle")
         assert turning is not None
         result |= {"angle0": turning.value - values["marker_angle"], "omega0": turning.rate}
         if x is None:
@@ -188,21 +188,21 @@ def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
 
 
 def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[str, float]) -> float | None:
-    """γ from the conserved energy while the hoop rolls: (1 + γ cosθ) R²θ̇² + γ g R cos(θ + β) − g R θ sinβ.
+    """Return γ from the conserved energy while the hoop rolls: (1 + γ cosθ) R²θ̇² + γ g R cos(θ + β) − g R θ sinβ.
 
     Parameters
     ----------
     problem : Problem
     angle : Rates
     x : Rates or None
-        To tell rolling by.
+        To detect rolling.
     values : dict
         Slope and angle of the marker.
 
     Returns
     -------
     gamma : float or None
-        None where the data do not tell [1].
+        None if the data do not determine it [1].
     """
     radius, gravity = problem.radius, problem.plane.gravity
     theta, slope = angle.value - values["marker_angle"], values["slope"]
@@ -222,8 +222,8 @@ def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[
     return float(np.clip(found[0], 0.05, 0.95)) if rank == 2 else None
 
 
-def gathered(sequence: str) -> str:
-    """A sequence with bounces in a row as one: how many there are before they die out depends on the last digit.
+def merge_bounces(sequence: str) -> str:
+    """Merge bounces in a row into one 'H+': their number depends on the last digit.
 
     Parameters
     ----------
@@ -237,7 +237,7 @@ def gathered(sequence: str) -> str:
 
 
 class Candidate(NamedTuple):
-    """Parameters to begin a fit with."""
+    """Start of a fit."""
 
     values: dict[str, float]
     sequence: str
@@ -245,9 +245,9 @@ class Candidate(NamedTuple):
 
 
 def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: int = 0) -> list[Candidate]:
-    """The best few motions of each sequence, of many drawn around a guess.
+    """Return the best motions of each sequence, of many drawn around a guess.
 
-    The sum of squares has a basin for each sequence, into which another one's slopes do not lead.
+    The sum of squares has a basin for each sequence, and descent from one basin does not lead into another.
 
     Parameters
     ----------
@@ -257,7 +257,7 @@ def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: 
     free : set of str
         Parameters that may differ from it.
     seed : int, default 0
-        Of the lots [1].
+        Seed of the draws [1].
 
     Returns
     -------
@@ -289,11 +289,11 @@ def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: 
         except InputError:
             continue
         off = problem.distances(problem.places(motion, values), values)
-        # far off is far off: what matters is how much of the film agrees
+        # cut large residuals: the part of the film that agrees counts
         found.append(Candidate(values, motion.sequence, float(np.log1p(off**2).sum())))
     best: dict[str, list[Candidate]] = {}
     for one in sorted(found, key=lambda candidate: candidate.cost):
-        group = best.setdefault(gathered(one.sequence)[:12], [])
+        group = best.setdefault(merge_bounces(one.sequence)[:12], [])
         if len(group) < A_SEQUENCE:
             group.append(one)
     few = list(best.values())[:SEQUENCES]

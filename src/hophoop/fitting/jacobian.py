@@ -1,4 +1,4 @@
-"""How the data that a motion would give change with its parameters: exactly, through every event, where that exists."""
+"""Exact derivatives of the residuals by the parameters, through all events, where they exist."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SPOTS = ("x", "y", "marker_x", "marker_y")
 
 
 def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, ...]) -> Floats:
-    """Derivatives of the residuals by parameters.
+    """Return derivatives of the residuals by parameters.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, .
     Returns
     -------
     jacobian : ndarray, shape (count, len(names))
-        A column has nan where there is no derivative: a graze, a border of classes, an edge of what is allowed
+        A column is nan where there is no derivative: at a tangency, a boundary of classes, a limit of a range
         [1 over the parameter's unit].
 
     Raises
@@ -56,16 +56,16 @@ def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, .
 
 
 def _of_motion(problem: Problem, motion: Trajectory, values: dict[str, float], groups: list[tuple[str, ...]]) -> Floats:
-    """Columns of parameters that change numbers of the scenario, a group of them each."""
+    """Columns of parameters of the scenario, each a group of its numbers."""
     paths = tuple(dict.fromkeys(path for group in groups for path in group))
     rated = carry(motion, paths).at_times(problem.moments(motion, values), ("x", "height", "angle"))
     together = np.array([[float(path in group) for group in groups] for path in paths])
     change = {field: rates @ together for field, (_, rates) in rated.items()}
-    return _seen(problem, values, rated["angle"][0][:, None], change)
+    return _residual_changes(problem, values, rated["angle"][0][:, None], change)
 
 
-def _seen(problem: Problem, values: dict[str, float], angle: Floats, change: Mapping[str, Floats]) -> Floats:
-    """What changes of place and angle, a column each, do to the residuals."""
+def _residual_changes(problem: Problem, values: dict[str, float], angle: Floats, change: Mapping[str, Floats]) -> Floats:
+    """Derivatives of the residuals from those of position and angle."""
     reach = values["marker_ratio"] * problem.radius
     marked = angle + values["marker_angle"]
     along, up = change["x"], change["height"]
@@ -82,7 +82,7 @@ def _seen(problem: Problem, values: dict[str, float], angle: Floats, change: Map
 
 
 def _of_camera(problem: Problem, motion: Trajectory, values: dict[str, float], places: dict[str, Floats], name: str) -> Floats:
-    """The column of a parameter of camera or marker, from the formulas of `Problem.places`; nan where it is neither."""
+    """Column of a parameter of camera or marker, from the formulas of `Problem.places`; nan for others."""
     none, one = np.zeros(len(problem.t)), np.ones(len(problem.t))
     ground = values["origin_y"]
     change = dict.fromkeys(places, none)
@@ -101,12 +101,12 @@ def _of_camera(problem: Problem, motion: Trajectory, values: dict[str, float], p
     elif name == "row_delay" and problem.rows is not None:
         state = motion.at(problem.moments(motion, values))
         rates = {"x": state.vx * problem.rows, "height": state.vy * problem.rows, "angle": state.omega * problem.rows}
-        return _seen(problem, values, state.angle, rates)
+        return _residual_changes(problem, values, state.angle, rates)
     else:
         change = dict.fromkeys(places, np.full(len(problem.t), np.nan))
     return _residuals(problem, change)
 
 
 def _residuals(problem: Problem, change: Mapping[str, Floats]) -> Floats:
-    """Changes of places as those of residuals, which are data less places."""
+    """Derivatives of the residuals, which are data minus positions."""
     return np.concatenate([-(change[one.name][one.rows].T / one.errors).T for one in problem.channels])

@@ -1,4 +1,4 @@
-"""What a fit is worth: goodness, correlations, the sequence's share, residuals that run together."""
+"""Diagnostics of a fit: correlations, shares of sequences, runs of residuals."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.guess import gathered
+from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import Solution
 from hophoop.scenario import InputError
@@ -18,19 +18,19 @@ from hophoop.simulation.trajectory import Trajectory
 Floats = NDArray[np.float64]
 
 CORRELATED = 0.95
-RUNS = -4.0  # standard deviations by which residuals of one sign run together more than chance has it
-FEWEST = 16  # residuals of a phase that are tested
+RUNS = -4.0  # deviation of the runs test that shows a misfit
+FEWEST = 16  # residuals of a phase for the test
 DRAWS = 100
 
 
 def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[str, str, float]]:
-    """Pairs of parameters that the data can hardly tell apart, the strongest first.
+    """Return pairs of parameters that the data hardly distinguish, the strongest first.
 
     Parameters
     ----------
     solution : Solution
     known : collection of str, optional
-        Parameters of which more is known than the data say; two of these are no pair.
+        Parameters with priors; two of these are no pair.
 
     Returns
     -------
@@ -51,27 +51,27 @@ def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[
 
 
 def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) -> dict[str, float]:
-    """Sequences that motions within the uncertainties have, with their shares.
+    """Return the sequences of motions within the uncertainties, with their shares.
 
     Parameters
     ----------
     problem : Problem
     solution : Solution
     scale : float
-        By which the errors are enlarged [1].
+        Factor of the errors [1].
     seed : int, default 0
         [1]
 
     Returns
     -------
     shares : dict of float
-        By sequence, bounces in a row as one 'H+', the greatest first [1].
+        By sequence, bounces in a row as one 'H+', the largest first [1].
     """
     rng = np.random.default_rng(seed)
     found: dict[str, int] = {}
     covariance = solution.covariance * scale**2
     if not len(solution.free) or not np.isfinite(covariance).all():
-        return {gathered(problem.motion(solution.values).sequence): 1.0}
+        return {merge_bounces(problem.motion(solution.values).sequence): 1.0}
     values, vectors = np.linalg.eigh(0.5 * (covariance + covariance.T))
     root = vectors * np.sqrt(np.maximum(values, 0.0))
     centre = np.array([solution.values[name] for name in solution.free])
@@ -80,18 +80,18 @@ def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) ->
             zip(solution.free, (centre + root @ rng.normal(size=len(centre))).tolist(), strict=True)
         )
         try:
-            sequence = gathered(problem.motion(drawn).sequence)
+            sequence = merge_bounces(problem.motion(drawn).sequence)
         except InputError:
             continue
         found[sequence] = found.get(sequence, 0) + 1
     total = sum(found.values())
     if not total:
-        return {gathered(problem.motion(solution.values).sequence): 1.0}
+        return {merge_bounces(problem.motion(solution.values).sequence): 1.0}
     return {name: number / total for name, number in sorted(found.items(), key=lambda item: -item[1])}
 
 
-def runs(residuals: Floats) -> float:
-    """How many standard deviations the number of runs of one sign is from chance (after Wald and Wolfowitz).
+def runs_deviation(residuals: Floats) -> float:
+    """Return the deviation of the number of runs of one sign from its expectation (Wald–Wolfowitz test).
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def runs(residuals: Floats) -> float:
     Returns
     -------
     deviation : float
-        Negative where neighbours are alike; 0 where all have one sign by need [1].
+        Negative if neighbours are alike; 0 if all must have one sign [standard deviations].
     """
     signs = residuals > 0
     above, below = int(signs.sum()), int((~signs).sum())
@@ -117,8 +117,8 @@ PHASES = {"R": "rolling", "S": "slip", "K": "slip", "H": "flight", "M": "skimmin
 WORDS = {"x": "x", "y": "y", "angle": "the angle", "marker_x": "x of the marker", "marker_y": "y of the marker"}
 
 
-def lacking(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dict[str, Any]]:
-    """Quantities and phases in which residuals run together, which says that the model lacks something there.
+def misfits(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dict[str, Any]]:
+    """Return quantities and phases in which residuals have too few runs: the model lacks something there.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def lacking(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dic
         phase = np.array([PHASES[letter] for letter in modes[channel.rows]])
         for word in dict.fromkeys(phase.tolist()):
             part = own[phase == word]
-            if len(part) >= FEWEST and (deviation := runs(part)) < RUNS:
+            if len(part) >= FEWEST and (deviation := runs_deviation(part)) < RUNS:
                 found.append(
                     {
                         "quantity": channel.name,
@@ -153,13 +153,13 @@ def lacking(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dic
 
 
 def least_static_friction(motion: Trajectory, points: int = 2000) -> float:
-    """The greatest abs(F)/N while the hoop rolls: friction that never slips must be at least this.
+    """Return the maximum of abs(F)/N while the hoop rolls, the friction that it needs at least.
 
     Parameters
     ----------
     motion : Trajectory
     points : int, default 2000
-        How many times are looked at [1].
+        Number of times [1].
 
     Returns
     -------

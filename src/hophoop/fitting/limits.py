@@ -1,4 +1,4 @@
-"""What is known on one side only: how far a parameter may be from the end of its range, or from what rolling needs."""
+"""One-sided limits of parameters at an end of their range, and of friction that was not seen to slip."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from hophoop.fitting.solving import (
     approach,
     complete,
     cost_at,
-    lowest,
+    minimize,
     solve,
     spread_of,
 )
 from hophoop.simulation.trajectory import Trajectory
 
-AGREES = 4.0  # rise of the sum of squares up to which the data agree with an end of a range: two standard deviations
-NEAR = 9.0  # the same up to which the end is near: three
+AGREES = 4.0  # rise of the sum of squares at an end of a range that the data agree with: two standard deviations
+NEAR = 9.0  # rise at an end that is near: three standard deviations
 STEPS = 12  # of a search for a limit
-FINE = 0.01  # of the distance from the end, to which a limit is searched
+FINE = 0.01  # accuracy of a limit, over its distance from the end
 NOT_SEEN = ("", float("nan"))
 
 
@@ -34,21 +34,21 @@ class End(NamedTuple):
 
     side: int  # −1 the lower end, 1 the upper
     found: Minimum
-    blind: list[str]  # parameters that change nothing there
+    blind: list[str]  # parameters without effect there
 
 
-def absent(motion: Trajectory) -> set[str]:
-    """Parameters of the contact about which a motion says nothing: friction without slip, restitution without an impact."""
+def unobserved(motion: Trajectory) -> set[str]:
+    """Return parameters of the contact that a motion does not determine: friction without slip, restitution without impact."""
     slips = {"S", "K"} & set(motion.sequence)
     return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if motion.find("impact") else {"restitution"})
 
 
-def one_sided(
-    problem: Problem, choice: Choice, solution: Solution, names: Sequence[str], soft: bool
+def one_sided_limits(
+    problem: Problem, choice: Choice, solution: Solution, names: Sequence[str], robust: bool
 ) -> tuple[Solution, dict[str, tuple[str, float]]]:
-    """Limits of parameters that may be at an end of their range, where they then are, and what they leave of the others.
+    """Find limits of parameters that may be at an end of their range, and their effect on the others.
 
-    The slopes at the minimum say too little there: the sum of squares may be steep at the minimum and flat towards the end.
+    The slopes at the minimum do not suffice: the sum of squares may be steep at the minimum and flat towards the end.
 
     Parameters
     ----------
@@ -57,37 +57,38 @@ def one_sided(
     solution : Solution
         The minimum of `choice`.
     names : sequence of str
-        Parameters that may have a limit, free ones and such as change nothing where they are.
-    soft : bool
+        Parameters that may have a limit: free ones, and ones without effect at the minimum.
+    robust : bool
 
     Returns
     -------
     solution : Solution
-        The minimum with what has a limit at the end of its range. The covariance of the others counts with how they change up
-        to the limit. A standard deviation that ends within three of an end is at least what the sum of squares there says.
+        The minimum with the limited parameters at the end of their range. The covariance of the others includes their change
+        up to the limit. Within three standard deviations of an end, the standard deviation is at least that of the sum of
+        squares there.
     limits : dict
         The sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both ends [its unit].
     """
     limits, changes = {}, []
     for name in names:
         spread = spread_of(problem, solution.cost, len(solution.free))
-        near = _ends(problem, choice, solution, name, soft)
+        near = _ends(problem, choice, solution, name, robust)
         agreed = [end for end in near if end.found.cost - solution.cost <= AGREES * spread]
         if len(agreed) == 1:
             ((side, found, blind),) = agreed
             begin = min((solution.values, solution.cost), (found.values, found.cost), key=lambda one: one[1])
             allowed = begin[1] + CONFIDENT * spread
             step = 0.01 * min(np.subtract(*choice.limits(name)[::-1]), 1.0)
-            values = _reach(problem, choice.at(begin[0]), name, -side * step, allowed, soft)
+            values = _reach(problem, choice.at(begin[0]), name, -side * step, allowed, robust)
             limits[name] = ("≤" if side < 0 else "≥", values[name])
             free = tuple(other for other in solution.free if other != name and other not in blind)
-            solution = solve(problem, choice.at(found.values).only(free), soft)
+            solution = solve(problem, choice.at(found.values).only(free), robust)
             changes.append({other: (values[other] - solution.values[other]) / np.sqrt(CONFIDENT * spread) for other in free})
         elif agreed or name not in solution.free:
             limits[name] = NOT_SEEN
             solution = solution.without(name)
         for end in near if not agreed else ():
-            size = np.sqrt((end.found.cost - solution.cost) / spread)  # of the way there, in standard deviations
+            size = np.sqrt((end.found.cost - solution.cost) / spread)  # distance to the end in standard deviations
             solution = solution.with_error(name, abs(end.found.values[name] - solution.values[name]) / size)
         choice = choice.at(solution.values).only(solution.free)
     covariance = solution.covariance.copy()
@@ -97,25 +98,25 @@ def one_sided(
     return solution._replace(covariance=covariance), limits
 
 
-def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, soft: bool) -> list[End]:
-    """The ends of a parameter's range that are not far, as the sum of squares has it."""
+def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, robust: bool) -> list[End]:
+    """Return the ends of a parameter's range that are near by the sum of squares."""
     result = []
     for side, end in zip((-1, 1), choice.limits(name), strict=True):
         if not np.isfinite(end):
             continue
         held = choice.at(solution.values).without(name, end)
-        starts = [held.values, _moved(choice, solution, name, end)]
-        costs = [cost_at(problem, complete(problem, held, values), soft) for values in starts]
+        starts = [held.values, _values_at(choice, solution, name, end)]
+        costs = [cost_at(problem, complete(held, values), robust) for values in starts]
         if min(costs) - solution.cost > problem.count:
-            continue  # so far off, adapting does not help
-        found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), soft)
+            continue  # too far: fitting the others does not help
+        found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), robust)
         if found.cost - solution.cost <= NEAR * spread_of(problem, solution.cost, len(solution.free)):
             result.append(End(side, found, blind))
     return result
 
 
-def _moved(choice: Choice, solution: Solution, name: str, end: float) -> dict[str, float]:
-    """Values with one at the end of its range and the others adapted as if all were linear."""
+def _values_at(choice: Choice, solution: Solution, name: str, end: float) -> dict[str, float]:
+    """Return values with one at the end of its range and the others by linear regression."""
     values = {**solution.values, name: end}
     if name not in solution.free or not np.isfinite(solution.covariance).all():
         return values
@@ -127,13 +128,13 @@ def _moved(choice: Choice, solution: Solution, name: str, end: float) -> dict[st
     return values
 
 
-def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: float, soft: bool) -> dict[str, float]:
-    """The values with one as far away as the sum of squares stays within what is allowed, the others adapting."""
+def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: float, robust: bool) -> dict[str, float]:
+    """Return the values with one as far away as the allowed sum of squares permits, the others fitted."""
     near, far = dict(choice.values), None
     begin = near[name]
     for _ in range(STEPS):
         value = float(np.clip(near[name] + step, *choice.limits(name)))
-        there = lowest(problem, choice.at(near).without(name, value), soft)
+        there = minimize(problem, choice.at(near).without(name, value), robust)
         if there.cost > allowed:
             far, step = value, 0.5 * (value - near[name])
         else:
@@ -143,24 +144,24 @@ def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: fl
     return near
 
 
-def least_friction(problem: Problem, choice: Choice, solution: Solution, needed: float, soft: bool) -> float:
-    """The least static friction with which the data agree, of a hoop that was not seen to slip, at 95 %.
+def least_friction(problem: Problem, choice: Choice, solution: Solution, needed: float, robust: bool) -> float:
+    """Return the minimum static friction at 95 % of a hoop that was not seen to slip.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-        What was free, friction included.
+        The choice with friction free.
     solution : Solution
         A motion that never slips.
     needed : float
-        Friction that this motion needs [1].
-    soft : bool
+        Friction required by this motion [1].
+    robust : bool
 
     Returns
     -------
     friction : float
-        A little less than needed: slip that is too short is not seen [1].
+        A little less than required, since very short slip cannot be detected [1].
     """
     scale = spread_of(problem, solution.cost, len(solution.free))
     near, far, step = needed, 0.0, 0.02 * needed
@@ -176,7 +177,7 @@ def least_friction(problem: Problem, choice: Choice, solution: Solution, needed:
             fixed = fixed.without(name, number)
         for name in set(fixed.free) - set(solution.free):
             fixed = fixed.without(name, solution.values[name])
-        if lowest(problem, fixed, soft).cost - solution.cost > CONFIDENT * scale:
+        if minimize(problem, fixed, robust).cost - solution.cost > CONFIDENT * scale:
             far = value
         else:
             near, step = value, 2.0 * step

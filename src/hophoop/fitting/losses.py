@@ -1,4 +1,4 @@
-"""The soft loss: outliers count less than by their square."""
+"""The robust loss: outliers count less than by their square."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-SOFT = 3.0  # standard deviations from which a residual counts less than its square
+SOFT = 3.0  # scale of the robust loss [standard deviations]
 
 
-def loss(residuals: Floats, soft: bool) -> float:
-    """Return the sum of squares, or the soft loss: SciPy's soft_l1 with the scale `SOFT`, twice.
+def loss(residuals: Floats, robust: bool) -> float:
+    """Return the sum of squares, or the robust loss: SciPy's soft_l1 with the scale `SOFT`, twice.
 
     Parameters
     ----------
     residuals : ndarray
         [standard deviations]
-    soft : bool
+    robust : bool
 
     Returns
     -------
@@ -25,13 +25,13 @@ def loss(residuals: Floats, soft: bool) -> float:
         [1]
     """
     squares = residuals**2
-    if soft:
+    if robust:
         squares = 2.0 * squares / (np.sqrt(1.0 + squares / SOFT**2) + 1.0)
     return float(squares.sum())
 
 
 def influence(residuals: Floats) -> Floats:
-    """Slope of half the soft loss: how much a residual pulls.
+    """Return the slope of half the robust loss.
 
     Parameters
     ----------
@@ -41,13 +41,13 @@ def influence(residuals: Floats) -> Floats:
     Returns
     -------
     pull : ndarray
-        The residual itself where it is small [1].
+        For small residuals the residual itself [1].
     """
     return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
 
 
 def influence_slope(residuals: Floats) -> Floats:
-    """Derivative of `influence`.
+    """Return the derivative of `influence`.
 
     Parameters
     ----------

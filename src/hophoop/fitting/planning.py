@@ -1,4 +1,4 @@
-"""What a film that you intend to take would determine: the uncertainties of a fit, from the motion alone."""
+"""Plan a film: the uncertainties of a fit to it, predicted from the motion."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hophoop.fitting.covariance import inverse
-from hophoop.fitting.guess import gathered
+from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.judging import correlations, least_static_friction
-from hophoop.fitting.limits import absent, one_sided
+from hophoop.fitting.limits import one_sided_limits, unobserved
 from hophoop.fitting.parameters import PARAMETERS, REFUSED
 from hophoop.fitting.problem import Prior, Problem, defaults, problem_of
-from hophoop.fitting.result import rounded
-from hophoop.fitting.solving import Choice, Solution, slopes, unseen
+from hophoop.fitting.result import format_value
+from hophoop.fitting.solving import Choice, Solution, insensitive, slopes
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
 from hophoop.tracking import Track
@@ -25,26 +25,26 @@ MOST_FRAMES = 200_000
 
 @dataclass(frozen=True)
 class Plan:
-    """What a film would tell.
+    """Predicted result of a fit.
 
     Attributes
     ----------
     values : dict of float
         The parameters of the motion [SI units].
     errors : dict of float
-        Standard deviations that a fit would have [SI units].
+        Standard deviations of the fit [SI units].
     limits : dict
-        Of each parameter that could be at an end of its range "≤" or "≥", and how far it could be from it, at 95 % [its unit].
+        "≤" or "≥" and the limit at 95 % of each parameter that may be at an end of its range [its unit].
     unseen : tuple of str
-        Parameters of which the film would say nothing.
+        Parameters that the film would not determine.
     correlated : list
-        Pairs that the film could hardly tell apart, with their correlation [1].
+        Pairs that the film would hardly distinguish, with their correlation [1].
     sequence : str
         Of the motion.
     frames : int
         [1]
     least_static_friction : float
-        What static friction would be known to exceed, where the hoop never slips; nan where it does [1].
+        Lower limit of the static friction if the hoop never slips; nan if it does [1].
     """
 
     values: dict[str, float]
@@ -66,25 +66,25 @@ class Plan:
         result = []
         for name, error in self.errors.items():
             unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
-            result.append((name, rounded(self.values[name], error) + unit, PARAMETERS[name].meaning))
+            result.append((name, format_value(self.values[name], error) + unit, PARAMETERS[name].meaning))
         for name, (sign, limit) in self.limits.items():
             unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
             result.append((name, f"{sign} {limit:.2g}{unit}", PARAMETERS[name].meaning))
-        result += [(name, "not seen", PARAMETERS[name].meaning) for name in self.unseen]
+        result += [(name, "not determined", PARAMETERS[name].meaning) for name in self.unseen]
         if np.isfinite(self.least_static_friction):
             result.append(("mu_static", f"≥ {self.least_static_friction:.3g}", "static friction: the hoop never slips"))
         return result
 
     def sentences(self) -> list[str]:
-        """What there is to say beside the table.
+        """Notes on the table.
 
         Returns
         -------
         sentences : list of str
         """
-        said = [f"{self.frames} frames of the sequence {gathered(self.sequence)}."]
+        said = [f"{self.frames} frames of the sequence {merge_bounces(self.sequence)}."]
         said += [
-            f"{first} and {second} could hardly be told apart (correlation {size:+.3f})."
+            f"{first} and {second} could hardly be distinguished (correlation {size:+.3f})."
             for first, second, size in self.correlated
         ]
         return said
@@ -100,27 +100,27 @@ def plan(
     hoop_known: bool = False,
     sigma_scale: float = 1e-3,
 ) -> Plan:
-    """The uncertainties that a fit to a film of a motion would have.
+    """Predict the uncertainties of a fit to a film of a motion.
 
     Parameters
     ----------
     scenario : Scenario
-        The motion, as it is expected.
+        The expected motion.
     rate : float, default 240
-        Frames a second [Hz].
+        Frames per second [Hz].
     sigma : float, default 2e-4
         Standard deviation of each coordinate of the centre in a frame [m].
     sigma_angle : float, optional
-        The same of the angle; None where there is no marker [rad].
+        The same of the angle; None without marker [rad].
     free : sequence of str, optional
-        Parameters to fit beside the usual ones.
+        Parameters to fit in addition to the usual ones.
     fixed : sequence of str, optional
-        Parameters that are known.
+        Known parameters.
     hoop_known : bool, default False
         Whether the hoop is known from its parts, so that only the contact and the start are fitted.
     sigma_scale : float, default 1e-3
-        Standard deviation of the film's scale over the scale: the rim's radius in the picture is off by the same in all
-        frames, by 0.1 pixel of 100, say. With 0 the scale is known [1].
+        Relative standard deviation of the film's scale, one error for all frames, such as 0.1 pixel of a radius of 100. With 0
+        the scale is known [1].
 
     Returns
     -------
@@ -129,9 +129,7 @@ def plan(
     Raises
     ------
     ValueError
-        If a name is not known, a number is not allowed, or the motion is too short.
-    ImportError
-        If lmfit is missing.
+        If a name is unknown, a number out of range, or the motion too short.
 
     Examples
     --------
@@ -163,12 +161,12 @@ def plan(
     chosen = {*usual, *free, *problem.priors} - set(fixed)
     names = tuple(name for name in problem.names if name in chosen)
     choice = Choice(values, names, {}, {})
-    blind = tuple(unseen(problem, choice))
+    blind = tuple(insensitive(problem, choice))
     seen = Choice(values, tuple(name for name in names if name not in blind), {}, {})
     jacobian = slopes(problem, seen, seen.free)
     whole = Solution(values, seen.free, inverse(jacobian.T @ jacobian), 0.0, np.zeros(0))
-    gone = absent(motion) & set(blind)
-    solution, limits = one_sided(problem, seen, whole, [name for name in names if name not in gone], False)
+    gone = unobserved(motion) & set(blind)
+    solution, limits = one_sided_limits(problem, seen, whole, [name for name in names if name not in gone], False)
     errors = {name: float(np.sqrt(solution.covariance[k, k])) for k, name in enumerate(solution.free)}
     limits = {name: limit for name, limit in limits.items() if limit[0]}
     blind = tuple(name for name in names if name not in (*solution.free, *limits))
@@ -178,7 +176,7 @@ def plan(
 
 
 def _shared(problem: Problem, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
-    """Priors of the scale and, since where that is off the plane is so too, R under the centre, of its height."""
+    """Priors of the scale and of the plane's height, R below the centre, whose error follows from that of the scale."""
     priors = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * problem.radius)} if sigma_scale else {}
     return {name: prior for name, prior in priors.items() if name not in told}
 

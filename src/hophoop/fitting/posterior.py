@@ -1,4 +1,4 @@
-"""What a chain says about the parameters: quantiles, and the share of each sequence."""
+"""Posterior of the parameters from a chain: quantiles, and the share of each sequence."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from hophoop.scenario import InputError
 Floats = NDArray[np.float64]
 
 LONG = 50.0  # autocorrelation times that a chain should have
-KEPT = 4000  # rows of the samples that are saved
+KEPT = 4000  # maximum number of saved samples
 
 
 @dataclass(frozen=True, eq=False)
 class Posterior:
-    """Samples of the parameters, as likely as the data make them within their bounds.
+    """Samples of the posterior of the parameters.
 
     Attributes
     ----------
     names : tuple of str
-        Of the sampled parameters.
+        Names of the sampled parameters.
     samples : ndarray, shape (n, len(names))
         [SI units]
     shares : dict of float
         Sequences of the sampled motions, bounces in a row as one 'H+', and their shares [1].
     steps, walkers : int
-        How the chain was made [1].
+        Size of the chain [1].
     memory : float
-        Steps after which a walker has forgotten where it was: the longest autocorrelation time [1].
+        Longest autocorrelation time [steps].
     acceptance : float
-        Share of the steps that were taken [1].
+        Share of accepted steps [1].
     """
 
     names: tuple[str, ...]
@@ -46,11 +46,11 @@ class Posterior:
 
     @property
     def long_enough(self) -> bool:
-        """Whether the chain has at least 50 times its autocorrelation time, so that its quantiles can be believed."""
+        """True if the chain has at least 50 times its autocorrelation time, so that its quantiles are reliable."""
         return self.steps > LONG * self.memory
 
     def quantiles(self, name: str, shares: tuple[float, ...] = (0.16, 0.5, 0.84)) -> tuple[float, ...]:
-        """Values of a parameter below which these shares of the posterior lie.
+        """Return quantiles of a parameter.
 
         Parameters
         ----------
@@ -67,18 +67,18 @@ class Posterior:
         Raises
         ------
         ValueError
-            If it was not sampled.
+            If the parameter was not sampled.
         """
         if name == "mu_static" and {"mu_kinetic", "mu_excess"} <= set(self.names):
             column = self.samples[:, [self.names.index(part) for part in ("mu_kinetic", "mu_excess")]].sum(axis=1)
         elif name in self.names:
             column = self.samples[:, self.names.index(name)]
         else:
-            raise InputError(f"{name!r} was not sampled; that were {', '.join(self.names)}.")
+            raise InputError(f"{name!r} was not sampled; sampled were {', '.join(self.names)}.")
         return tuple(float(value) for value in np.quantile(column, shares))
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it, of long chains every so manieth sample.
+        """Convert to a dictionary, with long chains thinned.
 
         Returns
         -------
@@ -98,7 +98,7 @@ class Posterior:
 
 
 def posterior_from_dict(data: Any) -> Posterior:
-    """The posterior that `Posterior.to_dict` wrote.
+    """Return the posterior that `Posterior.to_dict` wrote.
 
     Parameters
     ----------

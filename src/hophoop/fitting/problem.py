@@ -1,4 +1,4 @@
-"""What is fitted: parameters in, the exact motion and its distance from the data out."""
+"""The fitted problem: from parameters to the exact motion and its residuals."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from hophoop.tracking import Track
 
 Floats = NDArray[np.float64]
 
-FAR = 1e4  # residual of a motion that cannot be, in standard deviations
-BEYOND = 1.0 + 1e-9  # by how much the motion is longer than the data
+FAR = 1e4  # residual of an impossible motion [standard deviations]
+BEYOND = 1.0 + 1e-9  # duration of the motion over that of the data
 
 
 class Prior(NamedTuple):
-    """What is known of a parameter beside the data of the frames."""
+    """Knowledge of a parameter in addition to the data."""
 
     value: float  # [the parameter's unit]
     error: float  # its standard deviation
@@ -31,7 +31,7 @@ class Prior(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Data and what is known, of which the parameters make a motion.
+    """Data and known quantities; the parameters complete them to a scenario.
 
     Attributes
     ----------
@@ -39,21 +39,21 @@ class Problem:
         Times from the first frame [s].
     channels : tuple of Channel
     rows : ndarray, shape (n,) or None
-        Row of the picture in which the centre stands, less their mean [pixel].
+        Picture row of the centre, minus the mean [pixel].
     radius : float
         [m]
     hoop : Hoop or None
-        Where it is known.
+        If it is known.
     general : bool
-        Whether the hoop is any, not an ideal one.
+        Whether the hoop is a general one instead of an ideal one.
     start : str
         A key of STARTS.
     plane : Plane
-        Gravity and the law of impacts.
+        Gravity and the impact law.
     priors : mapping of str to Prior
-        What is known of parameters beside the channels; each counts as one more number that was measured.
+        Priors of parameters; each counts as a measured number.
     computed : list of int
-        How many motions were computed so far [1].
+        Number of motions computed so far [1].
     """
 
     t: Floats
@@ -69,7 +69,7 @@ class Problem:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Parameters that this problem has."""
+        """Parameters of this problem."""
         hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
         return (
             *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
@@ -78,12 +78,12 @@ class Problem:
 
     @property
     def count(self) -> int:
-        """Numbers that were measured [1]."""
+        """Number of measured numbers [1]."""
         return sum(len(channel.values) for channel in self.channels) + len(self.priors)
 
     @property
     def data(self) -> Floats:
-        """All that was measured, channel after channel."""
+        """Measured values, channel after channel."""
         return np.concatenate([channel.values for channel in self.channels])
 
     @property
@@ -92,7 +92,7 @@ class Problem:
         return np.concatenate([channel.errors for channel in self.channels])
 
     def scenario(self, values: dict[str, float]) -> Scenario:
-        """The scenario of parameters.
+        """Return the scenario of parameters.
 
         Parameters
         ----------
@@ -140,7 +140,7 @@ class Problem:
         return Scenario(hoop=hoop, plane=plane, start=start, duration=float(self.t[-1]) * BEYOND + margin)
 
     def motion(self, values: dict[str, float]) -> Trajectory:
-        """The motion of parameters.
+        """Compute the motion of parameters.
 
         Parameters
         ----------
@@ -160,7 +160,7 @@ class Problem:
         return simulate(self.scenario(values))
 
     def moments(self, motion: Trajectory, values: dict[str, float]) -> Floats:
-        """When the centre was seen in every frame, by the clock of a motion.
+        """Times of the motion at which the centre was exposed in each frame.
 
         Parameters
         ----------
@@ -177,7 +177,7 @@ class Problem:
         return np.clip(times, 0.0, motion.duration)
 
     def places(self, motion: Trajectory, values: dict[str, float]) -> dict[str, Floats]:
-        """What the data would be for a motion, in every frame.
+        """Predicted data of a motion in each frame.
 
         Parameters
         ----------
@@ -188,7 +188,7 @@ class Problem:
         Returns
         -------
         places : dict of ndarray
-            By names of channels [m or rad].
+            By name of the channel [m or rad].
         """
         state = motion.at(self.moments(motion, values))
         reach = values["marker_ratio"] * self.radius
@@ -196,15 +196,15 @@ class Problem:
         x, y = state.x, state.height + self.radius
         cos, sin = values["scale"] * np.cos(values["tilt"]), values["scale"] * np.sin(values["tilt"])
 
-        def turned(a: Floats, b: Floats) -> tuple[Floats, Floats]:
+        def rotate(a: Floats, b: Floats) -> tuple[Floats, Floats]:
             return cos * a - sin * b, values["origin_y"] + sin * a + cos * b
 
-        first, second = turned(x, y)
-        third, fourth = turned(x + reach * np.sin(marked), y + reach * np.cos(marked))
+        first, second = rotate(x, y)
+        third, fourth = rotate(x + reach * np.sin(marked), y + reach * np.cos(marked))
         return {"x": first, "y": second, "marker_x": third, "marker_y": fourth, "angle": marked - values["tilt"]}
 
     def residuals(self, values: dict[str, float]) -> Floats:
-        """Data less motion, in standard deviations.
+        """Return data minus motion, in standard deviations.
 
         Parameters
         ----------
@@ -223,7 +223,7 @@ class Problem:
         return self.distances(self.places(motion, values), values)
 
     def distances(self, places: dict[str, Floats], values: dict[str, float]) -> Floats:
-        """Data less places, and what is known of parameters less their values, in standard deviations.
+        """Return data minus predicted data, and priors minus values, in standard deviations.
 
         Parameters
         ----------
@@ -243,17 +243,17 @@ class Problem:
 
 
 def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: tuple[float | None, float | None]) -> Problem:
-    """The problem that a track poses.
+    """Return the problem of a track.
 
     Parameters
     ----------
     track : Track
     hoop : Hoop or {'ideal', 'general'}
-        Known, or of which kind.
+        The known hoop, or the kind of an unknown one.
     start : str
         A key of STARTS.
     plane : Plane
-        Gravity and the law of impacts.
+        Gravity and the impact law.
     sigma : tuple of float or None
         Standard deviations of places [m] and angles [rad], in place of the track's own.
 
@@ -264,11 +264,11 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     Raises
     ------
     ValueError
-        If the radius is not known, or there is too little data.
+        If the radius is unknown, or there are too few data.
     """
     radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
     if not (np.isfinite(radius) and radius > 0):
-        raise InputError("The radius of the hoop is missing: the data do not say it.")
+        raise InputError("The radius of the hoop is missing from the data.")
     channels = channels_of(track, sigma)
     first = min(int(channel.rows[0]) for channel in channels)
     last = max(int(channel.rows[-1]) for channel in channels)
@@ -288,9 +288,9 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
 
 
 def shared_errors(track: Track) -> dict[str, Prior]:
-    """What a film says of its scale and its plane, which is off by the same in all frames.
+    """Priors of scale and plane from a film, whose errors are the same in all frames.
 
-    The height of the centre over the plane is R in contact, so that where the scale is off, so is the plane.
+    In contact the height of the centre is R, so an error of the scale moves the plane.
 
     Parameters
     ----------
@@ -299,7 +299,7 @@ def shared_errors(track: Track) -> dict[str, Prior]:
     Returns
     -------
     priors : dict of Prior
-        By parameter; none where the track is not of a film.
+        By parameter; empty if the track is not of a film.
     """
     view, found = track.view, {}
     if view is not None and track.placed:
@@ -310,7 +310,7 @@ def shared_errors(track: Track) -> dict[str, Prior]:
 
 
 def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:
-    """Values that parameters have before anything is fitted, and which of them are free unless said otherwise.
+    """Return default values of the parameters, and the parameters that are free by default.
 
     Parameters
     ----------

@@ -1,21 +1,22 @@
-"""The page of a fit: what it found, how far the data are from the motion, energies, and the film with both hoops."""
+"""The page of a fit: parameters, residuals, energies, and the film with the fitted hoop."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from html import escape
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.extras import need
 from hophoop._support.files import replacing
+from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.fitting.guess import rates_of
 from hophoop.fitting.result import GIVEN, Fit
 from hophoop.tracking import overlay
-from hophoop.tracking.page import STYLE, Curve, plot
+from hophoop.tracking.plots import Curve, plot
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import mode_words
 
@@ -34,9 +35,9 @@ def report(
     ----------
     fit : Fit
     folder : str or Path
-        Made if it is not there: index.html, fit.json, scenario.toml, and fitted.mp4 with a film.
+        Created if missing: index.html, fit.json, scenario.toml, and fitted.mp4 with a film.
     video : str or Path, optional
-        The film of the track, over which the fitted hoop is drawn.
+        The film of the track, to draw the fitted hoop over.
     progress : callable, optional
         Called with the number of frames drawn and of all.
 
@@ -47,7 +48,7 @@ def report(
     Raises
     ------
     ValueError
-        If the track is not of a film and there is one.
+        If a film is given and the track is not of a film.
     OSError
         If a file cannot be written.
     """
@@ -90,7 +91,7 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
 
 
 def first_row(fit: Fit) -> int:
-    """The first row of the track in which something is known, where the motion begins [1]."""
+    """Return the first row of the track with data, the start of the motion [1]."""
     known = np.isfinite(fit.track.centre[:, 0]) | np.isfinite(fit.track.marker[:, 0]) | np.isfinite(fit.track.angle)
     return int(np.flatnonzero(known)[0])
 
@@ -117,7 +118,7 @@ def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> t
 
 
 def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
-    """Energies a kilogram, measured beside computed.
+    """Return energies per kilogram, measured and computed.
 
     Parameters
     ----------
@@ -154,51 +155,33 @@ def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
 
 
 def _page(fit: Fit, film: str | None) -> str:
-    name = escape(fit.track.source or "a hoop")
-    found = [row for row in fit.rows() if not row[1].endswith(GIVEN)]
-    given = [(first, text.removesuffix(GIVEN), meaning) for first, text, meaning in fit.rows() if text.endswith(GIVEN)]
-    said = "".join(f"<li>{escape(sentence)}</li>" for sentence in fit.sentences())
-    parts = [
-        "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'>",
-        f"<title>Fit of {name}</title><style>{STYLE}</style></head><body><h1>Fit of {name}</h1>",
-        f"<ul>{said}</ul>{_table(found)}<details><summary>What was given</summary>{_table(given)}</details>",
-        "<p>In the lab: <code>hophoop lab fit.json</code>, with <code>--film</code> over the film.</p>",
-        f"<details><summary>Its link</summary><code>?{escape(fit.scenario.to_query())}</code></details>",
-    ]
-    if film is not None:
-        parts.append(
-            f"<h2>Film</h2><p>Yellow is the hoop as tracked, dashed magenta the fitted motion.</p>"
-            f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>"
-        )
-    t, problem = fit.problem.t, fit.problem
-    ribbon = _ribbon(fit)
-    parts.append(f"<h2>Residuals</h2><p>Data less motion; the ribbon under each is what the motion does.</p>{_key(fit)}")
-    for channel in problem.channels:
+    t, ribbon = fit.problem.t, _ribbon(fit)
+    residuals = []
+    for channel in fit.problem.channels:
         _, factor, unit = UNITS.get(channel.name, ("m", 1e3, "mm"))
         off = fit.residuals[channel.name] * channel.errors * factor
         label = f"{channel.name} ({unit}), one standard deviation {factor * float(np.median(channel.errors)):.2g}"
-        parts.append(plot([Curve(t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
-    both = energies(fit)
-    if both:
-        parts.append("<h2>Energies</h2><p>Dots from the data, a line from the motion.</p>")
-        for key, (times, measured, computed) in both.items():
-            curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
-            parts.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
-    parts.append(f"<footer>hophoop {__version__}</footer></body></html>")
-    return "".join(parts)
-
-
-def _table(rows: list[tuple[str, str, str]]) -> str:
-    cells = "".join(f"<tr><td>{escape(a)}</td><td class='value'>{escape(b)}</td><td>{escape(c)}</td></tr>" for a, b, c in rows)
-    return f"<table><thead><tr><th>parameter</th><th>value</th><th>meaning</th></tr></thead><tbody>{cells}</tbody></table>"
-
-
-def _key(fit: Fit) -> str:
-    """Colours of what the motion does, with their words."""
+        residuals.append(plot([Curve(t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
+    both = []
+    for key, (times, measured, computed) in energies(fit).items():
+        curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
+        both.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
     state = fit.motion.at(fit.motion.times(600))
     words = dict.fromkeys(mode_words(state.mode, state.omega).tolist())
-    spans = "".join(f"<span><i style='background:{colors.mode_color(word)}'></i>{escape(word)}</span>" for word in words)
-    return f"<p class='key'>{spans}</p>"
+    return render(
+        need("jinja2", "fit"),
+        "fitting/fit.html",
+        version=__version__,
+        source=fit.track.source or "a hoop",
+        sentences=fit.sentences(),
+        found=[row for row in fit.rows() if not row[1].endswith(GIVEN)],
+        given=[(name, text.removesuffix(GIVEN), meaning) for name, text, meaning in fit.rows() if text.endswith(GIVEN)],
+        query=fit.scenario.to_query(),
+        film=film,
+        modes=[(word, colors.mode_color(word)) for word in words],
+        residuals=residuals,
+        energies=both,
+    )
 
 
 def _ribbon(fit: Fit) -> list[tuple[float, float, str]]:

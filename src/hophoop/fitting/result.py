@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.files import replacing
 from hophoop._version import __version__
-from hophoop.fitting.guess import gathered
+from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.judging import WORDS
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.posterior import Posterior, posterior_from_dict
@@ -28,55 +28,55 @@ from hophoop.tracking.table import track_from_dict
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-fit/1"
-GIVEN = " (given)"  # behind the value of a parameter that was not fitted
-WORST = 2.0  # chi-square over degrees of freedom, above which no fit is good
+GIVEN = " (given)"  # suffix of values that were not fitted
+WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """What a filmed hoop tells about itself.
+    """Result of a fit.
 
     Attributes
     ----------
     values : dict of float
         All parameters [SI units].
     free : tuple of str
-        Those that were fitted and that the data see.
+        Fitted parameters that the data determine.
     covariance : ndarray, shape (len(free), len(free))
         Of these [1].
     chi_square : float
         Sum of the squared residuals over their variances [1].
-    freedom : int
-        Numbers measured less parameters fitted [1].
+    degrees_of_freedom : int
+        Measured numbers minus fitted parameters [1].
     limits : dict
-        What is known of parameters on one side only: by name, the sign ('≥' or '≤') and the value [SI units].
+        One-sided limits: by name, the sign ('≥' or '≤') and the value [SI units].
     shares : dict of float
-        Sequences that motions within the uncertainties have, and their shares [1].
+        Sequences of motions within the uncertainties, and their shares [1].
     correlated : list
-        Pairs of parameters that the data can hardly tell apart, with their correlation [1].
-    lacking : list of dict
-        Where residuals run together.
+        Pairs of parameters that the data hardly distinguish, with their correlation [1].
+    misfits : list of dict
+        Quantities and phases whose residuals have too few runs.
     notes : tuple of str
-        What a person should know, a sentence each.
+        Remarks, one sentence each.
     track : Track
         The data.
     settings : dict
-        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle, free, bounds, tied, priors.
+        Settings of the fit: start, hoop, gravity, law, robust, sigma, sigma_angle, free, bounds, tied, priors.
     calls : int
-        How many motions were computed [1].
+        Number of motions computed [1].
     posterior : Posterior or None
-        From a chain, where `hophoop.fitting.sample` made one.
+        From a chain of `hophoop.fitting.sample`.
     """
 
     values: dict[str, float]
     free: tuple[str, ...]
     covariance: Floats
     chi_square: float
-    freedom: int
+    degrees_of_freedom: int
     limits: dict[str, tuple[str, float]]
     shares: dict[str, float]
     correlated: list[tuple[str, str, float]]
-    lacking: list[dict[str, Any]]
+    misfits: list[dict[str, Any]]
     notes: tuple[str, ...]
     track: Track
     settings: dict[str, Any]
@@ -85,17 +85,17 @@ class Fit:
 
     @property
     def reduced(self) -> float:
-        """Chi-square over the degrees of freedom; 1 where the model explains the data [1]."""
-        return self.chi_square / max(self.freedom, 1)
+        """Chi-square over the degrees of freedom, about 1 if the model explains the data [1]."""
+        return self.chi_square / max(self.degrees_of_freedom, 1)
 
     @property
     def good(self) -> bool:
-        """Whether the motion explains the data: chi-square at most twice the degrees of freedom."""
+        """True if the motion explains the data: chi-square at most twice the degrees of freedom."""
         return self.reduced <= WORST
 
     @property
     def inflation(self) -> float:
-        """By how much the errors are enlarged, since the residuals are larger than they said [1]."""
+        """Factor of the errors, above 1 if the residuals are larger than the data's errors [1]."""
         return max(1.0, float(np.sqrt(self.reduced)))
 
     def error(self, name: str) -> float:
@@ -108,7 +108,7 @@ class Fit:
         Returns
         -------
         error : float
-            In the unit of the parameter; 0 where it was not fitted [1].
+            In the unit of the parameter; 0 if it was not fitted [1].
 
         Raises
         ------
@@ -136,7 +136,7 @@ class Fit:
 
     @cached_property
     def choice(self) -> Choice:
-        """What was fitted and within what, also what the data turned out not to tell."""
+        """Free, bounded and tied parameters, including those that the data do not determine."""
         how = self.settings
         bounds = {name: (float(low), float(high)) for name, (low, high) in how["bounds"].items()}
         return Choice(self.values, tuple(how["free"]), bounds, how["tied"])
@@ -148,12 +148,12 @@ class Fit:
 
     @cached_property
     def motion(self) -> Trajectory:
-        """The fitted motion; its time begins with the first frame in which something was found."""
+        """The fitted motion; its time starts at the first frame with data."""
         return self.problem.motion(self.values)
 
     @cached_property
     def residuals(self) -> dict[str, Floats]:
-        """Data less motion in standard deviations, by quantity [1]."""
+        """Data minus motion in standard deviations, by quantity [1]."""
         off, begin, result = self.problem.residuals(self.values), 0, {}
         for channel in self.problem.channels:
             result[channel.name] = off[begin : begin + len(channel.rows)]
@@ -173,19 +173,19 @@ class Fit:
             unit = "" if kind.unit == "1" else f" {kind.unit}"
             if name in self.limits:
                 sign, value = self.limits[name]
-                text = f"{sign} {value:.3g}{unit}" if np.isfinite(value) else "not seen"
+                text = f"{sign} {value:.3g}{unit}" if np.isfinite(value) else "not determined"
             elif name in self.free and self.posterior is not None:
-                text = f"{ranged(*self.posterior.quantiles(name))}{unit}"
+                text = f"{format_range(*self.posterior.quantiles(name))}{unit}"
             elif name in self.free:
-                text = f"{rounded(self.values[name], self.error(name))}{unit}"
+                text = f"{format_value(self.values[name], self.error(name))}{unit}"
             else:
                 text = f"{self.values[name]:.6g}{unit}{GIVEN}"
             result.append((name, text, kind.meaning))
         if "mu_static" not in self.limits and {"mu_kinetic", "mu_excess"} <= set(self.free):
             static = self.values["mu_kinetic"] + self.values["mu_excess"]
-            text = rounded(static, self.error("mu_static"))
+            text = format_value(static, self.error("mu_static"))
             if self.posterior is not None:
-                text = ranged(*self.posterior.quantiles("mu_static"))
+                text = format_range(*self.posterior.quantiles("mu_static"))
             result.append(("mu_static", text, "static friction, the sum of the two"))
         elif "mu_static" in self.limits:
             sign, value = self.limits["mu_static"]
@@ -193,18 +193,20 @@ class Fit:
         return result
 
     def sentences(self) -> list[str]:
-        """What the fit says, for people.
+        """Describe the fit.
 
         Returns
         -------
         sentences : list of str
         """
-        sequence = gathered(self.motion.sequence)
-        said = [f"χ² = {self.chi_square:.1f} for {self.freedom} degrees of freedom ({self.reduced:.2f} each)."]
+        sequence = merge_bounces(self.motion.sequence)
+        said = [f"χ² = {self.chi_square:.1f} for {self.degrees_of_freedom} degrees of freedom ({self.reduced:.2f} each)."]
         if not self.good:
             said.append(f"No fit is good: χ² is {self.reduced:.1f} times the degrees of freedom, more than {WORST:g}.")
         elif self.inflation > 1.05:
-            said.append(f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than the data said.")
+            said.append(
+                f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than the errors of the data."
+            )
         said.append(f"Sequence {sequence}: {100 * self.shares.get(sequence, 0.0):.0f} % of the posterior has it.")
         if len(self.shares) > 1:
             others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
@@ -212,16 +214,16 @@ class Fit:
         if self.posterior is not None:
             said.append(_about(self.posterior))
         for first, second, size in self.correlated[:4]:
-            said.append(f"{first} and {second} can hardly be told apart (correlation {size:+.3f}).")
-        for place in self.lacking:
+            said.append(f"{first} and {second} can hardly be distinguished (correlation {size:+.3f}).")
+        for place in self.misfits:
             said.append(
-                f"Residuals of {WORDS[place['quantity']]} run together in {place['phase']} "
+                f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
                 f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             )
         return [*said, *self.notes]
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it, with the data.
+        """Convert to a dictionary, including the data.
 
         Returns
         -------
@@ -236,12 +238,12 @@ class Fit:
             "free": list(self.free),
             "covariance": self.covariance.tolist(),
             "chi_square": self.chi_square,
-            "freedom": self.freedom,
+            "degrees_of_freedom": self.degrees_of_freedom,
             "good": self.good,
             "limits": {name: list(limit) for name, limit in self.limits.items()},
             "shares": self.shares,
             "correlated": [list(pair) for pair in self.correlated],
-            "lacking": self.lacking,
+            "misfits": self.misfits,
             "notes": list(self.notes),
             "settings": self.settings,
             "calls": self.calls,
@@ -251,7 +253,7 @@ class Fit:
         }
 
     def save(self, path: str | Path) -> None:
-        """Write it with its data, to be read by `load_fit`.
+        """Write the fit with its data, for `load_fit`.
 
         Parameters
         ----------
@@ -282,12 +284,12 @@ class Fit:
         return f"<div><p>{said}</p><table><tbody>{rows}</tbody></table></div>"
 
     def __repr__(self) -> str:
-        some = ", ".join(f"{name} = {rounded(self.values[name], self.error(name))}" for name in self.free[:4])
+        some = ", ".join(f"{name} = {format_value(self.values[name], self.error(name))}" for name in self.free[:4])
         return f"<Fit of {self.track.source or 'a hoop'}: {some}, χ²/dof = {self.reduced:.2f}>"
 
 
-def rounded(value: float, error: float) -> str:
-    """A value and its uncertainty with as many digits as it has.
+def format_value(value: float, error: float) -> str:
+    """Format a value and its uncertainty with their significant digits.
 
     Parameters
     ----------
@@ -305,8 +307,8 @@ def rounded(value: float, error: float) -> str:
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
-def ranged(low: float, middle: float, high: float) -> str:
-    """The middle of a posterior, and how far its middle two thirds reach.
+def format_range(low: float, middle: float, high: float) -> str:
+    """Format the median of a posterior and its central two thirds.
 
     Parameters
     ----------
@@ -326,14 +328,14 @@ def ranged(low: float, middle: float, high: float) -> str:
 
 
 def _about(posterior: Posterior) -> str:
-    text = f"Values and shares are those of a chain of {posterior.walkers} walkers and {posterior.steps} steps"
+    text = f"Values and shares are from a chain of {posterior.walkers} walkers and {posterior.steps} steps"
     if posterior.long_enough:
-        return f"{text}: the median, and how far the middle two thirds reach."
-    return f"{text}, which is short: a walker forgets its place in {posterior.memory:.0f}, and 50 times as many are needed."
+        return f"{text}: the median, and the range of the central two thirds."
+    return f"{text}, which is short: the autocorrelation time is {posterior.memory:.0f} steps, and 50 times as many are needed."
 
 
 def load_fit(path: str | Path) -> Fit:
-    """Read a fit that was saved.
+    """Read a saved fit.
 
     Parameters
     ----------
@@ -346,7 +348,7 @@ def load_fit(path: str | Path) -> Fit:
     Raises
     ------
     ValueError
-        If it is no fit.
+        If the file is not a fit.
     OSError
         If it cannot be read.
     """
@@ -363,14 +365,14 @@ def load_fit(path: str | Path) -> Fit:
             tuple(data["free"]),
             np.array(data["covariance"], dtype=float).reshape(len(data["free"]), -1),
             float(data["chi_square"]),
-            int(data["freedom"]),
+            int(data["degrees_of_freedom"]),
             {
                 name: (str(limit[0]), float(limit[1]) if limit[1] is not None else np.nan)
                 for name, limit in data["limits"].items()
             },
             data["shares"],
             [(pair[0], pair[1], float(pair[2])) for pair in data["correlated"]],
-            data["lacking"],
+            data["misfits"],
             tuple(data["notes"]),
             track_from_dict(data["track"], str(file)),
             data["settings"],
@@ -380,11 +382,11 @@ def load_fit(path: str | Path) -> Fit:
     except InputError:
         raise
     except (KeyError, TypeError, IndexError, AttributeError, ValueError) as error:
-        raise InputError(f"{file} is not whole: {error}.") from None
+        raise InputError(f"{file} is incomplete: {error}.") from None
 
 
 def plain(value: Any) -> Any:
-    """The same without nan and infinity, which JSON has not."""
+    """Replace nan and infinity, which JSON does not have, by None."""
     if isinstance(value, dict):
         return {key: plain(one) for key, one in value.items()}
     if isinstance(value, list | tuple):

@@ -1,4 +1,4 @@
-"""The posterior of a fit, walked through by an ensemble (emcee)."""
+"""Sample the posterior of a fit with an ensemble sampler (emcee)."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop.fitting.channels import Lasting
-from hophoop.fitting.covariance import memories
-from hophoop.fitting.guess import gathered
+from hophoop.fitting.channels import Autocorrelation
+from hophoop.fitting.covariance import autocorrelations
+from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.losses import influence, loss
 from hophoop.fitting.posterior import Posterior
 from hophoop.fitting.problem import Problem
@@ -22,9 +22,9 @@ from hophoop.scenario import InputError
 Floats = NDArray[np.float64]
 
 LEAST_STEPS, MOST_STEPS = 10, 1_000_000
-BURNT = 0.25  # of the steps, that are left out at the beginning
-DRAWN = 1000  # samples of which the sequence is computed
-TRIES, NEAR = 60, 25.0  # how often a walker's place is drawn, and how much worse than the minimum it may be
+BURNT = 0.25  # share of the steps dropped at the start
+DRAWN = 1000  # samples for the shares of sequences
+TRIES, NEAR = 60, 25.0  # draws of a walker's start, and its maximum rise of the sum of squares
 
 
 def sample(
@@ -34,27 +34,27 @@ def sample(
     seed: int = 0,
     progress: Callable[[int, int], None] | None = None,
 ) -> Fit:
-    """The same fit with its posterior from a chain, where curved and one-sided uncertainties show as they are.
+    """Return the fit with its posterior from a chain, which has curved and one-sided uncertainties.
 
-    All parameters that the fit was allowed to change are sampled, those of which the data tell one side or nothing as well;
-    before the data, each is as likely anywhere within its bounds.
+    All free parameters of the fit are sampled, also those with a limit or without effect. The prior is uniform within the
+    bounds.
 
     Parameters
     ----------
     fit : Fit
     steps : int, default 1000
-        Of each walker [1].
+        Steps of each walker [1].
     walkers : int, optional
         By default four times the number of parameters [1].
     seed : int, default 0
-        Of the lots [1].
+        Seed of the draws [1].
     progress : callable, optional
         Called with the number of steps done and of all.
 
     Returns
     -------
     fit : Fit
-        With `posterior`, and `shares` of the sequences from it.
+        With `posterior`, and with `shares` from it.
 
     Raises
     ------
@@ -67,7 +67,7 @@ def sample(
     problem, choice = fit.problem, fit.choice
     names = choice.free
     if not names:
-        raise InputError("Nothing was fitted, so that there is nothing to sample.")
+        raise InputError("Nothing was fitted, so there is nothing to sample.")
     count = 4 * len(names) if walkers is None else walkers
     if not LEAST_STEPS <= steps <= MOST_STEPS:
         raise InputError.of_field("steps", steps, f"from {LEAST_STEPS} to {MOST_STEPS:,}")
@@ -97,41 +97,40 @@ def sample(
 
 
 def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats], float]:
-    """Logarithm of the posterior but for a constant; −∞ outside the bounds."""
-    names, soft = choice.free, bool(fit.settings["soft"])
+    """Logarithm of the posterior up to a constant; −∞ outside the bounds."""
+    names, robust = choice.free, bool(fit.settings["robust"])
     low, high = (np.array([choice.limits(name)[k] for name in names]) for k in (0, 1))
     off = problem.residuals(fit.values)
-    memory = memories(problem, influence(off) if soft else off)
+    memory = autocorrelations(problem, influence(off) if robust else off)
     scale = fit.inflation
 
     def likelihood(place: Floats) -> float:
         if (place < low).any() or (place > high).any():
             return -np.inf
-        values = complete(problem, choice, dict(zip(names, place.tolist(), strict=True)))
-        fresh = news(problem, problem.residuals(values), memory)
-        return -0.5 * loss(fresh, soft) / scale**2
+        values = complete(choice, dict(zip(names, place.tolist(), strict=True)))
+        fresh = innovations(problem, problem.residuals(values), memory)
+        return -0.5 * loss(fresh, robust) / scale**2
 
     return likelihood
 
 
-def news(problem: Problem, residuals: Floats, memory: dict[str, Lasting]) -> Floats:
-    """What each residual says beyond those before it, in standard deviations of that.
+def innovations(problem: Problem, residuals: Floats, memory: dict[str, Autocorrelation]) -> Floats:
+    """Innovation of each residual given those before it, in standard deviations.
 
-    Errors are a share that fades from frame to frame and a rest that is new in each, so that what is expected of the next
-    follows from the ones before by Kalman's filter.
+    Errors are a correlated share and independent noise, so a Kalman filter predicts each from those before.
 
     Parameters
     ----------
     problem : Problem
     residuals : ndarray, shape (count,)
         [1]
-    memory : dict of Lasting
+    memory : dict of Autocorrelation
         By quantity [1].
 
     Returns
     -------
-    news : ndarray, shape (count,)
-        The residuals themselves where nothing lasts [1].
+    innovations : ndarray, shape (count,)
+        The residuals themselves without autocorrelation [1].
     """
     result, begin = residuals.copy(), 0
     for channel in problem.channels:
@@ -150,7 +149,7 @@ def news(problem: Problem, residuals: Floats, memory: dict[str, Lasting]) -> Flo
 
 
 def _places(fit: Fit, choice: Choice, likelihood: Callable[[Floats], float], count: int, rng: np.random.Generator) -> Floats:
-    """Where the walkers begin: around the minimum, and anywhere along what the data do not tell."""
+    """Starts of the walkers: around the minimum, and anywhere along parameters that the data do not determine."""
     names = choice.free
     best = np.array([fit.values[name] for name in names])
     seen = [names.index(name) for name in fit.free]
@@ -186,8 +185,8 @@ def _inside(choice: Choice, place: Floats) -> Floats:
 def _shares(problem: Problem, choice: Choice, samples: Floats, rng: np.random.Generator) -> dict[str, float]:
     found: dict[str, int] = {}
     for place in samples[rng.choice(len(samples), min(DRAWN, len(samples)), replace=False)]:
-        values = complete(problem, choice, dict(zip(choice.free, place.tolist(), strict=True)))
-        sequence = gathered(problem.motion(values).sequence)
+        values = complete(choice, dict(zip(choice.free, place.tolist(), strict=True)))
+        sequence = merge_bounces(problem.motion(values).sequence)
         found[sequence] = found.get(sequence, 0) + 1
     total = sum(found.values())
     return {name: number / total for name, number in sorted(found.items(), key=lambda item: -item[1])}

@@ -1,44 +1,44 @@
-"""Least squares of the exact motion against the data, from several starts, and what the data cannot see."""
+"""Least squares of the exact motion against the data, from several starts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.fitting.covariance import covariance_of
-from hophoop.fitting.guess import SPREADS, Candidate, gathered
+from hophoop.fitting.guess import SPREADS, Candidate, merge_bounces
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.problem import Problem
+from hophoop.fitting.problem import FAR, Problem
 from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
 
-FIRST_CALLS, MOST_CALLS = 12, 100  # of the motion: in the first approach, and in the last
-BLIND = 1e-3  # rise of the sum of squares over the whole range of a parameter that the data do not see
+FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
+BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
 WALK = 15  # steps along a parameter
-WORTH_TRYING, MOST_WALKS = 4.0, 4  # how much worse a step may be, and how many are tried
+WORTH_TRYING, MOST_WALKS = 4.0, 4  # maximum factor of the cost of a step, and maximum number of such starts
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
 ENOUGH = 1.0  # friction with which most motions never slip
 
 
 @dataclass(frozen=True)
 class Choice:
-    """What is fitted and within what.
+    """Free, bounded and tied parameters.
 
     Attributes
     ----------
     values : dict
-        Values to begin with, or to stay at.
+        Start values of free parameters, values of the others.
     free : tuple of str
     bounds : dict
-        Least and greatest value.
+        Minimum and maximum.
     tied : dict
         Expressions of other parameters.
     """
@@ -49,22 +49,22 @@ class Choice:
     tied: dict[str, str]
 
     def limits(self, name: str) -> tuple[float, float]:
-        """Least and greatest value of a parameter."""
+        """Return minimum and maximum of a parameter."""
         kind = PARAMETERS[name]
         low, high = self.bounds.get(name, (kind.low, kind.high))
         return max(low, kind.low), min(high, kind.high)
 
     def without(self, name: str, value: float) -> Choice:
-        """The same with a parameter that stays."""
+        """Return the choice with one parameter fixed."""
         free = tuple(other for other in self.free if other != name)
         return Choice({**self.values, name: value}, free, self.bounds, self.tied)
 
     def only(self, names: tuple[str, ...]) -> Choice:
-        """The same with these parameters alone free."""
+        """Return the choice with only these parameters free."""
         return Choice(self.values, names, self.bounds, self.tied)
 
     def at(self, values: Mapping[str, float]) -> Choice:
-        """The same from other values."""
+        """Return the choice with other values."""
         return Choice({**self.values, **values}, self.free, self.bounds, self.tied)
 
 
@@ -74,38 +74,38 @@ class Solution(NamedTuple):
     values: dict[str, float]
     free: tuple[str, ...]
     covariance: Floats  # of the free ones
-    cost: float  # sum of the squares, softened
-    residuals: Floats  # as they are [standard deviations]
+    cost: float  # sum of the squares, or the robust loss
+    residuals: Floats  # [standard deviations]
 
     def without(self, name: str) -> Solution:
-        """The same with a parameter of which nothing is told."""
+        """Return the solution without the uncertainty of one parameter."""
         kept = [k for k, other in enumerate(self.free) if other != name]
         free = tuple(self.free[k] for k in kept)
         return self._replace(free=free, covariance=self.covariance[np.ix_(kept, kept)])
 
     def with_error(self, name: str, least: float) -> Solution:
-        """The same with a standard deviation that is at least so large; correlations stay."""
+        """Return the solution with a minimum standard deviation of one parameter; correlations stay."""
         place, factors = self.free.index(name), np.ones(len(self.free))
         factors[place] = max(1.0, least / np.sqrt(self.covariance[place, place]))
         return self._replace(covariance=self.covariance * np.outer(factors, factors))
 
 
 class Minimum(NamedTuple):
-    """A minimum, without what it leaves uncertain."""
+    """A minimum without uncertainties."""
 
     values: dict[str, float]
-    cost: float  # sum of the squares, softened
-    residuals: Floats  # as they are [standard deviations]
+    cost: float  # sum of the squares, or the robust loss
+    residuals: Floats  # [standard deviations]
 
 
-def solve(problem: Problem, choice: Choice, soft: bool) -> Solution:
-    """One minimum and its covariance.
+def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
+    """Find one minimum and its covariance.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-    soft : bool
+    robust : bool
         Whether outliers count less.
 
     Returns
@@ -115,21 +115,21 @@ def solve(problem: Problem, choice: Choice, soft: bool) -> Solution:
     Raises
     ------
     ValueError
-        If an expression makes no sense.
+        If an expression has no value.
     """
-    values, cost, off = lowest(problem, choice, soft, MOST_CALLS)
+    values, cost, off = minimize(problem, choice, robust, MOST_CALLS)
     found = slopes(problem, choice.at(values), choice.free)
-    return Solution(values, choice.free, covariance_of(problem, found, off, soft), cost, off)
+    return Solution(values, choice.free, covariance_of(problem, found, off, robust), cost, off)
 
 
-def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS) -> Minimum:
+def minimize(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CALLS) -> Minimum:
     """Return one minimum, found by SciPy's trust-region least squares.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-    soft : bool
+    robust : bool
         Whether outliers count less.
     most : int
         Maximum number of calls of the motion [1].
@@ -141,69 +141,49 @@ def lowest(problem: Problem, choice: Choice, soft: bool, most: int = FIRST_CALLS
     Raises
     ------
     ValueError
-        If an expression makes no sense.
+        If an expression has no value.
     """
-    parameters = _parameters(need("lmfit", "fit"), problem, choice)
+    begin = complete(choice, {})
+    if not choice.free:
+        off = problem.residuals(begin)
+        return Minimum(begin, loss(off, robust), off)
 
-    def at(free: Floats) -> Any:
-        for name, value in zip(choice.free, free, strict=True):
-            parameters[name].value = value
-        return parameters
+    def at(free: Floats) -> dict[str, float]:
+        return complete(choice, dict(zip(choice.free, free.tolist(), strict=True)))
 
     def residuals(free: Floats) -> Floats:
-        return problem.residuals(dict(at(free).valuesdict()))
+        try:
+            return problem.residuals(at(free))
+        except InputError:  # an expression has no value there
+            return np.full(problem.count, FAR)
 
-    begin = np.array([parameters[name].value for name in choice.free])
-    if not choice.free:
-        off = residuals(begin)
-        return Minimum(dict(parameters.valuesdict()), loss(off, soft), off)
     found = need("scipy.optimize", "fit").least_squares(
         residuals,
-        begin,
-        lambda free: slopes_at(problem, choice, at(free), choice.free),
+        [begin[name] for name in choice.free],
+        lambda free: slopes(problem, choice.at(at(free)), choice.free),
         np.transpose([choice.limits(name) for name in choice.free]),
-        loss="soft_l1" if soft else "linear",
+        loss="soft_l1" if robust else "linear",
         f_scale=SOFT,
         max_nfev=most,
     )
-    return Minimum(dict(at(found.x).valuesdict()), 2.0 * float(found.cost), found.fun)
+    return Minimum(at(found.x), 2.0 * float(found.cost), found.fun)
 
 
-def cost_at(problem: Problem, values: dict[str, float], soft: bool) -> float:
-    """The sum of the squares, softened if asked for, at values of all parameters."""
-    return loss(problem.residuals(values), soft)
+def cost_at(problem: Problem, values: dict[str, float], robust: bool) -> float:
+    """Return the sum of squares or the robust loss at values of all parameters."""
+    return loss(problem.residuals(values), robust)
 
 
 def spread_of(problem: Problem, cost: float, free: int) -> float:
-    """By how much the sum of squares with so many free parameters exceeds what the data's errors say; at least 1."""
+    """Return the sum of squares over the degrees of freedom, at least 1."""
     return max(1.0, cost / max(problem.count - free, 1))
 
 
-def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:
-    """Parameters for lmfit, which evaluates the expressions of those that are tied."""
-    parameters = lmfit.Parameters()
-    for name in problem.names:
-        low, high = choice.limits(name)
-        if name in choice.free:
-            parameters.add(name, value=float(np.clip(choice.values[name], low, high)), min=low, max=high)
-        else:
-            parameters.add(name, value=choice.values[name], vary=False)
-    for name, text in choice.tied.items():
-        try:
-            parameters[name].set(expr=text)
-            if not np.isfinite(parameters[name].value):
-                raise ValueError
-        except Exception:
-            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters.") from None
-    return parameters
-
-
-def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
-    """All values, those that are tied following from the free ones.
+def complete(choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
+    """Return all values: the free ones within their limits, the tied ones computed from the others.
 
     Parameters
     ----------
-    problem : Problem
     choice : Choice
     free : mapping of str to float
 
@@ -215,23 +195,44 @@ def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dic
     Raises
     ------
     ValueError
-        If an expression makes no sense.
+        If an expression has no value.
     """
-    if not choice.tied:
-        return {**choice.values, **free}
-    return dict(_parameters(need("lmfit", "fit"), problem, choice.at(free)).valuesdict())
+    values = {**choice.values, **free}
+    for name in choice.free:
+        low, high = choice.limits(name)
+        values[name] = min(max(values[name], low), high)
+    for _ in choice.tied:  # one may depend on another
+        values |= _tied_values(choice, values)
+    if choice.tied and _tied_values(choice, values).items() - values.items():
+        raise InputError(f"tied parameters ({', '.join(choice.tied)}) depend on each other in a circle.")
+    return values
+
+
+def _tied_values(choice: Choice, values: dict[str, float]) -> dict[str, float]:
+    """Return the tied values, each computed once from the given ones."""
+    evaluator = need("asteval", "fit").Interpreter(user_symbols=values, minimal=True)
+    evaluator.symtable.pop("open", None)
+    result = {}
+    for name, text in choice.tied.items():
+        try:
+            result[name] = float(evaluator.eval(text, show_errors=False, raise_errors=True))
+            if not np.isfinite(result[name]):
+                raise ValueError
+        except Exception:
+            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters.") from None
+    return result
 
 
 def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
-    """Derivatives of the residuals by parameters, those that are tied to them going along.
+    """Derivatives of the residuals by parameters, with those tied to them changing as well.
 
-    They are exact where the motion has derivatives, and from differences, both ways where there is room, elsewhere.
+    They are exact where the motion has derivatives. Elsewhere they are differences, both ways if the limits allow.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
-        Where.
+        Its values are the point.
     names : tuple of str
 
     Returns
@@ -239,51 +240,37 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
     jacobian : ndarray, shape (count, len(names))
         [1 over the parameter's unit]
     """
-    parameters = _parameters(need("lmfit", "fit"), problem, choice)
-    return slopes_at(problem, choice, parameters, names)
-
-
-def slopes_at(problem: Problem, choice: Choice, parameters: Any, names: tuple[str, ...]) -> Floats:
-    """As `slopes`, at values that lmfit holds."""
-    values = dict(parameters.valuesdict())
     tied = tuple(choice.tied)
     try:
-        jacobian = exact_slopes(problem, values, (*names, *tied))
+        jacobian = exact_slopes(problem, complete(choice, {}), (*names, *tied))
     except InputError:
         jacobian = np.full((problem.count, len(names) + len(tied)), np.nan)
     result = jacobian[:, : len(names)]
     if tied:
-        together = _differences(choice, parameters, names, lambda now: [now[name] for name in tied])
+        together = _differences(choice, names, lambda values: [values[name] for name in tied])
         result = result + jacobian[:, len(names) :] @ together
     missing = tuple(name for k, name in enumerate(names) if not np.isfinite(result[:, k]).all())
     if missing:
         places = [names.index(name) for name in missing]
-        result[:, places] = _differences(choice, parameters, missing, problem.residuals)
+        result[:, places] = _differences(choice, missing, problem.residuals)
     return result
 
 
-def _differences(
-    choice: Choice, parameters: Any, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]
-) -> Floats:
-    """Derivatives by differences."""
-
-    def at(name: str, value: float) -> Floats:
-        parameters[name].value = value
-        return np.asarray(of(dict(parameters.valuesdict())), dtype=float)
-
+def _differences(choice: Choice, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]) -> Floats:
+    """Return derivatives by central differences."""
     columns = []
     for name in names:
         low, high = choice.limits(name)
-        here = float(parameters[name].value)
+        here = min(max(choice.values[name], low), high)
         step = PARAMETERS[name].step * max(1.0, abs(here))
         above, below = min(here + step, high), max(here - step, low)
-        columns.append((at(name, above) - at(name, below)) / (above - below))
-        parameters[name].value = here
+        ends = [np.asarray(of(complete(choice, {name: value})), dtype=float) for value in (above, below)]
+        columns.append((ends[0] - ends[1]) / (above - below))
     return np.column_stack(columns)
 
 
-def unseen(problem: Problem, choice: Choice) -> list[str]:
-    """Free parameters that change nothing in the data where the motion is now.
+def insensitive(problem: Problem, choice: Choice) -> list[str]:
+    """Return the free parameters without effect on the data at the present values.
 
     Parameters
     ----------
@@ -304,15 +291,15 @@ def unseen(problem: Problem, choice: Choice) -> list[str]:
     return result
 
 
-def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: bool) -> tuple[Solution, list[str]]:
-    """The lowest minimum that is reached from several starts, and the parameters that the data do not see there.
+def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: bool) -> tuple[Solution, list[str]]:
+    """Find the lowest minimum from several starts, and the parameters without effect there.
 
     Parameters
     ----------
     problem : Problem
     choice : Choice
     starts : list of Candidate
-    soft : bool
+    robust : bool
 
     Returns
     -------
@@ -323,41 +310,41 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
     explained = False
     tried: set[str] = set()
     for start in starts:
-        sequence = gathered(start.sequence)
-        # once the data are explained to their scatter, another sequence may still explain them better
+        sequence = merge_bounces(start.sequence)
+        # another sequence may explain the data better, also if they are explained to their scatter
         if explained and sequence in tried:
             continue
-        found.append(approach(problem, choice.at(start.values), soft))
+        found.append(approach(problem, choice.at(start.values), robust))
         tried.add(sequence)
         explained = explained or found[-1][0].cost < 1.15 * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
-    for values in _walks(problem, choice, best, soft):
-        other = approach(problem, choice.at(values), soft)
+    for values in _walks(problem, choice, best, robust):
+        other = approach(problem, choice.at(values), robust)
         if other[0].cost < best.cost - 1e-6:
             best, blind = other
-    plain = _without_slip(problem, choice, best, soft)
+    plain = _without_slip(problem, choice, best, robust)
     if plain is not None:
         best, blind = plain
-    last = solve(problem, _blinded(choice.at(best.values), blind), soft)
+    last = solve(problem, _without_all(choice.at(best.values), blind), robust)
     for _ in range(2):
-        now = unseen(problem, choice.at(last.values))
+        now = insensitive(problem, choice.at(last.values))
         if now == blind:
             break
-        blind = now  # on the way something went out of sight, or came into it
-        last = solve(problem, _blinded(choice.at(last.values), blind), soft)
+        blind = now  # parameters have lost or gained effect on the way
+        last = solve(problem, _without_all(choice.at(last.values), blind), robust)
     return last, blind
 
 
-def _without_slip(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> tuple[Minimum, list[str]] | None:
-    """A motion that never slips, if the data do not tell it from the best one: slip must be seen to be believed."""
+def _without_slip(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
+    """Return a motion that never slips if the data agree with it as well as with the best one."""
     if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
         return None
     low, high = choice.limits("mu_kinetic")
     for friction in (float(np.clip(ENOUGH, low, high)), high):
         values = {**best.values, "mu_kinetic": friction}
-        cost = cost_at(problem, values, soft)
+        cost = cost_at(problem, values, robust)
         if cost < WORTH_TRYING * best.cost and not _slips(problem, values):
-            other, blind = approach(problem, choice.at(values), soft)
+            other, blind = approach(problem, choice.at(values), robust)
             alike = other.cost < best.cost + CONFIDENT * spread_of(problem, best.cost, len(choice.free))
             return (other, blind) if alike and not _slips(problem, other.values) else None
     return None
@@ -370,10 +357,10 @@ def _slips(problem: Problem, values: dict[str, float]) -> bool:
         return True
 
 
-def _walks(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> list[dict[str, float]]:
-    """Other places to begin: along one parameter of the contact at a time, the two lowest that are not the minimum itself.
+def _walks(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> list[dict[str, float]]:
+    """Other starts: along each parameter of the contact, the two lowest values apart from the minimum.
 
-    Along these the sum of squares has steps and flats, such as restitution so small that nothing bounces.
+    Along these the sum of squares has steps and plateaus, such as restitution so small that nothing bounces.
     """
     result = []
     for name, (low, high) in SPREADS.items():
@@ -381,20 +368,20 @@ def _walks(problem: Problem, choice: Choice, best: Minimum, soft: bool) -> list[
             continue
         least, most = choice.limits(name)
         grid = np.linspace(max(low, least), min(high, most), WALK)
-        costs = [(cost_at(problem, {**best.values, name: float(value)}, soft), float(value)) for value in grid]
+        costs = [(cost_at(problem, {**best.values, name: float(value)}, robust), float(value)) for value in grid]
         for cost, value in sorted(costs)[:2]:
             if cost < WORTH_TRYING * best.cost:
                 result.append((cost, {**best.values, name: value}))
     return [values for _, values in sorted(result, key=lambda pair: pair[0])[:MOST_WALKS]]
 
 
-def approach(problem: Problem, choice: Choice, soft: bool) -> tuple[Minimum, list[str]]:
-    """A minimum as far as few steps lead to it, and the parameters that change nothing where they began."""
-    blind = unseen(problem, choice)
-    return lowest(problem, _blinded(choice, blind), soft), blind
+def approach(problem: Problem, choice: Choice, robust: bool) -> tuple[Minimum, list[str]]:
+    """Return an approximate minimum after few steps, and the parameters without effect at the start."""
+    blind = insensitive(problem, choice)
+    return minimize(problem, _without_all(choice, blind), robust), blind
 
 
-def _blinded(choice: Choice, blind: list[str]) -> Choice:
+def _without_all(choice: Choice, blind: list[str]) -> Choice:
     for name in blind:
         choice = choice.without(name, choice.values[name])
     return choice

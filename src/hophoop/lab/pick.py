@@ -19,7 +19,7 @@ import numpy as np
 from hophoop.scenario import InputError
 from hophoop.tracking.circle import fit_circle
 from hophoop.tracking.hints import Hints
-from hophoop.tracking.video import Bytes, Picture, jpeg, kept, rgb
+from hophoop.tracking.video import Bytes, Picture, jpeg, rgb, sample_pictures
 
 LOOPBACK = "127.0.0.1"
 MOST_BYTES = 10_000  # of a request
@@ -51,7 +51,7 @@ def pick(video: str | Path, hints: Hints | None = None, show: Callable[[str], An
         If PyAV is missing.
     """
     known = hints or Hints()
-    stills = [picture for picture, _ in kept(video, known.rate)]
+    stills = [picture for picture, _ in sample_pictures(video, known.rate)]
     page = Page(stills, known, Path(video).name)
     server = ThreadingHTTPServer((LOOPBACK, 0), partial(_Answer, page))
     thread = threading.Thread(target=server.serve_forever, daemon=True)

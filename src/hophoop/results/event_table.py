@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hophoop.precise import PreciseEvent
+    from hophoop.prove.proof import ProvedEvent
     from hophoop.results.records import EventRecord
 
 TITLES = ("t (s)", "event", "mode", "θ (°)", "x (m)", "height (m)", "v (m/s)", "θ̇ (rad/s)", "slip (m/s)")
@@ -35,12 +36,12 @@ def cells(event: EventRecord) -> list[str]:
     return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
 
 
-def change_of(event: EventRecord | PreciseEvent) -> str:
+def change_of(event: EventRecord | PreciseEvent | ProvedEvent) -> str:
     """Return the letters of the mode before and after an event.
 
     Parameters
     ----------
-    event : EventRecord or PreciseEvent
+    event : EventRecord, PreciseEvent or ProvedEvent
 
     Returns
     -------

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Callable
 
 from hophoop._support.errors import InputError
+from hophoop._support.progress import compute_reporting
 from hophoop.results.records import EventErrors, Motion
 
 
-def event_errors_watched(motion: Motion, reached: np.ndarray | None = None) -> EventErrors:
-    """Compute `Trajectory.errors`, and write the progress for another thread.
+def event_errors(motion: Motion, progress: Callable[[float], object] | None = None) -> EventErrors:
+    """Compute `Trajectory.errors`.
 
     Parameters
     ----------
     motion : Motion
-    reached : ndarray, shape (1,), optional
-        Progress: receives the computed fraction [1].
+    progress : callable, optional
+        Called with the share that is computed, 0 to 1: about ten times a second, and at the end.
 
     Returns
     -------
@@ -28,9 +29,13 @@ def event_errors_watched(motion: Motion, reached: np.ndarray | None = None) -> E
     """
     if motion.scenario.contact.model != "rigid":
         raise InputError("motion.errors needs rigid contact; in compliant contact contact.rtol controls the error.")
-    from hophoop.kernel.rigid.errors import FIELDS, event_errors
+    from hophoop.kernel.rigid import errors
 
     unit = motion.units
-    events = motion.tables["events"]
-    table = event_errors(motion.scenario.to_body(), events, motion.scenario.duration / unit.time, reached)
-    return EventErrors(**{name: table[:, i] * unit.of(name) for i, name in enumerate(FIELDS)})
+    given = (motion.scenario.to_body(), motion.tables["events"], motion.scenario.duration / unit.time)
+    if progress is None:
+        table = errors.event_errors(*given)
+    else:
+        table = compute_reporting(lambda share: errors.event_errors(*given, share), progress)
+        progress(1.0)
+    return EventErrors(**{name: table[:, i] * unit.of(name) for i, name in enumerate(errors.FIELDS)})

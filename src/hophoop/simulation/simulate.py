@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, overload
 
-import numpy as np
-
+from hophoop._support.progress import compute_reporting
 from hophoop._version import __version__
 from hophoop.scenario import Compliant, Hoop, InputError, Plane, Rigid, Scenario, Start
 from hophoop.simulation.rigid import simulate_rigid
@@ -18,16 +17,18 @@ if TYPE_CHECKING:
     from hophoop.derivatives.results.sensitivity import Sensitivity
     from hophoop.precise import PreciseMotion
 
+Progress = Callable[[float], object]
+
 # Read once, because reading the environment takes 10 % of a short motion.
 CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
 
 @overload
-def simulate(scenario: Scenario, /) -> Trajectory: ...
+def simulate(scenario: Scenario, /, *, progress: Progress | None = ...) -> Trajectory: ...
 
 
 @overload
-def simulate(scenario: Scenario, /, *, digits: int) -> PreciseMotion: ...
+def simulate(scenario: Scenario, /, *, digits: int, progress: Progress | None = ...) -> PreciseMotion: ...
 
 
 @overload
@@ -37,6 +38,8 @@ def simulate(
     start: Start | None = ...,
     duration: float | None = ...,
     contact: Rigid | Compliant | None = ...,
+    *,
+    progress: Progress | None = ...,
 ) -> Trajectory: ...
 
 
@@ -49,6 +52,7 @@ def simulate(
     contact: Rigid | Compliant | None = ...,
     *,
     digits: int,
+    progress: Progress | None = ...,
 ) -> PreciseMotion: ...
 
 
@@ -60,6 +64,7 @@ def simulate(
     contact: Rigid | Compliant | None = None,
     *,
     digits: int | None = None,
+    progress: Progress | None = None,
 ) -> Trajectory | PreciseMotion:
     """Compute a motion.
 
@@ -79,6 +84,8 @@ def simulate(
     digits : int, optional
         Solve with this many digits, 15 to 1000, by a method independent of the kernel's; the given doubles count as exact.
         Takes a few tenths of a second [1].
+    progress : callable, optional
+        Called with the computed fraction, 0 to 1: about ten times a second in compliant contact, and at the end.
 
     Returns
     -------
@@ -115,10 +122,15 @@ def simulate(
             duration=6.0 if duration is None else duration,
             contact=Rigid() if contact is None else contact,
         )
-    if digits is not None:
-        motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, __version__)
-        return motion
-    return simulate_watched(scenario)
+    motion = _simulate(scenario, progress) if digits is None else _simulate_precisely(scenario, digits)
+    if progress is not None:
+        progress(1.0)
+    return motion
+
+
+def _simulate_precisely(scenario: Scenario, digits: int) -> PreciseMotion:
+    motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, __version__)
+    return motion
 
 
 def _refuse_parts(**parts: Any) -> None:
@@ -132,24 +144,15 @@ def _refuse_parts(**parts: Any) -> None:
     raise InputError(f"{what} part of the scenario and cannot be given as well: simulate {how} instead.")
 
 
-def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> Trajectory:
-    """Compute as `simulate` does, and write the progress of a compliant motion for another thread.
-
-    Parameters
-    ----------
-    scenario : Scenario
-    reached : ndarray, shape (1,), optional
-        Progress: the computed fraction of the duration, in compliant contact [1].
-
-    Returns
-    -------
-    motion : Trajectory
-    """
+def _simulate(scenario: Scenario, progress: Progress | None) -> Trajectory:
     doubt = None
     if isinstance(scenario.contact, Compliant):
         from hophoop.simulation.compliant import simulate_compliant
 
-        status, events, segments = simulate_compliant(scenario, reached)
+        if progress is None:
+            status, events, segments = simulate_compliant(scenario)
+        else:
+            status, events, segments = compute_reporting(lambda share: simulate_compliant(scenario, share), progress)
     else:
         status, events, segments, doubt = simulate_rigid(scenario)
     motion = Trajectory(scenario, status, events, segments, __version__, doubt)

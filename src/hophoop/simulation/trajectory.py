@@ -214,9 +214,9 @@ class Trajectory:
         ValueError
             If the contact is compliant: its errors follow from its rtol.
         """
-        from hophoop.simulation.event_errors import event_errors_watched
+        from hophoop.simulation.event_errors import event_errors
 
-        return event_errors_watched(self)
+        return event_errors(self)
 
     @cached_property
     def ledger(self) -> Ledger:

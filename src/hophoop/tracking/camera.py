@@ -1,7 +1,7 @@
-"""What a camera makes of the plane of motion: straight on, or with its lens out of axis.
+"""A camera in front of the plane of motion, straight on or tilted.
 
-The plane is described by rectified pixels: coordinates along the picture's columns and up its rows, in the size that
-things have where the optical axis meets the plane. With no tilt a rectified pixel is a pixel.
+Points of the plane are in rectified pixels: along the picture's columns and up its rows, with the scale at the point where
+the optical axis meets the plane. Without tilt a rectified pixel is a pixel.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from hophoop.tracking.circle import fit_circle
 
 Floats = NDArray[np.float64]
 
-USUAL_FOCAL = 0.9  # of a phone, in widths of its picture; known to within a third
+USUAL_FOCAL = 0.9  # of a phone, over the width of its picture; error 30 %
 FOCAL_SPREAD = 0.3
 TILT_SPREAD = 0.25  # prior of a tilt [rad]
 RADIUS_ERROR = 0.07  # of a picture [pixel]
-WORTH = 30.0  # by how much a tilt must lessen the sum of squares over the variance to be believed
+WORTH = 30.0  # minimum reduction of the sum of squares over the variance by a significant tilt
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Camera:
         return axes
 
     def to_picture(self, points: Floats) -> Floats:
-        """Pixels of points of the plane.
+        """Project points of the plane to pixels.
 
         Parameters
         ----------
@@ -74,7 +74,7 @@ class Camera:
         return result
 
     def to_plane(self, pixels: Floats) -> Floats:
-        """Points of the plane that pixels look at.
+        """Return the points of the plane at pixels.
 
         Parameters
         ----------
@@ -97,29 +97,29 @@ class Camera:
 
 
 def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[Camera, bool]:
-    """The tilt with which all images of one circle have one radius.
+    """Find the tilt with which all images of one circle have the same radius.
 
     Parameters
     ----------
     camera : Camera
-        The picture's size and a focal length to begin with.
+        The picture's size and an initial focal length.
     edges : list of ndarray, shape (n, 2)
         Points of the rim in several pictures [pixel].
     focal_known : bool
-        Whether the focal length is to stay.
+        Whether the focal length is known.
 
     Returns
     -------
     camera : Camera
     tilted : bool
-        Whether the tilt is worth believing; if not, the camera is as given.
+        Whether the tilt is significant; otherwise the camera is as given.
     """
     optimize = need("scipy.optimize", "track")
     first = camera.focal
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
     spread = _spread(camera, edges)
     counts = np.array([len(points) for points in edges])
-    # blur and coding make the radius of a picture worse than its many points say
+    # blur and coding add an error of the radius to that of its points
     error = np.sqrt(spread**2 / counts + RADIUS_ERROR**2)
 
     def of(values: Floats) -> Camera:
@@ -137,7 +137,7 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[
     def cost(values: Floats) -> float:
         return float((2.0 * (np.sqrt(1.0 + residuals(values) ** 2) - 1.0)).sum())
 
-    # what foreshortens a circle cannot tell which side is nearer; only its size across the picture does
+    # the shape of a circle does not show which side is nearer; only its size across the picture does
     starts = [np.array([a, b, 0.0]) for a in (-0.12, -0.04, 0.04, 0.12) for b in (-0.12, -0.04, 0.04, 0.12)]
     limits = ([-0.5, -0.5, -1.2], [0.5, 0.5, 1.2])
     found = [
@@ -151,7 +151,7 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[
 
 
 def _spread(camera: Camera, edges: list[Floats]) -> float:
-    """How far a point of an edge is off, from the differences of neighbours, which a tilt hardly changes [pixel]."""
+    """Error of a point of an edge, from differences of neighbours, which a tilt hardly changes [pixel]."""
     steps = [np.diff(fit_circle(camera.to_plane(points))[3]) for points in edges]
     together = np.concatenate(steps)
     return max(float(1.4826 * np.median(np.abs(together - np.median(together))) / np.sqrt(2.0)), 0.05)

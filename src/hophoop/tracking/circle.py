@@ -1,4 +1,4 @@
-"""Circles through points: algebraic to begin with, geometric and robust to end with, and by lot among many strangers."""
+"""Circle fitting: algebraic start, geometric and robust refinement, and RANSAC among outliers."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ class Circle(NamedTuple):
 
 
 def fit_circle(points: Floats, rounds: int = 3) -> tuple[float, float, float, Floats]:
-    """Geometric least squares from an algebraic start.
+    """Fit a circle by geometric least squares from an algebraic start.
 
     Parameters
     ----------
     points : ndarray, shape (n, 2)
         At least three [pixel].
     rounds : int, default 3
-        Steps after Gauss and Newton [1].
+        Gauss–Newton steps [1].
 
     Returns
     -------
     x, y, radius : float
         The circle [pixel].
     off : ndarray, shape (n,)
-        Distance of each point from it, outwards [pixel].
+        Distance of each point from the circle, positive outside [pixel].
     """
     shift = points.mean(axis=0)
     near = points - shift
@@ -60,7 +60,7 @@ def _from(points: Floats, x: float, y: float) -> tuple[Floats, Floats]:
 
 
 def _least_squares(design: Floats, right: Floats) -> Floats:
-    # three unknowns about their own middle: normal equations lose nothing that matters
+    # three unknowns about their mean: normal equations are accurate enough
     normal = design.T @ design
     normal[np.diag_indices(len(normal))] *= 1.0 + 1e-12
     try:
@@ -70,17 +70,17 @@ def _least_squares(design: Floats, right: Floats) -> Floats:
     return np.asarray(found, dtype=float)
 
 
-class Fitted(NamedTuple):
+class CircleFit(NamedTuple):
     """A robust fit of a circle to edges."""
 
     circle: Circle
     covariance: Floats  # of x, y and radius [pixel²]
-    inside: NDArray[np.bool_]  # which points belong to it
+    inside: NDArray[np.bool_]  # points on the circle
     spread: float  # of those points about it [pixel]
 
 
-def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[float, float] | None) -> Fitted | None:
-    """A circle through most of the points, geometric, with Tukey's weights.
+def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[float, float] | None) -> CircleFit | None:
+    """Fit a circle geometrically to most of the points, with Tukey's weights.
 
     Parameters
     ----------
@@ -88,14 +88,14 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
         [pixel]
     start : Circle
     reach : float
-        Points further away than this from the start do not count [pixel].
+        Points further than this from the start are ignored [pixel].
     expected : tuple of float or None
-        Radius that is known, and how well; it holds the fit where only a part of the rim is seen [pixel].
+        Known radius and its error, for a fit to a part of the rim [pixel].
 
     Returns
     -------
-    fit : Fitted or None
-        None where the points do not make a circle.
+    fit : CircleFit or None
+        None if the points are not on a circle.
     """
     x, y, radius = start
     width = reach
@@ -108,7 +108,7 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
         near = np.abs(off) < width
         if near.sum() < 8:
             return None
-        # the median of what is near is small already when half of the rest are strangers
+        # the median of the near points is small although half of the rest are outliers
         spread = max(float(1.4826 * np.median(np.abs(off[near] - np.median(off[near])))), 0.03)
         scale = max(4.685 * spread, 0.3)
         weight = np.where(np.abs(off) < scale, (1.0 - (off / scale) ** 2) ** 2, 0.0)
@@ -120,37 +120,37 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
             normal[2, 2] += hold
             right[2] += hold * (expected[0] - radius)
         if np.linalg.det(normal) <= 1e-4 * float(np.trace(normal)) ** 2:
-            return None  # a part of the rim too short to be told from a line
+            return None  # an arc too short to distinguish from a line
         step = np.linalg.solve(normal, right)
         x, y, radius = x + float(step[0]), y + float(step[1]), radius + float(step[2])
         width = max(3.0 * spread, 1.0)
         if np.abs(step).max() < 1e-3:
             break
     covariance = np.asarray(spread**2 * np.linalg.inv(normal), dtype=float)
-    return Fitted(Circle(x, y, radius), covariance, weight > 0.0, spread)
+    return CircleFit(Circle(x, y, radius), covariance, weight > 0.0, spread)
 
 
-def circles_by_lot(
+def ransac_circles(
     points: Floats, sizes: tuple[float, float], picture: tuple[int, int], rng: np.random.Generator, draws: int = 240
 ) -> list[tuple[float, Circle]]:
-    """Circles through three points drawn by lot, those first on whose circumference most points lie.
+    """Find circles through three random points (RANSAC), those with most points on their circumference first.
 
     Parameters
     ----------
     points : ndarray, shape (n, 2)
         [pixel]
     sizes : tuple of float
-        Least and greatest radius [pixel].
+        Minimum and maximum radius [pixel].
     picture : tuple of int
-        Width and height; only what lies in it counts as circumference [pixel].
+        Width and height; only the circumference inside counts [pixel].
     rng : numpy.random.Generator
     draws : int, default 240
-        How many triples [1].
+        Number of triples [1].
 
     Returns
     -------
     found : list of (float, Circle)
-        Share of the circumference that is covered [1], and the circle; at most three, apart from each other.
+        Covered share of the circumference [1], and the circle; at most three separate ones.
     """
     if len(points) < 12:
         return []

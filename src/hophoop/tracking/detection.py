@@ -1,4 +1,4 @@
-"""The hoop in a picture of which nothing is known: what moves, or is darker or lighter than what is around it."""
+"""Detection of the hoop in a picture without a prediction, by motion or contrast."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.tracking.camera import Camera
-from hophoop.tracking.circle import Circle, circles_by_lot
+from hophoop.tracking.circle import Circle, ransac_circles
 from hophoop.tracking.rays import RAYS, Rim, find_rim, profile
 from hophoop.tracking.video import Bytes
 
 Floats = NDArray[np.float64]
 
-WIDTH = 640  # of the picture in which candidates are looked for [pixel]
-MOVED = 14.0  # change of luma that counts as moved
-CONTRAST = 18.0  # difference from what is around that counts as dark or light
+WIDTH = 640  # of the downsampled picture for the search [pixel]
+MOVED = 14.0  # change of luma that counts as motion
+CONTRAST = 18.0  # difference from the surroundings that counts as dark or light
 SMALLEST = 9.0  # radius [pixel]
 MOST_POINTS = 600
 COMPONENTS = 5
-CERTAIN = 0.8  # share after which no other circle is looked for
+CERTAIN = 0.8  # share that ends the search
 WANTED = 0.5  # share of the visible rim that must agree
 SEEN = 0.22  # share of the rim that must lie in the picture
 
@@ -34,22 +34,22 @@ class Hoop(NamedTuple):
 
 
 class Search(NamedTuple):
-    """What finding the hoop needs to know about a film."""
+    """Settings of the search in a film."""
 
     camera: Camera
-    background: Floats | None  # luma without the hoop, reduced; None where nothing moves apart from it
-    by: int  # factor by which it is reduced
-    sign: int  # 1 dark, −1 light, 0 not known
-    expected: tuple[float, float] | None  # radius and how well it is known [pixel]
+    background: Floats | None  # downsampled luma without the hoop, for a search by motion; None for a search by contrast
+    by: int  # factor of downsampling
+    sign: int  # 1 dark, −1 light, 0 unknown
+    expected: tuple[float, float] | None  # radius and its error [pixel]
 
 
 def reduction(width: int) -> int:
-    """Factor by which pictures are reduced before candidates are looked for [1]."""
+    """Factor of downsampling for the search [1]."""
     return max(1, round(width / WIDTH))
 
 
-def reduced(luma: Bytes, by: int) -> Floats:
-    """A smaller picture, each pixel the mean of by × by."""
+def downsample(luma: Bytes, by: int) -> Floats:
+    """Downsample a picture: each pixel is the mean of by × by."""
     tall, wide = luma.shape[0] // by * by, luma.shape[1] // by * by
     blocks = luma[:tall, :wide].reshape(tall // by, by, wide // by, by)
     result: Floats = blocks.mean(axis=(1, 3), dtype=np.float32)
@@ -57,7 +57,7 @@ def reduced(luma: Bytes, by: int) -> Floats:
 
 
 def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None:
-    """The hoop in a picture, if there is one.
+    """Find the hoop in a picture.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None
     -------
     hoop : Hoop or None
     """
-    small = reduced(luma, search.by)
+    small = downsample(luma, search.by)
     best: Hoop | None = None
     sizes = (SMALLEST / search.by + 3.0, 0.6 * max(small.shape))
     if search.expected is not None:
@@ -79,11 +79,11 @@ def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None
         for points in _outlines(mask, sizes[0]):
             if len(points) > MOST_POINTS:
                 points = points[rng.choice(len(points), MOST_POINTS, replace=False)]
-            for share, circle in circles_by_lot(points, sizes, (small.shape[1], small.shape[0]), rng):
+            for share, circle in ransac_circles(points, sizes, (small.shape[1], small.shape[0]), rng):
                 if share < 0.3:
                     break
                 middle = (np.array([circle.x, circle.y]) + 0.5) * search.by - 0.5
-                # with a tilt the size in the picture is not that in the plane, but near enough to look there
+                # with a tilt the size in the picture differs from that in the plane, but little enough for the search
                 plane = search.camera.to_plane(middle)
                 hoop = confirm(luma, search, Circle(float(plane[0]), float(plane[1]), circle.radius * search.by), rng)
                 if hoop is not None and (best is None or hoop.rim.share > best.rim.share):
@@ -96,7 +96,7 @@ def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None
 def confirm(
     luma: Bytes, search: Search, circle: Circle, rng: np.random.Generator, lean: tuple[float, float] = (0.0, 0.0)
 ) -> Hoop | None:
-    """The hoop's outer edge near a circle that may be its inner one, or off by some pixels.
+    """Find the hoop's outer edge near a circle, which may be its inner edge or off by a few pixels.
 
     Parameters
     ----------
@@ -106,12 +106,12 @@ def confirm(
     circle : Circle
     rng : numpy.random.Generator
     lean : tuple of float
-        As in `find_rim` [rectified pixels a row].
+        As in `find_rim` [rectified pixels per row].
 
     Returns
     -------
     hoop : Hoop or None
-        None where too little of a rim is there.
+        None if too little of a rim is visible.
     """
     angles = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
     span = max(0.2 * circle.radius, 6.0)
@@ -128,7 +128,7 @@ def confirm(
     steep = np.abs(rise) >= max(0.4 * size, 1.0)
     if not steep.any():
         return None
-    # the outermost of the steep places is the outside of the rim; its top is up to where it falls again
+    # the outermost steep edge is the outside of the rim; it ends where the profile falls again
     last = int(np.flatnonzero(steep)[-1])
     while last > 0 and abs(rise[last - 1]) > abs(rise[last]) and np.sign(rise[last - 1]) == np.sign(rise[last]):
         last -= 1
@@ -144,7 +144,7 @@ def confirm(
 
 
 def acceptable(rim: Rim, expected: tuple[float, float] | None) -> bool:
-    """Whether enough of a rim is there to believe it."""
+    """Return True if enough of the rim agrees."""
     size = rim.circle.radius
     if rim.share < WANTED or rim.seen < SEEN or rim.spread > max(0.8, 0.02 * size):
         return False
@@ -160,7 +160,7 @@ def _masks(small: Floats, background: Floats | None) -> list[NDArray[np.bool_]]:
 
 
 def _outlines(mask: NDArray[np.bool_], least: float) -> list[Floats]:
-    """Outlines of the largest components, and of all of them together."""
+    """Return outlines of the largest components, and of all of them together."""
     ndimage = need("scipy.ndimage", "track")
     labels, count = ndimage.label(mask, structure=np.ones((3, 3)))
     if not count:

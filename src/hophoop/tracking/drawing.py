@@ -1,23 +1,24 @@
-"""What was found, drawn over the film: a film, and a page of stills."""
+"""The track drawn over the film: a film, and a page of stills."""
 
 from __future__ import annotations
 
 import base64
 from collections.abc import Callable, Iterator
 from contextlib import nullcontext
-from html import escape
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.extras import need
 from hophoop._support.files import replacing
+from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.scenario import InputError
-from hophoop.tracking.page import STYLE, Curve, plot
+from hophoop.tracking.plots import Curve, plot
 from hophoop.tracking.table import FOUND, LOST, Track, View
-from hophoop.tracking.video import Bytes, Writer, jpeg, pictures, rgb, writing
+from hophoop.tracking.video import Bytes, Writer, jpeg, open_writer, pictures, rgb
 
 Floats = NDArray[np.float64]
 Colour = tuple[int, int, int]
@@ -32,12 +33,12 @@ STILL_WIDTH = 640
 
 
 def curve(image: Bytes, pixels: Floats, colour: Colour, width: int = 2) -> None:
-    """Draw a line through points, with a dark edge so that it shows on any ground.
+    """Draw a line through points, with a dark edge so that it is visible on any background.
 
     Parameters
     ----------
     image : ndarray, shape (height, width, 3)
-        Drawn upon [1].
+        Modified in place [1].
     pixels : ndarray, shape (n, 2)
         [pixel]
     colour : tuple of int
@@ -66,18 +67,18 @@ def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, 
     Parameters
     ----------
     image : ndarray, shape (height, width, 3)
-        Drawn upon [1].
+        Modified in place [1].
     view : View
     radius : float
         [m]
     centre : ndarray, shape (2,)
         Along the plane and above it [m].
     angle : float
-        Of the marker; nan where it is not known [rad].
+        Angle of the marker; nan if unknown [rad].
     colour : tuple of int, optional
-        Of the rim [1].
+        Colour of the rim [1].
     dashes : int, default 0
-        Pieces of the rim that are left out, so that what lies under it shows [1].
+        Number of gaps in the rim [1].
     """
     around = np.linspace(0.0, 2 * np.pi, 91)
     rim = centre + radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
@@ -95,7 +96,7 @@ def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, 
         curve(image, view.to_picture(small, radius), MARK)
 
 
-def _marked(image: Bytes, track: Track, row: int) -> Bytes:
+def _draw_frame(image: Bytes, track: Track, row: int) -> Bytes:
     view = track.view
     assert view is not None
     span = np.linspace(np.nanmin(track.centre[:, 0]) - 3 * track.radius, np.nanmax(track.centre[:, 0]) + 3 * track.radius, 60)
@@ -116,7 +117,7 @@ def overlay(
     progress: Callable[[int, int], None] | None = None,
     model: tuple[Floats, Floats] | None = None,
 ) -> None:
-    """Draw what was found over the film.
+    """Draw a track over its film.
 
     Parameters
     ----------
@@ -124,7 +125,7 @@ def overlay(
         The film that was tracked.
     track : Track
     film : str or Path, optional
-        Film to write, ends in .mp4: rim and marker as found, the ground, and a red frame where the hoop is lost.
+        Film to write, ends in .mp4: rim, marker and ground, and a red border while the hoop is lost.
     page : str or Path, optional
         Page of stills to write, ends in .html.
     progress : callable, optional
@@ -135,25 +136,25 @@ def overlay(
     Raises
     ------
     ValueError
-        If the track is not of a film, or a name ends otherwise.
+        If the track is not of a film, or a name has another ending.
     OSError
         If a file cannot be read or written.
     ImportError
         If PyAV is missing.
     """
     if track.view is None:
-        raise InputError("The track is not of a film, so that it cannot be laid over one.")
+        raise InputError("The track is not of a film, so it cannot be drawn over one.")
     for name, path, ending in (("film", film, ".mp4"), ("page", page, ".html")):
         if path is not None and Path(path).suffix.lower() != ending:
             raise InputError(f"{name} = {path} must end in {ending}.", field=name, value=path)
     wanted = set(_stills(track)) if page is not None else set()
     stills: list[tuple[int, bytes]] = []
     camera = track.view.camera
-    target: Any = nullcontext(None) if film is None else writing(Path(film), (camera.width, camera.height))
+    target: Any = nullcontext(None) if film is None else open_writer(Path(film), (camera.width, camera.height))
     with target as writer:
         for row, picture in _rows(video, track):
             if writer is not None or row in wanted:
-                image = _marked(rgb(picture), track, row)
+                image = _draw_frame(rgb(picture), track, row)
                 if model is not None and np.isfinite(model[0][row]).all():
                     draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL, 12)
                 if isinstance(writer, Writer):
@@ -177,7 +178,7 @@ def _rows(video: str | Path, track: Track) -> Iterator[tuple[int, Any]]:
 
 
 def _stills(track: Track) -> list[int]:
-    """Frames from the whole film, and some in which something is missing."""
+    """Frames from the whole film, and some without hoop or marker."""
     found = np.flatnonzero(track.found)
     even = found[np.unique(np.linspace(0, len(found) - 1, STILLS).astype(int))]
     missing = np.array([k for k, word in enumerate(track.state) if word != FOUND], dtype=int)
@@ -193,33 +194,26 @@ def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> st
         for values in (track.centre_error, track.angle_error)
     ]
     words = [f"Found in {good} of {len(track.t)} frames, with marker in {len(track.t) - bare}."]
-    words.append(f"Usual uncertainty of the centre {1e3 * usual[0]:.2g} mm" + ("." if np.isnan(usual[1]) else ""))
+    words.append(f"Typical uncertainty of the centre {1e3 * usual[0]:.2g} mm" + ("." if np.isnan(usual[1]) else ""))
     if np.isfinite(usual[1]):
         words[-1] += f", of the angle {1e3 * usual[1]:.2g} mrad."
     words += track.notes
-    parts = [
-        "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
-        f"<meta name='viewport' content='width=device-width'><title>Track of {escape(track.source)}</title>",
-        f"<style>{STYLE}</style>",
-        f"</head><body><h1>Track of {escape(track.source)}</h1><p>{escape(' '.join(words))}</p>",
-    ]
-    if film is not None:
-        parts.append(f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>")
-    parts.append("<h2>Stills</h2><div class='stills'>")
-    for row, image in stills:
-        caption = f"t = {track.t[row]:.3f} s, {track.state[row]}"
+    captions = [f"t = {track.t[row]:.3f} s, {track.state[row]}" for row, _ in stills]
+    for k, (row, _) in enumerate(stills):
         if np.isfinite(track.angle[row]):
-            caption += f", {np.degrees(track.angle[row]):.1f}°"
-        code = base64.b64encode(image).decode("ascii")
-        parts.append(
-            f"<figure><img alt='' src='data:image/jpeg;base64,{code}'><figcaption>{escape(caption)}</figcaption></figure>"
-        )
-    parts.append("</div><h2>Motion</h2>")
-    parts.append(plot([Curve(track.t, track.centre[:, 0], POINTS)], "x (m)"))
-    parts.append(
-        plot([Curve(track.t, 1e3 * (track.centre[:, 1] - track.radius), POINTS)], "height of the rim above the plane (mm)")
+            captions[k] += f", {np.degrees(track.angle[row]):.1f}°"
+    curves = {
+        "x (m)": track.centre[:, 0],
+        "height of the rim above the plane (mm)": 1e3 * (track.centre[:, 1] - track.radius),
+        "angle (°)": np.degrees(track.angle),
+    }
+    return render(
+        need("jinja2", "track"),
+        "tracking/track.html",
+        version=__version__,
+        source=track.source,
+        summary=" ".join(words),
+        film=film,
+        stills=[(base64.b64encode(image).decode("ascii"), text) for (_, image), text in zip(stills, captions, strict=True)],
+        plots=[plot([Curve(track.t, values, POINTS)], label) for label, values in curves.items() if np.isfinite(values).any()],
     )
-    if np.isfinite(track.angle).any():
-        parts.append(plot([Curve(track.t, np.degrees(track.angle), POINTS)], "angle (°)"))
-    parts.append(f"<footer>hophoop {__version__}</footer></body></html>")
-    return "".join(parts)

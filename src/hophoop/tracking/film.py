@@ -1,4 +1,4 @@
-"""A film in, a track out."""
+"""Track the hoop in a film."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import RADIUS_ERROR
 from hophoop.tracking.following import Follower, Rows
-from hophoop.tracking.ground import Ground, given_line, ground_line
+from hophoop.tracking.ground import Ground, ground_line, line_through
 from hophoop.tracking.hints import Hints
-from hophoop.tracking.learning import Learned, learn
+from hophoop.tracking.learning import FilmSetup, learn
 from hophoop.tracking.scatter import spread, third_differences
 from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, track_of
-from hophoop.tracking.video import count, kept, pictures
+from hophoop.tracking.video import count, pictures, sample_pictures
 
 Floats = NDArray[np.float64]
 
-LEAST_ERROR = 0.02  # of a centre, below which lens and sensor say more than the scatter of edges does [pixel]
+LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
 
 
 def track(
@@ -34,11 +34,11 @@ def track(
     video : str or Path
         Anything that FFmpeg reads; times are those of its frames.
     radius : float
-        Of the outside of the rim, which gives the scale [m].
+        Outer radius of the rim, which gives the scale [m].
     hints : Hints, optional
-        What is known about the film.
+        Known properties of the film.
     progress : callable, optional
-        Called with the number of frames done and of all, None where the file does not say.
+        Called with the number of frames done and of all, None if unknown.
 
     Returns
     -------
@@ -59,19 +59,19 @@ def track(
     hints = hints or Hints()
     source = Path(video).name
     total = count(video)
-    known = learn(kept(video, hints.rate), hints, source)
+    known = learn(sample_pictures(video, hints.rate), hints, source)
     follower = Follower(known.search, known.marker, hints.exposure, hints.row_delay)
     for k, picture in enumerate(pictures(video, hints.rate)):
         if picture.size != (known.search.camera.width, known.search.camera.height):
-            raise InputError(f"{source} changes the size of its pictures on the way.")
+            raise InputError(f"{source} has pictures of different sizes.")
         follower.add(picture)
         if progress is not None:
             progress(k + 1, total)
-    return _assembled(follower.rows, known, hints, radius, source)
+    return _track_from_rows(follower.rows, known, hints, radius, source)
 
 
-def _assembled(rows: Rows, known: Learned, hints: Hints, radius: float, source: str) -> Track:
-    """From rectified pixels to metres along and above the plane."""
+def _track_from_rows(rows: Rows, known: FilmSetup, hints: Hints, radius: float, source: str) -> Track:
+    """Convert rectified pixels to metres along and above the plane."""
     circle, covariance = np.array(rows.circle), np.array(rows.covariance)
     arrow, angle = _at_one_time(rows, circle)
     camera = known.search.camera
@@ -82,7 +82,7 @@ def _assembled(rows: Rows, known: Learned, hints: Hints, radius: float, source: 
     scale = size / radius
     if hints.ground is not None:
         ends = camera.to_plane(np.reshape(np.array(hints.ground, dtype=float), (2, 2)))
-        line = given_line(ends[0], ends[1], size)
+        line = line_through(ends[0], ends[1], size)
     else:
         line = ground_line(circle[there, :2], np.sqrt(covariance[there, 2]), size)
     cos, sin = np.cos(line.angle), np.sin(line.angle)
@@ -90,7 +90,7 @@ def _assembled(rows: Rows, known: Learned, hints: Hints, radius: float, source: 
     base = np.array([line.x, line.y])
     origin = base + ((circle[there][0, :2] - base) @ turn[0]) * turn[0]
     place = (circle[:, :2] - origin) @ turn.T / scale + [0.0, radius]
-    error = np.sqrt(_turned_variances(covariance, turn) + LEAST_ERROR**2) / scale
+    error = np.sqrt(_rotate_variances(covariance, turn) + LEAST_ERROR**2) / scale
     ratio = float("nan") if known.marker is None else known.marker.ratio
     marker_error = _marker_error(np.array(rows.t), arrow, angle, covariance) / scale
     reach = np.hypot(arrow[:, 0], arrow[:, 1]) / scale
@@ -120,7 +120,7 @@ def _assembled(rows: Rows, known: Learned, hints: Hints, radius: float, source: 
     return track_of(np.array(rows.t), columns, state, notes=_notes(rows, state, known, line, hints), **others)
 
 
-def _turned_variances(covariance: Floats, turn: Floats) -> Floats:
+def _rotate_variances(covariance: Floats, turn: Floats) -> Floats:
     whole = np.empty((len(covariance), 2, 2))
     whole[:, 0, 0], whole[:, 1, 1] = covariance[:, 0], covariance[:, 2]
     whole[:, 0, 1] = whole[:, 1, 0] = covariance[:, 1]
@@ -129,10 +129,10 @@ def _turned_variances(covariance: Floats, turn: Floats) -> Floats:
 
 
 def _at_one_time(rows: Rows, circle: Floats) -> tuple[Floats, Floats]:
-    """Arrows from centre to marker, and their angles, when the row of the centre is exposed.
+    """Return arrows from centre to marker, and their angles, at the exposure of the centre's row.
 
-    With a rolling shutter the marker's row comes earlier or later; how far all moves and turns until then is known from the
-    frames before and after.
+    With a rolling shutter the marker's row is exposed earlier or later. The motion in between follows from the frames before
+    and after.
     """
     t, arrow, angle, late = np.array(rows.t), np.array(rows.arrow), np.array(rows.angle), np.array(rows.late)
     there = np.flatnonzero(np.isfinite(angle))
@@ -141,7 +141,7 @@ def _at_one_time(rows: Rows, circle: Floats) -> tuple[Floats, Floats]:
     velocity = np.gradient(circle[there, :2], t[there], axis=0)
     omega = np.gradient(angle[there], t[there])
     straight = arrow[there] - velocity * late[there, None]
-    turn = omega * late[there]  # to be turned back, which is counterclockwise
+    turn = omega * late[there]  # the rotation to undo, counterclockwise
     cos, sin = np.cos(turn), np.sin(turn)
     back = np.stack([cos * straight[:, 0] - sin * straight[:, 1], sin * straight[:, 0] + cos * straight[:, 1]], axis=-1)
     arrow[there] = back
@@ -151,10 +151,10 @@ def _at_one_time(rows: Rows, circle: Floats) -> tuple[Floats, Floats]:
 
 
 def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -> Floats:
-    """How far the marker is off across the line to the centre [rectified pixels].
+    """Error of the marker across the line to the centre [rectified pixels].
 
-    Two estimates, each of which can only be too large: how it scatters along that line, and the third differences of its angle,
-    to which the motion itself adds little in a fast film.
+    The smaller one of two upper estimates: the scatter along that line, and third differences of its angle, to which the
+    motion adds little in a fast film.
     """
     reach = np.hypot(arrow[:, 0], arrow[:, 1])
     known = reach[np.isfinite(reach)]
@@ -168,22 +168,22 @@ def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -
     return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
 
 
-def _notes(rows: Rows, state: list[str], known: Learned, line: Ground, hints: Hints) -> tuple[str, ...]:
+def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: Hints) -> tuple[str, ...]:
     notes = []
     lost, bare = state.count(LOST), state.count(UNMARKED)
     if lost:
         notes.append(f"The hoop is lost in {lost} of {len(state)} frames.")
     if known.marker is None:
-        notes.append("No marker was found, so that there are no angles.")
+        notes.append("No marker was found, so there are no angles.")
     elif bare:
         notes.append(f"The marker is hidden in {bare} frames.")
-    if rows.unsure:
-        notes.append(f"Whole turns may be missing after {rows.unsure[0]:.3f} s, where the marker comes back.")
-    if not line.told:
-        notes.append("The hoop stays in one place, so that the slope cannot be told; the picture's rows are taken as level.")
+    if rows.uncertain:
+        notes.append(f"Whole revolutions may be missing after {rows.uncertain[0]:.3f} s, where the marker comes back.")
+    if not line.directed:
+        notes.append("The hoop stays in one place, so the slope is unknown; the picture's rows are taken as level.")
     elif hints.ground is None:
         notes.append(f"The plane is the line under the hoop in {line.frames} frames.")
     if known.tilted:
         a, b = np.degrees([known.search.camera.tilt_x, known.search.camera.tilt_y])
-        notes.append(f"The plane of motion is turned by {a:.1f}° and {b:.1f}° about the picture's axes.")
+        notes.append(f"The plane of motion is tilted by {a:.1f}° and {b:.1f}° about the picture's axes.")
     return tuple(notes)

@@ -1,4 +1,4 @@
-"""The hoop from frame to frame: where it will be next, where it is found, and that it is lost."""
+"""Follow the hoop from frame to frame: predict, find, or mark as lost."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ from hophoop.tracking.video import Picture
 
 Floats = NDArray[np.float64]
 
-FORGET = 0.25  # after so long without the hoop its velocity says nothing any more [s]
+FORGET = 0.25  # without the hoop, after which its velocity is unknown [s]
 LEAST_REACH = 9.0  # [pixel]
-AREAS = (0.55, 1.7)  # what part of its usual area a marker shows that is not half hidden
-NEAR = 0.09  # how far its distance from the centre may be off, over the radius
+AREAS = (0.55, 1.7)  # area of a visible marker over its usual area
+NEAR = 0.09  # tolerance of its distance from the centre, over the radius
 
 
 @dataclass
 class Rows:
-    """What was found, a frame a row, in rectified pixels; nan where nothing was."""
+    """Positions, one row per frame, in rectified pixels; nan where nothing was found."""
 
     t: list[float] = field(default_factory=list)  # of the frame's first row, from the file
     circle: list[tuple[float, float, float]] = field(default_factory=list)
     covariance: list[tuple[float, float, float]] = field(default_factory=list)  # xx, xy, yy
-    arrow: list[tuple[float, float]] = field(default_factory=list)  # from the centre to the marker when its row was exposed
-    late: list[float] = field(default_factory=list)  # by how much that was after the centre's row
+    arrow: list[tuple[float, float]] = field(default_factory=list)  # from the centre to the marker, at the exposure of its row
+    late: list[float] = field(default_factory=list)  # delay of that after the centre's row
     angle: list[float] = field(default_factory=list)  # of the arrow from up, clockwise, without jumps
     marker_pixel: list[tuple[float, float]] = field(default_factory=list)
-    unsure: list[float] = field(default_factory=list)  # times after which whole turns may be missing
+    uncertain: list[float] = field(default_factory=list)  # times after which whole revolutions may be missing
 
 
 class Follower:
     """Follows a hoop through the frames of a film.
 
-    Keeps the last place and velocity, of the centre and of the angle, and nothing of earlier frames but rows of numbers.
+    Of earlier frames it keeps the last position and velocity, and the rows.
     """
 
     def __init__(self, search: Search, marker: Marker | None, exposure: float, row_delay: float, seed: int = 0) -> None:
@@ -59,7 +59,7 @@ class Follower:
             rows.t.append(picture.t + 0.5 * self.exposure)
             rows.circle.append((np.nan, np.nan, np.nan))
             rows.covariance.append((np.nan, np.nan, np.nan))
-            self._unmarked()
+            self._add_without_marker()
             return
         middle = np.array([rim.circle.x, rim.circle.y])
         t = picture.t + 0.5 * self.exposure + self.row_delay * self._row(middle)
@@ -69,7 +69,7 @@ class Follower:
         rows.covariance.append((rim.covariance[0, 0], rim.covariance[0, 1], rim.covariance[1, 1]))
         spot = self._spot(picture, rim.circle)
         if spot is None:
-            self._unmarked()
+            self._add_without_marker()
         else:
             self._turn(t, rim.circle, spot)
 
@@ -87,7 +87,7 @@ class Follower:
             velocity = np.zeros(2) if self._velocity is None else self._velocity
             guess = self._last[1] + velocity * wait
             way = float(np.hypot(*velocity)) * wait
-            # an impact may take the velocity away, and a first step is not known at all
+            # an impact may stop the hoop, and the first velocity is unknown
             reach = LEAST_REACH + 0.6 * way if self._velocity is not None else 0.3 * expected[0]
             circle = Circle(float(guess[0]), float(guess[1]), expected[0])
             lean = velocity * self.row_delay
@@ -134,7 +134,7 @@ class Follower:
             guess = self._turned[1] + (self._omega or 0.0) * wait
             angle += 2 * np.pi * round((guess - angle) / (2 * np.pi))
             if abs(self._omega or 0.0) * wait > 0.5 * np.pi and len(rows.angle) and np.isnan(rows.angle[-1]):
-                rows.unsure.append(t)
+                rows.uncertain.append(t)
             self._omega = (angle - self._turned[1]) / wait
         self._turned = (t, angle)
         rows.arrow.append((float(arrow[0]), float(arrow[1])))
@@ -143,7 +143,7 @@ class Follower:
         pixel = self.search.camera.to_picture(np.array([spot.x, spot.y]))
         rows.marker_pixel.append((float(pixel[0]), float(pixel[1])))
 
-    def _unmarked(self) -> None:
+    def _add_without_marker(self) -> None:
         self.rows.arrow.append((np.nan, np.nan))
         self.rows.late.append(0.0)
         self.rows.angle.append(np.nan)

@@ -1,4 +1,4 @@
-"""The line on which the hoop stands, from where its centre is lowest."""
+"""The line on which the hoop stands, from the lowest positions of its centre."""
 
 from __future__ import annotations
 
@@ -9,46 +9,46 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-LOW = 0.15  # share of the frames that lies under the first line
-LEAST_WAY = 0.7  # way of the centre that tells a direction, over the radius
-LEAST_OFF = 0.02  # of a centre from the line, below which lens and sensor say more [pixel]
-ALIKE = 10  # frames in a row whose centres are off by the same [1]
-CLICK = 1.0  # how far a point of the ground that was given may be off [pixel]
+LOW = 0.15  # share of the frames below the first line
+LEAST_WAY = 0.7  # minimum distance of the centre for a direction, over the radius
+LEAST_OFF = 0.02  # minimum error of a centre, from lens and sensor [pixel]
+ALIKE = 10  # frames in a row with the same error [1]
+CLICK = 1.0  # error of a given point of the ground [pixel]
 
 
 class Ground(NamedTuple):
-    """The line along which the centre goes while the rim touches the ground [rectified pixels]."""
+    """The line of the centre while the rim touches the ground [rectified pixels]."""
 
     x: float
     y: float
-    angle: float  # by which it rises to the right [rad]
-    frames: int  # in contact, from which it comes; 0 where it was given
-    told: bool  # whether the direction could be told
+    angle: float  # of its rise to the right [rad]
+    frames: int  # in contact, used for it; 0 if it was given
+    directed: bool  # whether the direction is known
     height_error: float  # of y [rectified pixels]
-    angle_error: float  # nan where the direction was not told [rad]
+    angle_error: float  # nan if the direction is unknown [rad]
 
 
 def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
-    """The line under the way of the centre.
+    """Fit the line below the path of the centre.
 
     Parameters
     ----------
     points : ndarray, shape (n, 2)
         Centres [rectified pixels].
     errors : ndarray, shape (n,)
-        Of the heights [rectified pixels].
+        Errors of the heights [rectified pixels].
     radius : float
         [rectified pixels]
 
     Returns
     -------
     ground : Ground
-        Level where the hoop stays in one place.
+        Level if the hoop stays in one place.
     """
     x, y = points[:, 0], points[:, 1]
     middle = float(x.mean())
-    told = bool(np.ptp(x) > LEAST_WAY * radius)
-    design = np.column_stack([np.ones(len(x)), x - middle]) if told else np.ones((len(x), 1))
+    directed = bool(np.ptp(x) > LEAST_WAY * radius)
+    design = np.column_stack([np.ones(len(x)), x - middle]) if directed else np.ones((len(x), 1))
     line = np.linalg.lstsq(design, y, rcond=None)[0]
     for _ in range(60):  # quantile regression by reweighting
         off = y - design @ line
@@ -65,16 +65,16 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
         if (now == near).all():
             break
         near = now
-    angle = float(np.arctan(line[1])) if told else 0.0
+    angle = float(np.arctan(line[1])) if directed else 0.0
     count = int(near.sum())
     off = (y - design @ line)[near]
     height_error = max(float(np.sqrt((off**2).mean())), LEAST_OFF) * np.sqrt(ALIKE / count)
-    angle_error = height_error / float(np.std(x[near])) if told else float("nan")
-    return Ground(middle, float(line[0]), angle, count, told, float(height_error), angle_error)
+    angle_error = height_error / float(np.std(x[near])) if directed else float("nan")
+    return Ground(middle, float(line[0]), angle, count, directed, float(height_error), angle_error)
 
 
-def given_line(first: Floats, second: Floats, radius: float) -> Ground:
-    """The centre's line over two points of the ground.
+def line_through(first: Floats, second: Floats, radius: float) -> Ground:
+    """Return the centre's line over two points of the ground.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a person knows about a film and may say before it is tracked."""
+"""Known properties of a film, given before tracking."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from hophoop.scenario import InputError
 
 @dataclass(frozen=True)
 class Hints:
-    """What is known about a film; what is left out is found in it.
+    """Known properties of a film; others are found in it.
 
     Parameters
     ----------
     marker : str, default 'auto'
         Colour of the marker: a name such as 'red', '#rrggbb', or 'none'.
     ring : {'auto', 'dark', 'light'}, default 'auto'
-        Whether the rim is darker or lighter than what is behind it.
+        Whether the rim is darker or lighter than its background.
     centre : tuple of float, optional
         Column and row of the hoop's centre in a frame [pixel].
     rim : float, optional
@@ -30,15 +30,15 @@ class Hints:
     level : float, default 0
         Angle by which a level line rises to the right in the picture [rad].
     slope : float, optional
-        Of the plane, downhill to the right [rad].
+        Slope of the plane, downhill to the right [rad].
     exposure : float, default 0
-        How long the shutter is open; times are those of its middle [s].
+        Exposure time; times of the track are at its middle [s].
     row_delay : float, default 0
-        Rolling shutter: from the exposure of a row to that of the next [s].
+        Rolling shutter: delay of the exposure from row to row [s].
     rate : float, optional
-        Frames a second as they were taken, where the file's own times are those of slow motion [Hz].
+        Frames per second as taken, if the file's own times are those of slow motion [Hz].
     tilt : tuple of float, optional
-        Turn of the plane of motion about the picture's horizontal and vertical axis; (0, 0) is a lens in axis [rad].
+        Rotation of the plane of motion about the picture's horizontal and vertical axis; (0, 0) is straight on [rad].
     focal : float, optional
         Focal length of the lens [pixel].
 
@@ -71,7 +71,7 @@ class Hints:
             raise InputError.of_field("ring", self.ring, "auto, dark or light")
         if (self.centre is None) != (self.rim is None):
             missing, there = ("rim", "centre") if self.rim is None else ("centre", "rim")
-            raise InputError(f"{missing} is missing: {there} alone does not say where the hoop is.")
+            raise InputError(f"{missing} is missing: {there} alone does not locate the hoop.")
         for name, count in (("centre", 2), ("ground", 4), ("tilt", 2)):
             value = getattr(self, name)
             if value is not None and (len(value) != count or not np.isfinite(value).all()):

@@ -1,4 +1,4 @@
-"""What a few pictures of a film tell about hoop, marker and camera, before it is followed from frame to frame."""
+"""Find hoop, marker and camera in sampled pictures, before the hoop is followed from frame to frame."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from numpy.typing import NDArray
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import USUAL_FOCAL, Camera, fit_camera
 from hophoop.tracking.circle import Circle, fit_circle
-from hophoop.tracking.detection import Hoop, Search, confirm, detect, reduced, reduction
+from hophoop.tracking.detection import Hoop, Search, confirm, detect, downsample, reduction
 from hophoop.tracking.hints import Hints
-from hophoop.tracking.marker import Marker, colour_chroma, find_marker, with_area
+from hophoop.tracking.marker import Marker, colour_chroma, find_marker, refine_marker
 from hophoop.tracking.video import Picture
 
 Floats = NDArray[np.float64]
 
-ALIKE = 0.12  # by how much radii in different pictures may differ before the camera is known
-TIGHT = 0.004  # and how well the radius is known after that
+ALIKE = 0.12  # relative difference of radii in different pictures while the camera is unknown
+TIGHT = 0.004  # relative error of the radius after that
 MOST_FOR_CAMERA = 14
-STILL = 0.02  # way over the radius, below which a circle belongs to the background
+STILL = 0.02  # distance over the radius below which a circle belongs to the background
 
 
-class Learned(NamedTuple):
-    """What is known before following."""
+class FilmSetup(NamedTuple):
+    """Hoop, marker and camera of a film."""
 
     search: Search
     marker: Marker | None
@@ -32,20 +32,20 @@ class Learned(NamedTuple):
     seen: list[tuple[Picture, Circle]]
 
 
-def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str) -> Learned:
-    """Find hoop, marker and camera in pictures from all over the film.
+def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str) -> FilmSetup:
+    """Find hoop, marker and camera in pictures from the whole film.
 
     Parameters
     ----------
     pairs : list of (Picture, Picture or None)
-        Each with the one after it, which tells how fast the hoop moves.
+        Each with the next one, for the velocity of the hoop.
     hints : Hints
     source : str
         Name of the film.
 
     Returns
     -------
-    learned : Learned
+    learned : FilmSetup
 
     Raises
     ------
@@ -55,7 +55,7 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
     pictures = [picture for picture, _ in pairs]
     wide, tall = pictures[0].size
     if any(picture.size != (wide, tall) for picture in pictures):
-        raise InputError(f"{source} changes the size of its pictures on the way.")
+        raise InputError(f"{source} has pictures of different sizes.")
     focal = hints.focal or USUAL_FOCAL * max(wide, tall)
     tilt = hints.tilt or (0.0, 0.0)
     camera = Camera(wide, tall, focal, *tilt)
@@ -67,7 +67,9 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
             f"or whether it is dark or light."
         )
     if hints.row_delay:
-        seen = _uprighted(seen, dict(zip(map(id, pictures), (after for _, after in pairs), strict=True)), search, hints, rng)
+        seen = _correct_rolling_shutter(
+            seen, dict(zip(map(id, pictures), (after for _, after in pairs), strict=True)), search, hints, rng
+        )
     tilted = False
     if hints.tilt is None and len(seen) >= 4:
         chosen = [seen[k] for k in np.unique(np.linspace(0, len(seen) - 1, MOST_FOR_CAMERA).astype(int))]
@@ -82,24 +84,24 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
         if found is not None:
             again.append((picture, found.rim.circle))
     if len(again) < 2:
-        raise InputError(f"{source} shows circles, but none that keeps its size like a hoop that is followed.")
+        raise InputError(f"{source} shows circles, but none of constant size.")
     places = np.array([circle[:2] for _, circle in again])
     if np.ptp(places, axis=0).max() < STILL * radius:
         raise InputError(f"{source} shows a circle that does not move, but no hoop.")
-    # near the fitted edge the radius is known better than any one picture tells
+    # all pictures together give a more accurate radius than each one
     radius = float(np.median([circle.radius for _, circle in again]))
     search = search._replace(expected=(radius, TIGHT * radius))
-    return Learned(search, _marker(again, camera, hints), tilted, again)
+    return FilmSetup(search, _marker(again, camera, hints), tilted, again)
 
 
-def _uprighted(
+def _correct_rolling_shutter(
     seen: list[tuple[Picture, Hoop]],
     following: dict[int, Picture | None],
     search: Search,
     hints: Hints,
     rng: np.random.Generator,
 ) -> list[tuple[Picture, Hoop]]:
-    """The same hoops, with what a rolling shutter made of the rim put right by how fast they move."""
+    """Return the hoops, with the rolling shutter's distortion of the rim corrected by their velocities."""
     result = []
     for picture, hoop in seen:
         after = following[id(picture)]
@@ -116,19 +118,19 @@ def _uprighted(
 
 
 def search_place(hoop: Hoop, camera: Camera) -> Floats:
-    """The pixel of a hoop's centre, as a camera sees it [pixel]."""
+    """Pixel of a hoop's centre in the picture [pixel]."""
     return camera.to_picture(np.array([hoop.rim.circle.x, hoop.rim.circle.y]))
 
 
 def _hoops(
     pictures: list[Picture], camera: Camera, hints: Hints, rng: np.random.Generator
 ) -> tuple[Search, list[tuple[Picture, Hoop]]]:
-    """The hoop in as many of the pictures as it is found in, by what moves or else by what stands out."""
+    """Find the hoop in the pictures, by motion or else by contrast."""
     by = reduction(camera.width)
     sign = {"dark": 1, "light": -1}.get(hints.ring, 0)
-    small = np.stack([reduced(picture.luma, by) for picture in pictures])
+    small = np.stack([downsample(picture.luma, by) for picture in pictures])
     background = np.median(small, axis=0)
-    given = _given(pictures, camera, hints, sign, rng)
+    given = _hoop_at_hint(pictures, camera, hints, sign, rng)
     best: list[tuple[Picture, Hoop]] = []
     result = Search(camera, None, by, sign, None)
     for way in (background, None):
@@ -148,8 +150,8 @@ def _hoops(
     return result, best
 
 
-def _given(pictures: list[Picture], camera: Camera, hints: Hints, sign: int, rng: np.random.Generator) -> Hoop | None:
-    """The hoop where a person has pointed at it."""
+def _hoop_at_hint(pictures: list[Picture], camera: Camera, hints: Hints, sign: int, rng: np.random.Generator) -> Hoop | None:
+    """Find the hoop at the hinted centre."""
     if hints.centre is None or hints.rim is None:
         return None
     picture = min(pictures, key=lambda one: abs(one.t - hints.at))
@@ -167,7 +169,7 @@ def _given(pictures: list[Picture], camera: Camera, hints: Hints, sign: int, rng
 
 
 def _most_alike(found: list[tuple[Picture, Hoop]]) -> list[tuple[Picture, Hoop]]:
-    """The largest group of one size and one contrast; among equals the one that agrees best."""
+    """Return the largest group of one size and one contrast, of equal ones the best."""
     best: list[tuple[Picture, Hoop]] = []
     for _, seed in found:
         size = seed.rim.circle.radius
@@ -193,7 +195,7 @@ def _marker(seen: list[tuple[Picture, Circle]], camera: Camera, hints: Hints) ->
     if hints.marker == "auto":
         return find_marker(seen, camera)
     blue, red = colour_chroma(hints.marker)
-    found = with_area(Marker(blue, red, np.nan, np.nan), seen, camera)
+    found = refine_marker(Marker(blue, red, np.nan, np.nan), seen, camera)
     if np.isnan(found.area):
         raise InputError(
             f"marker = {hints.marker!r}: no patch of that colour was seen on the hoop.", field="marker", value=hints.marker

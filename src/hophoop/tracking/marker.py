@@ -19,19 +19,19 @@ NAMES = {
     "red": (220, 30, 30), "orange": (240, 130, 20), "yellow": (230, 220, 30), "green": (30, 170, 50),
     "cyan": (30, 190, 200), "blue": (30, 70, 220), "magenta": (220, 40, 200), "pink": (240, 110, 170),
 }  # fmt: skip
-LEAST_CHROMA = 16.0  # of a colour that can be told from gray
-PALE = 18.0  # chroma of a patch that may be a marker, above what is usual around it
-FEWEST = 3.0  # chroma samples that a marker covers at least
-OUTSIDE = 1.12  # how far out a marker may stand, over the radius
+LEAST_CHROMA = 16.0  # minimum, to distinguish a colour from gray
+PALE = 18.0  # minimum chroma of a marker above its surroundings
+FEWEST = 3.0  # minimum chroma samples of a marker
+OUTSIDE = 1.12  # maximum distance of a marker from the centre, over the radius
 
 
 class Marker(NamedTuple):
-    """What the marker looks like."""
+    """Colour, position and size of the marker."""
 
     blue: float  # its chroma
     red: float
-    ratio: float  # distance from the centre over the radius; nan where not known
-    area: float  # sum of its weights in samples of chroma; nan where not known
+    ratio: float  # distance from the centre over the radius; nan if unknown
+    area: float  # sum of its weights in samples of chroma; nan if unknown
 
 
 class Spot(NamedTuple):
@@ -44,12 +44,12 @@ class Spot(NamedTuple):
 
     @property
     def radius(self) -> float:
-        """Of a disc of that area; a sample of chroma is four pixels [pixel]."""
+        """Radius of a disc of that area; a sample of chroma is four pixels [pixel]."""
         return float(np.sqrt(4.0 * self.area / np.pi))
 
 
 def colour_chroma(text: str) -> tuple[float, float]:
-    """Chroma of a colour.
+    """Return the chroma of a colour.
 
     Parameters
     ----------
@@ -79,12 +79,12 @@ def colour_chroma(text: str) -> tuple[float, float]:
     blue = (-37.797 * r - 74.203 * g + 112.0 * b) / 255
     red = (112.0 * r - 93.786 * g - 18.214 * b) / 255
     if np.hypot(blue, red) < LEAST_CHROMA:
-        raise InputError(f"marker = {text!r} is too near to gray to be told by its colour.", field="marker", value=text)
+        raise InputError(f"marker = {text!r} is too near to gray to be found by its colour.", field="marker", value=text)
     return blue, red
 
 
 class _Patch(NamedTuple):
-    """Chroma of the box around a circle, and where its samples are."""
+    """Chroma of the box around a circle, and the positions of its samples."""
 
     blue: Floats
     red: Floats
@@ -109,7 +109,7 @@ def _patch(picture: Picture, camera: Camera, circle: Circle) -> _Patch | None:
 
 
 def spots(picture: Picture, camera: Camera, circle: Circle, marker: Marker) -> list[Spot]:
-    """Patches of the marker's colour at its distance from the centre, the largest first.
+    """Find patches of the marker's colour at its distance from the centre, the largest first.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def spots(picture: Picture, camera: Camera, circle: Circle, marker: Marker) -> l
     size = float(np.hypot(marker.blue, marker.red))
     along = (patch.blue * marker.blue + patch.red * marker.red) / size
     across = np.abs(patch.blue * marker.red - patch.red * marker.blue) / size
-    # a ramp about half of the full colour: blur and reduced chroma leave the centroid where it is
+    # a ramp about half of the full colour, so that blur and subsampled chroma do not move the centroid
     weight = ((along - 0.6 * np.maximum(across - 0.15 * size, 0.0)) / size - 0.25).clip(0.0, 0.5) * 2.0
     ratio = np.hypot(patch.points[..., 0] - circle.x, patch.points[..., 1] - circle.y) / circle.radius
     if np.isfinite(marker.ratio):
@@ -157,7 +157,7 @@ class _Seen(NamedTuple):
 
 
 def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | None:
-    """The coloured patch that stays at one distance from the centre while the hoop goes on.
+    """Find the coloured patch at a constant distance from the moving centre.
 
     Parameters
     ----------
@@ -168,7 +168,7 @@ def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | 
     Returns
     -------
     marker : Marker or None
-        None where no patch does so in at least half of the pictures.
+        None if there is no such patch in at least half of the pictures.
     """
     ndimage = need("scipy.ndimage", "track")
     patches: list[_Seen] = []
@@ -200,7 +200,7 @@ def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | 
     if len({one.frame for one in best}) < max(2, 0.5 * len(seen)):
         return None
     blue, red, ratio = (float(np.median([getattr(one, name) for one in best])) for name in ("blue", "red", "ratio"))
-    return with_area(Marker(blue, red, ratio, np.nan), seen, camera)
+    return refine_marker(Marker(blue, red, ratio, np.nan), seen, camera)
 
 
 def _alike(one: _Seen, other: _Seen) -> bool:
@@ -209,8 +209,8 @@ def _alike(one: _Seen, other: _Seen) -> bool:
     return bool(apart < max(0.3 * size, 10.0) and abs(one.ratio - other.ratio) < 0.08)
 
 
-def with_area(marker: Marker, seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker:
-    """The same marker with the colour, distance and size that it has in most pictures.
+def refine_marker(marker: Marker, seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker:
+    """Return the marker with its median colour, distance and size.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Where the rim's outer edge is: the steepest place on each ray from the centre, to a fraction of a pixel."""
+"""The rim's outer edge: the steepest point on each ray from the centre, to a fraction of a pixel."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.tracking.camera import Camera
-from hophoop.tracking.circle import Circle, Fitted, robust_circle
+from hophoop.tracking.circle import Circle, CircleFit, robust_circle
 from hophoop.tracking.video import Bytes
 
 Floats = NDArray[np.float64]
 
 RAYS = 180
-WIDE = 5  # samples either side of the steepest over which its place is averaged
+WIDE = 5  # samples on either side of the steepest one, averaged for its position
 WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
-LOTS = 120  # pairs of rays drawn to find how far the rim has moved
+DRAWS = 120  # pairs of rays drawn for the shift of the rim
 CLOSE = 4.0  # reach of the last search [pixel]
 
 
 class Edges(NamedTuple):
-    """Places of an edge, one for each ray that shows it."""
+    """Points of an edge, one per ray that has it."""
 
     points: Floats  # in rectified pixels, shape (n, 2)
     angles: Floats  # of the rays [rad]
-    offsets: Floats  # outwards from the circle that was looked at [pixel]
+    offsets: Floats  # outwards from the circle of the search [pixel]
     strength: Floats  # rise of luma over two pixels [1]
     rows: Floats  # of the picture [pixel]
     looked: int  # rays that lie in the picture
@@ -40,11 +40,11 @@ class Rim(NamedTuple):
     share: float  # of the rays in the picture that agree [1]
     seen: float  # share of the circumference that lies in the picture [1]
     spread: float  # of the edge about the circle [pixel]
-    points: Floats  # of the edge that agree, as if all rows were exposed at once [rectified pixels]
+    points: Floats  # of the agreeing edge, corrected for the rolling shutter [rectified pixels]
 
 
 def profile(luma: Bytes, camera: Camera, circle: Circle, angles: Floats, offsets: Floats) -> tuple[Floats, Floats, Floats]:
-    """Luma along rays.
+    """Sample luma along rays.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def profile(luma: Bytes, camera: Camera, circle: Circle, angles: Floats, offsets
     values : ndarray, shape (n, k)
         nan outside the picture [1].
     points : ndarray, shape (n, k, 2)
-        Where they are [rectified pixels].
+        Their positions [rectified pixels].
     pixels : ndarray, shape (n, k, 2)
         The same in the picture [pixel].
     """
@@ -76,7 +76,7 @@ def profile(luma: Bytes, camera: Camera, circle: Circle, angles: Floats, offsets
 
 
 def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, step: float = 0.5) -> Edges:
-    """The steepest place on each ray near a circle.
+    """Find the steepest point on each ray near a circle.
 
     Parameters
     ----------
@@ -85,9 +85,9 @@ def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, 
     camera : Camera
     circle : Circle
     sign : {1, -1, 0}
-        1 where luma rises outwards, as at a dark hoop; 0 where either way is an edge.
+        1 if luma rises outwards, as at a dark hoop; 0 for edges of either sign.
     reach : float
-        How far from the circle to look [pixel].
+        Maximum distance from the circle [pixel].
     step : float, default 0.5
         Between samples [pixel].
 
@@ -111,7 +111,7 @@ def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, 
     place = best[:, None] + np.arange(-WIDE, WIDE + 1)
     fair = (place >= 0) & (place < len(offsets))
     place = place.clip(0, len(offsets) - 1)
-    # only the hill around the steepest place, not another one beside it
+    # only the peak around the steepest point, not a neighbouring one
     weight = np.where(fair, rise[rows[:, None], place], 0.0)
     weight = np.where(weight > 0.2 * strength[:, None], weight, 0.0)
     mean = (weight * offsets[place]).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9)
@@ -120,8 +120,8 @@ def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, 
     return Edges(found[good], angles[good], mean[good], strength[good], pixels[rows, best, 1][good], int(there.sum()))
 
 
-def moved(found: Edges, rng: np.random.Generator) -> tuple[float, float, float] | None:
-    """How far the circle has moved, from the offsets on all rays, of which many may be strangers.
+def estimate_shift(found: Edges, rng: np.random.Generator) -> tuple[float, float, float] | None:
+    """Estimate the shift of the circle from the offsets on all rays, many of which may be outliers.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def moved(found: Edges, rng: np.random.Generator) -> tuple[float, float, float] 
     count = len(found.angles)
     if count < 12:
         return None
-    a, b = rng.integers(0, count, LOTS), rng.integers(0, count, LOTS)
+    a, b = rng.integers(0, count, DRAWS), rng.integers(0, count, DRAWS)
     cos, sin = np.cos(found.angles), np.sin(found.angles)
     with np.errstate(divide="ignore", invalid="ignore"):
         area = cos[a] * sin[b] - cos[b] * sin[a]
@@ -161,7 +161,7 @@ def find_rim(
     rng: np.random.Generator,
     lean: tuple[float, float] = (0.0, 0.0),
 ) -> Rim | None:
-    """The rim near a circle.
+    """Find the rim near a circle.
 
     Parameters
     ----------
@@ -169,27 +169,27 @@ def find_rim(
         [1]
     camera : Camera
     circle : Circle
-        Where to look.
+        Start of the search.
     sign : {1, -1}
         1 for a dark hoop.
     reach : float
-        How far from the circle to look [pixel].
+        Maximum distance from the circle [pixel].
     expected : tuple of float or None
-        The radius and how well it is known [pixel].
+        Radius and its error [pixel].
     rng : numpy.random.Generator
     lean : tuple of float
-        How far the hoop moves while the shutter passes a row [rectified pixels a row].
+        Displacement of the hoop per row of the rolling shutter [rectified pixels per row].
 
     Returns
     -------
     rim : Rim or None
     """
     if reach > 1.5 * CLOSE:
-        shift = moved(edges(luma, camera, circle, sign, reach, step=1.0), rng)
+        shift = estimate_shift(edges(luma, camera, circle, sign, reach, step=1.0), rng)
         if shift is None or shift[2] < 0.25:
             return None
         circle = Circle(circle.x + shift[0], circle.y + shift[1], circle.radius)
-    fit: Fitted | None = None
+    fit: CircleFit | None = None
     for close in (CLOSE, CLOSE):
         found = edges(luma, camera, circle, sign, close)
         if len(found.points) < 12:
@@ -206,7 +206,7 @@ def find_rim(
 
 
 def find_disc(luma: Bytes, camera: Camera, circle: Circle) -> tuple[float, float] | None:
-    """The middle of a round patch whose outline shows in luma, which is finer than chroma.
+    """Find the centre of a round patch by its outline in luma, which is finer than chroma.
 
     Parameters
     ----------
@@ -214,12 +214,12 @@ def find_disc(luma: Bytes, camera: Camera, circle: Circle) -> tuple[float, float
         [1]
     camera : Camera
     circle : Circle
-        Where it is by its colour.
+        Position by its colour.
 
     Returns
     -------
     x, y : float or None
-        None where the outline is not that of a disc [rectified pixels].
+        None if the outline is not that of a disc [rectified pixels].
     """
     reach = min(max(2.0, 0.35 * circle.radius), 4.0)
     found = edges(luma, camera, circle, 0, reach)

@@ -28,20 +28,20 @@ TRACKER, TABLES, OWN = (".trk", ".trz"), (".csv", ".txt", ".tsv", ".dat"), (".js
 
 @dataclass(frozen=True)
 class Reading:
-    """How to read a file that does not say everything itself.
+    """Quantities that a file of a track may lack.
 
     Parameters
     ----------
     centre, marker : str, optional
-        Names of the points that are the rim's centre and the marker.
+        Names of the rim's centre and of the marker.
     angle_unit : {'rad', 'deg'}, optional
-        Of angles, where it is not written.
+        Unit of angles, if the file has none.
     radius : float, optional
-        Of the rim [m].
+        Radius of the rim [m].
     sigma : float, optional
-        Standard deviation of each coordinate, where the file has none [m].
+        Standard deviation of each coordinate, if the file has none [m].
     sigma_angle : float, optional
-        The same of angles [rad].
+        The same of the angle [rad].
 
     Raises
     ------
@@ -74,7 +74,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         A track of `track` (.json or .csv), Tracker's text export (.txt, .csv), Tracker's own file (.trk, .trz), or a table with
         named columns: t, and x and y of the centre, marker_x and marker_y, or angle.
     reading : Reading, optional
-        What the file does not say.
+        Quantities that the file lacks.
 
     Returns
     -------
@@ -83,7 +83,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
     Raises
     ------
     ValueError
-        If the file cannot be understood.
+        If the file has another format.
     OSError
         If it cannot be read.
     """
@@ -92,7 +92,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
     ending = file.suffix.lower()
     if ending in TRACKER:
-        return _finished(_from_project(file, how), how)
+        return _fill_in(_from_project(file, how), how)
     if file.stat().st_size > MOST_BYTES:
         raise InputError(f"{file} is larger than {MOST_BYTES // 1_000_000} MB, which no track is.")
     try:
@@ -104,14 +104,14 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
             data = json.loads(text)
         except (ValueError, RecursionError) as error:
             raise InputError(f"{file} is not valid JSON: {parse_reason(error)}.") from None
-        return _finished(track_from_dict(data, str(file)), how)
+        return _fill_in(track_from_dict(data, str(file)), how)
     if ending not in TABLES:
         raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES, *TRACKER[:-1]))} or {TRACKER[-1]}.")
-    return _finished(_from_table(read_columns(text, str(file)), file, how), how)
+    return _fill_in(_from_table(read_columns(text, str(file)), file, how), how)
 
 
-def _finished(track: Track, how: Reading) -> Track:
-    """Fill in what the file left out."""
+def _fill_in(track: Track, how: Reading) -> Track:
+    """Fill in what the file lacks."""
     values: dict[str, Any] = {}
     if np.isnan(track.angle).all():
         arrow = track.marker - track.centre
@@ -163,10 +163,10 @@ def _from_table(columns: list[Column], file: Path, how: Reading) -> Track:
         raise InputError(
             f"{name} has neither x and y, nor marker_x and marker_y, nor angle: its columns are {', '.join(states)}."
         )
-    # Tracker's points are not yet along and above the plane; our own table is
+    # Tracker's points are not along and above the plane; our own table is
     ours = {"sigma_x", "sigma_y"} <= states
     keep = np.isfinite(t)
-    if not ours:  # a row of Tracker with a time alone is a frame that nobody looked at
+    if not ours:  # a row of Tracker with a time only is a frame without marks
         looked = np.isfinite(list(result.values())).any(axis=0)
         keep &= looked | ~looked.any()
     result = {key: values[keep] for key, values in result.items()}
@@ -204,7 +204,7 @@ def _marks(name: str, words: tuple[str, ...]) -> bool:
 
 
 def _roles(points: list[str], how: Reading, name: str) -> dict[str, str]:
-    """Which point is the centre and which the marker: as said, by their names, or because there is one only."""
+    """Return the points of centre and marker: as given, by their names, or the only one."""
     roles: dict[str, str] = {}
     for role, said, words in (("centre", how.centre, CENTRE_WORDS), ("marker", how.marker, MARKER_WORDS)):
         if said is not None:
@@ -218,7 +218,7 @@ def _roles(points: list[str], how: Reading, name: str) -> dict[str, str]:
     if not roles and len(points) == 1:
         roles["centre"] = points[0]
     if not roles:
-        raise InputError(f"{name} has the points {', '.join(points)}: say which is the centre and which the marker.")
+        raise InputError(f"{name} has the points {', '.join(points)}: give the names of the centre and of the marker.")
     return roles
 
 

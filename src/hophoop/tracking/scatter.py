@@ -1,4 +1,4 @@
-"""How much data scatter, told from themselves."""
+"""Scatter of data, estimated from the data."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-NORMAL = 1.4826  # standard deviation of normal numbers over the median of their distances from the middle
+NORMAL = 1.4826  # standard deviation of a normal distribution over its median absolute deviation
 
 
 def spread(values: Floats) -> float:
-    """Standard deviation of numbers, of which strangers make little.
+    """Robust standard deviation of numbers.
 
     Parameters
     ----------
@@ -21,25 +21,25 @@ def spread(values: Floats) -> float:
     Returns
     -------
     sigma : float
-        In the values' own unit [1].
+        In the unit of the values [1].
     """
     return NORMAL * float(np.median(np.abs(values - np.median(values))))
 
 
 def third_differences(t: Floats, values: Floats) -> Floats:
-    """What four values in a row differ from a parabola, in standard deviations of one of them.
+    """Deviations of four values in a row from a parabola, scaled to the standard deviation of one value.
 
-    A smooth motion adds little to them, so that their spread is that of a single value.
+    A smooth motion adds little to them, so their spread is that of a single value.
 
     Parameters
     ----------
     t, values : ndarray, shape (n,)
-        Times that increase [s] and what was measured then, nan where nothing was [1].
+        Increasing times [s] and measured values, nan where missing [1].
 
     Returns
     -------
     differences : ndarray, shape (m,)
-        Of all fours without nan, in the values' own unit [1].
+        Of all groups of four without nan, in the unit of the values [1].
     """
     if len(t) < 4:
         return np.zeros(0)

@@ -1,4 +1,4 @@
-"""A track: where the hoop was and when, with uncertainties; to and from files."""
+"""A track: positions of the hoop over time, with uncertainties; to and from files."""
 
 from __future__ import annotations
 
@@ -19,39 +19,39 @@ from hophoop.tracking.camera import Camera
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-track/1"
-HEAD = ("radius", "slope", "slope_error")  # numbers of a track that are one for all frames
+HEAD = ("radius", "slope", "slope_error")  # numbers of the whole track
 FOUND, UNMARKED, LOST = "found", "no marker", "lost"
 
 
 @dataclass(frozen=True)
 class View:
-    """How a film's picture and the plane belong together.
+    """Mapping between a film's picture and the plane.
 
     Attributes
     ----------
     camera : Camera
     scale : float
-        Rectified pixels a metre [1/m].
+        Rectified pixels per metre [1/m].
     x, y : float
-        Where the centre stands at x = 0 in contact [rectified pixels].
+        Position of the centre at x = 0 in contact [rectified pixels].
     rise : float
-        Angle by which the ground rises to the right in the picture [rad].
+        Angle of the rise of the ground to the right in the picture [rad].
     chroma : tuple of float or None
         Colour of the marker, as differences of blue and red from luma [1].
     marker_ratio : float
         Distance of the marker from the centre over the radius [1].
     exposure : float
-        How long the shutter is open [s].
+        Exposure time [s].
     row_delay : float
-        From a row of the picture to the next [s].
+        Delay of the exposure from row to row [s].
     rate : float or None
-        Frames a second that were given instead of the file's times [Hz].
+        Frames per second given instead of the file's times [Hz].
     scale_error : float
-        Standard deviation of the scale over the scale: what is off in the rim's radius is so in all frames [1].
+        Relative standard deviation of the scale, one error for all frames [1].
     height_error : float
-        Of the height of the plane, at x = 0 [m].
+        Standard deviation of the height of the plane at x = 0 [m].
     rise_error : float
-        Of the rise [rad].
+        Standard deviation of the rise [rad].
     """
 
     camera: Camera
@@ -69,7 +69,7 @@ class View:
     rise_error: float = float("nan")
 
     def to_picture(self, points: Floats, radius: float) -> Floats:
-        """Pixels of points of the plane.
+        """Project points of the plane to pixels.
 
         Parameters
         ----------
@@ -88,7 +88,7 @@ class View:
         return self.camera.to_picture(np.stack([self.x + x * cos - y * sin, self.y + x * sin + y * cos], axis=-1))
 
     def to_plane(self, pixels: Floats, radius: float) -> Floats:
-        """Points of the plane that pixels look at: the reverse of `to_picture`.
+        """Return the points of the plane at pixels, the inverse of `to_picture`.
 
         Parameters
         ----------
@@ -130,7 +130,7 @@ PAIRS = {name for name, index, _ in COLUMNS.values() if index is not None}
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """Where a hoop was in each frame of a film; nan where it was not found.
+    """Position of a hoop in each frame of a film; nan where it was not found.
 
     Attributes
     ----------
@@ -151,19 +151,19 @@ class Track:
     state : tuple of str
         'found', 'no marker' or 'lost' for each frame.
     radius : float
-        Of the rim [m]; nan where the data do not say.
+        Radius of the rim [m]; nan if unknown.
     slope : float
-        Of the plane, downhill to the right, if the camera was level [rad]; nan where the data do not say.
+        Slope of the plane, downhill to the right, if the camera was level [rad]; nan if unknown.
     slope_error : float
-        Its standard deviation, if the camera was level [rad]; nan where it was given, or is not known.
+        Its standard deviation, if the camera was level [rad]; nan if the slope was given or is unknown.
     placed : bool
-        Whether x runs along the plane and y is the height above it; otherwise the fit has to find out.
+        Whether x runs along the plane and y is the height above it; otherwise the fit determines the axes.
     view : View or None
-        How picture and plane belong together, of a film.
+        Mapping between picture and plane, of a film.
     source : str
-        Where it comes from.
+        Name of the film or file.
     notes : tuple of str
-        What a person should know about it, a sentence each.
+        Remarks, one sentence each.
     """
 
     t: Floats
@@ -186,11 +186,11 @@ class Track:
 
     @property
     def found(self) -> NDArray[np.bool_]:
-        """Whether the hoop was found in each frame [1]."""
+        """True for each frame in which the hoop was found [1]."""
         return np.array([word != LOST for word in self.state])
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it as numbers and words, nan as None.
+        """Convert to a dictionary, nan as None.
 
         Returns
         -------
@@ -206,7 +206,7 @@ class Track:
         return head | {"state": list(self.state), "columns": columns}
 
     def save(self, path: str | Path) -> None:
-        """Write it as JSON, which holds everything, or as CSV, the table alone.
+        """Write the track as JSON, or its table as CSV.
 
         Parameters
         ----------
@@ -216,7 +216,7 @@ class Track:
         Raises
         ------
         ValueError
-            If it ends otherwise.
+            If the name has another ending.
         OSError
             If it cannot be written.
         """
@@ -237,7 +237,7 @@ class Track:
         return values if index is None else values[:, index]
 
     def rows(self) -> Iterable[list[str]]:
-        """The table as text: names with units, then a row a frame; an empty cell is what is not known.
+        """The table as text: names with units, then one row per frame; unknown values are empty cells.
 
         Yields
         ------
@@ -260,16 +260,16 @@ def track_of(
     state: Iterable[str] | None = None,
     **others: Any,
 ) -> Track:
-    """A track from the columns that are known; the others are nan.
+    """Make a track from the known columns; the others are nan.
 
     Parameters
     ----------
     t : ndarray, shape (n,)
         Times [s].
     columns : dict
-        By names of COLUMNS.
+        By name in COLUMNS.
     state : iterable of str, optional
-        By default from what is known in each row.
+        By default from the known values of each row.
     **others
         Attributes of the track.
 
@@ -280,7 +280,7 @@ def track_of(
     Raises
     ------
     ValueError
-        If there are less than three rows, times do not increase or nothing is known.
+        If there are fewer than three rows, times do not increase, or no row has a value.
     """
     count = len(t)
     if count < 3:
@@ -298,13 +298,13 @@ def track_of(
         if name in columns:
             arrays[attribute][(slice(None), index) if index is not None else slice(None)] = columns[name]
     arrays["t"] = t
-    # half a place is no place
+    # drop positions with only one coordinate
     for name in PAIRS:
         arrays[name][~np.isfinite(arrays[name]).all(axis=1)] = np.nan
     placed = np.isfinite(arrays["centre"][:, 0])
     marked = np.isfinite(arrays["marker"][:, 0]) | np.isfinite(arrays["angle"])
     if not (placed | marked).any():
-        raise InputError(f"{others.get('source') or 'The track'} says in no row where the hoop is.")
+        raise InputError(f"{others.get('source') or 'The track'} has the hoop in no row.")
     if state is None:
         only_marker = not placed.any()
         state = (FOUND if b and (a or only_marker) else UNMARKED if a else LOST for a, b in zip(placed, marked, strict=True))
@@ -312,13 +312,13 @@ def track_of(
 
 
 def track_from_dict(data: Any, name: str) -> Track:
-    """The track that `Track.to_dict` wrote.
+    """Return the track that `Track.to_dict` wrote.
 
     Parameters
     ----------
     data : dict
     name : str
-        Of the file, for what is said about it.
+        Name of the file, for messages.
 
     Returns
     -------
@@ -348,7 +348,7 @@ def track_from_dict(data: Any, name: str) -> Track:
     except InputError:
         raise
     except (KeyError, TypeError, AttributeError, ValueError) as error:
-        raise InputError(f"{name} is not whole: {error}.") from None
+        raise InputError(f"{name} is incomplete: {error}.") from None
 
 
 def _view_from_dict(data: Any, name: str) -> View:

@@ -21,20 +21,20 @@ OMEGAS = {"omega", "ω", "angular_velocity"}
 class Column(NamedTuple):
     """A column of a table."""
 
-    point: str  # whose it is, in Tracker's words; '' where there is one point only
+    point: str  # name of the point in Tracker; '' if there is only one
     name: str
-    unit: str  # '' where it is not written
-    values: Floats  # nan where the cell is empty
+    unit: str  # '' if it is not written
+    values: Floats  # nan for empty cells
 
 
 def read_columns(text: str, name: str) -> list[Column]:
-    """The columns of a table with tab, semicolon or comma between cells, and point or comma in numbers.
+    """Read a table with tab, semicolon or comma between cells, and point or comma in numbers.
 
     Parameters
     ----------
     text : str
     name : str
-        Of the file, for what is said about it.
+        Name of the file, for messages.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def read_columns(text: str, name: str) -> list[Column]:
     while lines and lines[0].lstrip().startswith("#"):
         lines.pop(0)  # '#multi:' and comments
     if len(lines) < 2:
-        raise InputError(f"{name} holds no table.")
+        raise InputError(f"{name} has no table.")
     separator = _separator(lines)
     rows = [[cell.strip().strip('"').strip() for cell in line.split(separator)] for line in lines]
     first = next((k for k, row in enumerate(rows) if _is_data(row)), len(rows))
@@ -66,14 +66,14 @@ def read_columns(text: str, name: str) -> list[Column]:
     result = []
     for k, head in enumerate(heads):
         if head:
-            word, unit = _parted(head)
+            word, unit = _split_head(head)
             cells = [row[k] if k < len(row) else "" for row in rows[first:]]
             result.append(Column(points[k], word, unit, _numbers(cells, name, head)))
     return result
 
 
 def _separator(lines: list[str]) -> str:
-    """The sign that parts as many lines as possible into equally many cells; a comma may be a decimal one."""
+    """Return the separator that divides most lines into equally many cells; a comma may be a decimal one."""
     sample = lines[: min(len(lines), 40)]
     for sign in ("\t", ";"):
         if sum(sign in line for line in sample) > 0.5 * len(sample):
@@ -82,7 +82,7 @@ def _separator(lines: list[str]) -> str:
 
 
 def _is_data(row: list[str]) -> bool:
-    """A row with numbers and no words but those of a last column, such as a state."""
+    """Return True for a row of numbers; its last column may have words, such as a state."""
     filled = [cell for cell in row if cell]
     return bool(filled) and NUMBER.fullmatch(filled[0]) is not None
 
@@ -91,17 +91,17 @@ NOTHING = ("", "nan", "na", "n/a", "-", "null", "none")
 
 
 def _numbers(cells: list[str], name: str, head: str) -> Floats:
-    """A column; one of words, such as a state, is all nan."""
+    """Return a column; one of words, such as a state, is all nan."""
     fits = [NUMBER.fullmatch(cell) is not None for cell in cells]
     if any(fits):
         for k, (cell, fit) in enumerate(zip(cells, fits, strict=True)):
             if not fit and cell.lower() not in NOTHING:
-                raise InputError(f"{name} has {cell[:40]!r} in column {head}, row {k + 1}, where a number must stand.")
+                raise InputError(f"{name} has {cell[:40]!r} in column {head}, row {k + 1}, which must be a number.")
     return np.array([float(cell.replace(",", ".")) if fit else np.nan for cell, fit in zip(cells, fits, strict=True)])
 
 
 def _points(row: list[str], count: int) -> list[str]:
-    """Whose each column is: a name stands over the first of its columns."""
+    """Return the point of each column: its name is above its first column."""
     result, now = [], ""
     for k in range(count):
         if k < len(row) and row[k]:
@@ -110,8 +110,8 @@ def _points(row: list[str], count: int) -> list[str]:
     return result
 
 
-def _parted(head: str) -> tuple[str, str]:
-    """A column's name and unit: 'x [m]', 'x (m)', 'x'."""
+def _split_head(head: str) -> tuple[str, str]:
+    """Split the head of a column into name and unit: 'x [m]', 'x (m)', 'x'."""
     found = re.fullmatch(r"(.*?)\s*[\[(]\s*([^\])]*)\s*[\])]", head)
     word, unit = (found[1], found[2]) if found else (head, "")
     word = word.strip().strip("$").replace("_{r}", "r").replace("{", "").replace("}", "").replace(" ", "_").lower()
@@ -128,9 +128,9 @@ def in_metres(column: Column, name: str) -> Floats:
     Raises
     ------
     ValueError
-        If its unit is not known.
+        If its unit is unknown.
     """
-    return _scaled(column, LENGTHS, name)
+    return _convert(column, LENGTHS, name)
 
 
 def in_seconds(column: Column, name: str) -> Floats:
@@ -139,12 +139,12 @@ def in_seconds(column: Column, name: str) -> Floats:
     Raises
     ------
     ValueError
-        If its unit is not known.
+        If its unit is unknown.
     """
-    return _scaled(column, TIMES, name)
+    return _convert(column, TIMES, name)
 
 
-def _scaled(column: Column, units: dict[str, float], name: str) -> Floats:
+def _convert(column: Column, units: dict[str, float], name: str) -> Floats:
     if column.unit not in units:
         known = ", ".join(unit for unit in units if unit)
         raise InputError(f"{name} gives {column.name} in {column.unit!r}; known units are {known}.")
@@ -152,7 +152,7 @@ def _scaled(column: Column, units: dict[str, float], name: str) -> Floats:
 
 
 def in_radians(column: Column, t: Floats, omega: Column | None, unit: str | None, name: str) -> Floats:
-    """Values of an angle; where no unit is written, the angular velocity beside it tells [rad].
+    """Values of an angle; without a unit, the column of the angular velocity determines it [rad].
 
     Parameters
     ----------
@@ -162,29 +162,27 @@ def in_radians(column: Column, t: Floats, omega: Column | None, unit: str | None
     omega : Column or None
         Angular velocity, with a unit or in rad/s [rad/s].
     unit : {'rad', 'deg'} or None
-        What a person says.
+        Given unit.
     name : str
         Of the file.
 
     Returns
     -------
     angle : ndarray, shape (n,)
-        Without jumps of a turn [rad].
+        Without jumps of 2π [rad].
 
     Raises
     ------
     ValueError
-        If the unit cannot be told.
+        If the unit is unknown.
     """
     said = unit or column.unit.replace("°", "deg").replace("degrees", "deg").replace("radians", "rad")
     if said not in ("", "rad", "deg"):
         raise InputError(f"{name} gives {column.name} in {column.unit!r}; known units are rad and deg.")
     if not said:
-        said = _told_by(column.values, t, omega)
+        said = _guess_unit(column.values, t, omega)
     if not said:
-        raise InputError(
-            f"{name} does not say whether {column.name} is in radians or degrees: give the unit of angles, rad or deg."
-        )
+        raise InputError(f"{name} has no unit of {column.name}: give the unit of angles, rad or deg.")
     turn = 2 * np.pi if said == "rad" else 360.0
     values = column.values.copy()
     there = np.flatnonzero(np.isfinite(values))
@@ -192,11 +190,11 @@ def in_radians(column: Column, t: Floats, omega: Column | None, unit: str | None
     return values * (2 * np.pi / turn)
 
 
-def _told_by(values: Floats, t: Floats, omega: Column | None) -> str:
+def _guess_unit(values: Floats, t: Floats, omega: Column | None) -> str:
     if omega is None or "deg" in omega.unit or "°" in omega.unit:
         return ""
     steps = np.diff(values)
-    steps = np.where(np.abs(steps) < 0.5 * np.nanmax(np.abs(values)) + 1e-12, steps, np.nan)  # but for jumps of a turn
+    steps = np.where(np.abs(steps) < 0.5 * np.nanmax(np.abs(values)) + 1e-12, steps, np.nan)  # without jumps of 2π
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = steps / np.diff(t) / (0.5 * (omega.values[1:] + omega.values[:-1]))
     usual = float(np.nanmedian(np.abs(ratio))) if np.isfinite(ratio).any() else np.nan

@@ -21,7 +21,7 @@ MOST_FRAMES = 10_000_000
 
 
 class Points(NamedTuple):
-    """A point mass: where it was marked."""
+    """A point mass with its marks."""
 
     name: str
     frames: NDArray[np.int64]  # numbers of frames
@@ -29,7 +29,7 @@ class Points(NamedTuple):
 
 
 class Project(NamedTuple):
-    """What a Tracker file says about points."""
+    """Points and times of a Tracker file."""
 
     points: list[Points]
     start_frame: int
@@ -56,7 +56,7 @@ def read_project(path: Path) -> Project:
     Raises
     ------
     ValueError
-        If it is not a file of Tracker, or holds no points.
+        If it is not a file of Tracker, or has no points.
     OSError
         If it cannot be read.
     """
@@ -70,12 +70,12 @@ def read_project(path: Path) -> Project:
     if step is None:
         step = _value(_property(clip, "video"), "delta_t")
     if step is None or not step > 0:
-        raise InputError(f"{path} does not say the time between frames (delta_t).")
+        raise InputError(f"{path} has no time between frames (delta_t).")
     axes = _axes(panel, path)
     masses = [one for one in panel.iter("object") if one.get("class", "").endswith(".tracker.PointMass")]
     points = [found for one in masses if (found := _points(one, axes, path)) is not None]
     if not points:
-        raise InputError(f"{path} holds no point mass with marks.")
+        raise InputError(f"{path} has no point mass with marks.")
     unit = _text(panel, "length_unit") or ""
     first = _value(clip, "startframe") or 0.0
     return Project(points, int(first), 1e-3 * (_value(clip, "starttime") or 0.0), 1e-3 * step, unit)
@@ -88,7 +88,7 @@ def _root(path: Path) -> ElementTree.Element:
             with zipfile.ZipFile(path) as archive:
                 names = [name for name in archive.namelist() if name.lower().endswith(".trk")]
                 if not names:
-                    raise InputError(f"{path} holds no .trk file.")
+                    raise InputError(f"{path} has no .trk file in it.")
                 info = archive.getinfo(names[0])
                 data = archive.read(info) if info.file_size <= MOST_BYTES else b""
     except zipfile.BadZipFile:
@@ -102,12 +102,12 @@ def _root(path: Path) -> ElementTree.Element:
         raise InputError(f"{path} declares entities, which a file of Tracker does not.")
     try:
         return ElementTree.parse(io.BytesIO(data)).getroot()
-    except (ElementTree.ParseError, ValueError, LookupError) as error:  # the latter two of an unknown encoding
+    except (ElementTree.ParseError, ValueError, LookupError) as error:  # the last two: unknown encoding
         raise InputError(f"{path} is not valid XML: {error}.") from None
 
 
 def _property(parent: ElementTree.Element | None, name: str) -> ElementTree.Element | None:
-    """The object, or the property itself, that a name stands for in an object."""
+    """Return the object of a property, or the property itself."""
     if parent is None:
         return None
     for one in parent.findall("property"):
@@ -136,7 +136,7 @@ def _value(parent: ElementTree.Element | None, name: str) -> float | None:
 
 
 class _Axes(NamedTuple):
-    """Origin [pixel], direction [rad] and scale [pixel/unit] from a frame on."""
+    """Origin [pixel], direction [rad] and scale [pixel/unit], from a frame on."""
 
     frame: int
     x: float
@@ -157,7 +157,7 @@ def _axes(panel: ElementTree.Element, path: Path) -> list[_Axes]:
         if len(numbers) == 5 and numbers[3] * numbers[4] > 0:
             result.append(_Axes(_index(one), numbers[0], numbers[1], np.radians(numbers[2]), numbers[3], numbers[4]))
     if not result:
-        raise InputError(f"{path} holds no axes and scale (coords).")
+        raise InputError(f"{path} has no axes and scale (coords).")
     return sorted(result)
 
 
@@ -177,14 +177,14 @@ def _points(mass: ElementTree.Element, axes: list[_Axes], path: Path) -> Points 
             continue
         now = [each for each in axes if each.frame <= number][-1:] or axes[:1]
         frames.append(number)
-        places.append(_placed(x, y, now[0]))
+        places.append(_in_axes(x, y, now[0]))
     if not frames:
         return None
     order = np.argsort(frames)
     return Points(_text(mass, "name") or "point", np.array(frames)[order], np.array(places)[order])
 
 
-def _placed(column: float, row: float, axes: _Axes) -> tuple[float, float]:
+def _in_axes(column: float, row: float, axes: _Axes) -> tuple[float, float]:
     x, y = (column - axes.x) / axes.x_scale, (row - axes.y) / axes.y_scale
     cos, sin = np.cos(axes.angle), np.sin(axes.angle)
     return float(cos * x - sin * y), float(-sin * x - cos * y)

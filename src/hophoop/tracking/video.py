@@ -1,4 +1,4 @@
-"""Pictures of a video one after the other, with the times that the file gives them, and a film written picture by picture."""
+"""Read pictures of a video with their times, and write a film picture by picture."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from hophoop.scenario import InputError
 Bytes = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
-# How far right of the first luma sample the first chroma sample stands, in luma pixels: H.264 and its successors put it
-# there itself, JPEG between two.
+# The first chroma sample is at the first luma sample in H.264 and its successors, half a luma pixel to the right of it in
+# JPEG.
 CENTRED_CHROMA = ("mjpeg",)
-TICKS = 90_000  # of a written film, a second
+TICKS = 90_000  # of a written film, per second
 SMALLEST, LARGEST = 32, 16384  # side of a picture [pixel]
 
 
@@ -45,23 +45,23 @@ class Picture:
 
 
 def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
-    """The frames of a video in the order in which they are shown, one in memory at a time.
+    """Yield the frames of a video in the order of display, one in memory at a time.
 
     Parameters
     ----------
     path : str or Path
     rate : float, optional
-        Frames a second as they were taken, where the file's own times are not to be believed, such as in slow motion [Hz].
+        Frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz].
 
     Yields
     ------
     picture : Picture
-        Its time is that of the file, less that of the first frame.
+        Its time is the file's, relative to the first frame.
 
     Raises
     ------
     ValueError
-        If the file is no video that can be read, or its frames have no times.
+        If the file is no readable video, or its frames have no times.
     OSError
         If the file cannot be opened.
     ImportError
@@ -71,7 +71,7 @@ def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
     file = Path(path)
     with _refusals(file, av), av.open(_local(file)) as box:
         if not box.streams.video:
-            raise InputError(f"{file} holds no video.")
+            raise InputError(f"{file} has no video.")
         stream = box.streams.video[0]
         stream.thread_type = "AUTO"
         shift = 0.5 if stream.codec_context.name in CENTRED_CHROMA else 0.0
@@ -80,18 +80,18 @@ def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
             if rate is not None:
                 t = k / rate
             elif frame.pts is None:
-                raise InputError(f"{file} does not say when its frames were taken: give the rate, in frames a second.")
+                raise InputError(f"{file} has no times of its frames: give the rate, in frames per second.")
             else:
                 t = float((frame.pts - (first or 0)) * frame.time_base) if first is not None else 0.0
                 first = frame.pts if first is None else first
                 if last is not None and not t > last:
-                    continue  # a frame that is shown twice
+                    continue  # a repeated frame
             last = t
             yield _picture(frame, t, shift, file)
 
 
 def _local(file: Path) -> str:
-    """Return a name that FFmpeg opens as a file of this machine; by itself it reads 'http:' or 'tcp:' as a protocol."""
+    """Return a name that FFmpeg opens as a local file; otherwise it reads 'http:' or 'tcp:' as a protocol."""
     address = re.match(r"([A-Za-z][A-Za-z0-9+.-]+):[/\\]+", str(file))
     if address is not None and not file.exists():
         shown = f"{address[1]}://{str(file)[address.end() :]}"
@@ -118,7 +118,7 @@ def _picture(frame: Any, t: float, shift: float, file: Path) -> Picture:
         frame = frame.reformat(format="yuv420p")
     luma, blue, red = (_plane(plane) for plane in frame.planes[:3])
     turn = round(-getattr(frame, "rotation", 0) / 90) % 4
-    if turn:  # a phone held upright writes it into the file instead of turning the picture
+    if turn:  # phones write the rotation into the file instead of rotating the picture
         luma, blue, red = (np.ascontiguousarray(np.rot90(plane, -turn)) for plane in (luma, blue, red))
     return Picture(t, luma, blue, red, shift)
 
@@ -129,7 +129,7 @@ def _plane(plane: Any) -> Bytes:
 
 
 def count(path: str | Path) -> int | None:
-    """How many frames a video says that it has.
+    """Number of frames by the header of a video.
 
     Parameters
     ----------
@@ -138,12 +138,12 @@ def count(path: str | Path) -> int | None:
     Returns
     -------
     frames : int or None
-        None where the file does not say [1].
+        None if the header has none [1].
 
     Raises
     ------
     ValueError
-        If the file is no video that can be read.
+        If the file is no readable video.
     OSError
         If the file cannot be opened.
     ImportError
@@ -153,7 +153,7 @@ def count(path: str | Path) -> int | None:
     file = Path(path)
     with _refusals(file, av), av.open(_local(file)) as box:
         if not box.streams.video:
-            raise InputError(f"{file} holds no video.")
+            raise InputError(f"{file} has no video.")
         stream = box.streams.video[0]
         if stream.frames:
             return int(stream.frames)
@@ -168,10 +168,10 @@ class _Sample:
     following: Picture | None = None
 
 
-def kept(
+def sample_pictures(
     path: str | Path, rate: float | None, most_bytes: float = 2e8, fewest: int = 8, most: int = 16
 ) -> list[tuple[Picture, Picture | None]]:
-    """Pictures spread evenly over a video, in memory that does not grow with its length.
+    """Return pictures spread evenly over a video, in memory that does not grow with its length.
 
     Parameters
     ----------
@@ -179,19 +179,19 @@ def kept(
     rate : float, optional
         As in `pictures` [Hz].
     most_bytes : float, default 2e8
-        Memory that they take at most, unless `fewest` take more [1].
+        Maximum memory, unless `fewest` pictures take more [1].
     fewest, most : int, default 8 and 16
-        Between how many and twice how many there are; all, where the video has fewer [1].
+        There are from `fewest` to twice `most` pictures; all if the video has fewer [1].
 
     Returns
     -------
     pictures : list of (Picture, Picture or None)
-        The first one and every n-th that follows, each with the picture after it.
+        The first one and every n-th after it, each with the next picture.
 
     Raises
     ------
     ValueError
-        If the file is no video that can be read, or has fewer than three frames.
+        If the file is no readable video, or has fewer than three frames.
     OSError
         If the file cannot be opened.
     """
@@ -215,7 +215,7 @@ def kept(
 
 
 def rgb(picture: Picture) -> Bytes:
-    """A picture in colour, for drawing on it.
+    """Convert a picture to RGB.
 
     Parameters
     ----------
@@ -238,7 +238,7 @@ def rgb(picture: Picture) -> Bytes:
 
 
 class Writer:
-    """Writes pictures into an MP4 file; used inside `writing`."""
+    """Writes pictures into an MP4 file; used inside `open_writer`."""
 
     def __init__(self, box: Any, av: Any, size: tuple[int, int], every: int | None = None) -> None:
         self._box, self._av = box, av
@@ -250,7 +250,7 @@ class Writer:
         self._stream.options = {"crf": "20", "preset": "veryfast"} | ({} if every is None else {"g": str(every)})
 
     def add(self, colours: Bytes, t: float) -> None:
-        """Append a picture shown from a time on [s]."""
+        """Append a picture that is shown from a time on [s]."""
         image = np.ascontiguousarray(colours[: self._stream.height, : self._stream.width])
         frame = self._av.VideoFrame.from_ndarray(image, format="rgb24")
         self._last = max(self._last + 1, round(t * TICKS))
@@ -258,13 +258,13 @@ class Writer:
         self._box.mux(self._stream.encode(frame))
 
     def end(self) -> None:
-        """Write what the encoder still holds."""
+        """Flush the encoder."""
         self._box.mux(self._stream.encode())
 
 
 @contextmanager
-def writing(path: Path, size: tuple[int, int], every: int | None = None) -> Iterator[Writer]:
-    """A film that is there whole when all went well, or not at all.
+def open_writer(path: Path, size: tuple[int, int], every: int | None = None) -> Iterator[Writer]:
+    """Open a film for writing; it appears whole or not at all.
 
     Parameters
     ----------
@@ -273,7 +273,7 @@ def writing(path: Path, size: tuple[int, int], every: int | None = None) -> Iter
     size : tuple of int
         Width and height [pixel].
     every : int, optional
-        Frames from one that can be shown by itself to the next, where a player is to jump to any [1].
+        Frames between key frames, for players that seek [1].
 
     Yields
     ------
@@ -294,7 +294,7 @@ def writing(path: Path, size: tuple[int, int], every: int | None = None) -> Iter
 
 
 def jpeg(colours: Bytes) -> bytes:
-    """A picture as a JPEG file.
+    """Encode a picture as JPEG.
 
     Parameters
     ----------

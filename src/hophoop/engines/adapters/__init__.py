@@ -1,4 +1,4 @@
-"""Adapters to physics engines: a module each, which imports its engine only where it runs."""
+"""Adapters to physics engines, one module each, which imports its engine when it runs."""
 
 from __future__ import annotations
 

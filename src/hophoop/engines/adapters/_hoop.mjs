@@ -1,4 +1,4 @@
-// What the adapters in JavaScript share: the task from standard input, the loop, and the record on standard output.
+// Shared by the adapters in JavaScript: the task from standard input, the loop, and the record on standard output.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";

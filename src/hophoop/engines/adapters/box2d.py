@@ -19,7 +19,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
 
 
 def run(task: Task, dt: float, velocity_iterations: int = 8, position_iterations: int = 3) -> States:
-    """Run a task with so many iterations a step for velocities and for positions."""
+    """Run a task; the settings are the iterations per step."""
     b2 = engine_module("Box2D")
     world = b2.b2World(gravity=task.pull, doSleep=False)
     ground = world.CreateStaticBody()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from hophoop.engines.adapters.hophoop import sampled, scenario_of
+from hophoop.engines.adapters.hophoop import sample_motion, scenario_of
 from hophoop.engines.task import States, Task
 from hophoop.scenario import Compliant
 
@@ -22,4 +22,4 @@ SETTINGS: dict[str, dict[str, Any]] = {
 def run(task: Task, dt: float, law: str = "kelvin-voigt", rtol: float = 1e-9) -> States:
     """Run a task with the stiffness m/dt²."""
     contact = Compliant(stiffness=task.mass / dt**2, law=law, rtol=rtol)
-    return sampled(scenario_of(task, contact), 0.0)
+    return sample_motion(scenario_of(task, contact), 0.0)

@@ -19,7 +19,7 @@ SETTINGS: dict[str, dict[str, Any]] = {"default": {}}
 
 
 def scenario_of(task: Task, contact: Rigid | Compliant) -> Scenario:
-    """The scenario of a task; where engines state a restitution, it is Newton's.
+    """Return the scenario of a task, with Newton's law of restitution as in other engines.
 
     Parameters
     ----------
@@ -51,14 +51,14 @@ def scenario_of(task: Task, contact: Rigid | Compliant) -> Scenario:
     )
 
 
-def sampled(scenario: Scenario, dt: float) -> States:
-    """A motion of hophoop as an adapter returns it.
+def sample_motion(scenario: Scenario, dt: float) -> States:
+    """Simulate and sample a motion.
 
     Parameters
     ----------
     scenario : Scenario
     dt : float
-        Between two states [s].
+        Time between two states [s].
 
     Returns
     -------
@@ -72,4 +72,4 @@ def sampled(scenario: Scenario, dt: float) -> States:
 
 def run(task: Task, dt: float) -> States:
     """Run a task with rigid contact."""
-    return sampled(scenario_of(task, Rigid()), dt)
+    return sample_motion(scenario_of(task, Rigid()), dt)

@@ -5,13 +5,13 @@ const found = await load("matter-js");
 const { Engine, Composite, Bodies, Body } = found.default ?? found;
 const began = performance.now();
 const { settings, gravity_center: start } = task;
-const scale = settings.pixels ?? 100; // pixels a metre
+const scale = settings.pixels ?? 100; // pixels per metre
 const ms = 1000 * task.dt;
 const engine = Engine.create({
   positionIterations: settings.positionIterations ?? 6,
   velocityIterations: settings.velocityIterations ?? 4,
 });
-// y is down; a force of mass × gravity × scale acts for each millisecond squared
+// y points down; forces are mass × gravity × scale per millisecond squared
 const pull = Math.hypot(task.gravity_along, task.gravity_off);
 Object.assign(engine.gravity, { x: task.gravity_along / pull, y: -task.gravity_off / pull, scale: (pull * scale) / 1e6 });
 const surface = { friction: task.mu, frictionStatic: settings.frictionStatic ?? 0.5, slop: settings.slop ?? 0.05 };
@@ -24,7 +24,7 @@ Body.setMass(body, task.mass);
 Body.setInertia(body, task.inertia * scale * scale);
 Body.setPosition(body, { x: start.x * scale, y: -start.y * scale });
 Body.setAngle(body, -start.turn);
-// Body.setVelocity takes pixels a 1/60 s
+// Body.setVelocity takes pixels per 1/60 s
 const base = 1000 / 60;
 Body.setVelocity(body, { x: (start.vx * scale * base) / 1000, y: (-start.vy * scale * base) / 1000 });
 Body.setAngularVelocity(body, (-start.spin * base) / 1000);

@@ -8,7 +8,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-FOLDER = "HOPHOOP_NPM"  # environment variable: the folder in which npm installed them
+FOLDER = "HOPHOOP_NPM"  # environment variable with the folder of node_modules
 
 
 @dataclass(frozen=True)
@@ -18,11 +18,11 @@ class NodeEngine:
     Attributes
     ----------
     package : str
-        Its name in the npm registry.
+        Name in the npm registry.
     script : str
         The adapter's file.
     title, model, contact : str
-        As of every engine.
+        As in `Engine`.
     step : float
         The manual's time step [s].
     settings : dict
@@ -38,12 +38,12 @@ class NodeEngine:
     settings: dict[str, dict[str, Any]]
 
     def command(self) -> list[str]:
-        """What runs it."""
+        """The command that runs it."""
         return ["node", str(files("hophoop.engines.adapters").joinpath(self.script))]
 
 
 def npm_folder() -> Path:
-    """The folder whose node_modules hold the engines: that of the environment variable, or the present one."""
+    """Return the folder whose node_modules has the engines: that of the environment variable, or the present one."""
     return Path(os.environ.get(FOLDER, "."))
 
 

@@ -1,4 +1,4 @@
-"""PyBullet: a sphere on a plane; nothing drives it out of the plane of the motion."""
+"""PyBullet: a sphere on a plane, free in 3D."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def run(
         ball = bullet.createCollisionShape(
             bullet.GEOM_SPHERE, radius=task.radius, collisionFramePosition=(0.0, 0.0, -task.arm), physicsClientId=client
         )
-        # a turn about −y takes z to −x: counterclockwise in x and z, as Body has it
+        # a rotation about −y moves z to −x: counterclockwise in x and z, as in BodyState
         half = 0.5 * start.turn
         body = bullet.createMultiBody(
             task.mass, ball, basePosition=(start.x, 0.0, start.y),

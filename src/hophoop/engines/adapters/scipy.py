@@ -1,4 +1,4 @@
-"""SciPy's solve_ivp with events: the rigid equations written down by a user, one mode after another."""
+"""SciPy's solve_ivp with events: the rigid equations as a user would write them, mode after mode."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
     "tuned": {"method": "DOP853", "rtol": 1e-12, "atol": 1e-12},
 }
 ROLL, FLIGHT = "roll", "flight"  # slip is a sign, that of the slip velocity
-CLOSED = 1e-7  # m/s: slower bounces are over
+CLOSED = 1e-7  # m/s, below which bounces end
 
 
 def run(task: Task, dt: float, method: str = "RK45", rtol: float = 1e-3, atol: float = 1e-6) -> States:
@@ -47,7 +47,7 @@ def run(task: Task, dt: float, method: str = "RK45", rtol: float = 1e-3, atol: f
         if done.status == 1:
             mode = _after(task, state, mode)
     every, columns = np.concatenate(times), np.concatenate(rows)
-    fresh = np.concatenate([np.diff(every) > 1e-9, [True]])  # the state after an event, not before it
+    fresh = np.concatenate([np.diff(every) > 1e-9, [True]])  # the state after an event
     return States(every[fresh], *columns[fresh].T)
 
 
@@ -126,10 +126,10 @@ def _after(task: Task, s: Floats, mode: Any) -> Any:
 
 
 def _impact(task: Task, s: Floats) -> None:
-    """Newton's law off the plane and Coulomb's along it, in impulses."""
+    """Apply Newton's law of restitution and Coulomb's law to the impulses."""
     sine, cosine = math.sin(s[2]), math.cos(s[2])
     lever = np.array([-(task.radius + task.arm * cosine), task.arm * sine])  # of F and N about G
-    push = np.eye(2) / task.mass + np.outer(lever, lever) / task.inertia  # velocities of the rim's point a unit impulse
+    push = np.eye(2) / task.mass + np.outer(lever, lever) / task.inertia  # velocities of the rim's point per unit impulse
     slip = s[3] - task.radius * s[5]
     bounce = 0.0 if -s[4] < CLOSED else task.restitution
     wanted = np.array([-slip, -(1.0 + bounce) * s[4]])

@@ -1,26 +1,24 @@
-"""What `hophoop prove` prints of boxes, thresholds and the article's statements."""
+"""Boxes, thresholds and the article's statements of `hophoop prove`."""
 
 from __future__ import annotations
 
-import json as json_text
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
 
-from hophoop.cli._output import console_of
+from hophoop.cli._output import print_json, write_json
+from hophoop.cli._tables import print_table, table_of
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from hophoop.prove import ProvedMap, ProvedNumber, ProvedStatement
 
 ALL = "all"
 
 
 def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None, out: Path | None, json: bool) -> None:
-    """Prove a window of parameters box by box; the share that is proved, and of which sequences."""
+    """Prove a window of parameters box by box; print the proved share of each sequence."""
     from hophoop._version import __version__
     from hophoop.cli._output import named_options
     from hophoop.prove import prove_map
@@ -37,7 +35,7 @@ def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None
     }
     _give(result, out, json)
     if not json:
-        _print(_of_boxes(found))
+        _print_boxes(found)
         left = sum(not cell.proved for cell in found.cells)
         typer.echo(
             f"proved  {100 * found.share():.4g} % of the window, in {len(found.cells) - left} boxes; {left} are undecided"
@@ -45,7 +43,7 @@ def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None
 
 
 def _ranges(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
-    """`plane.mu=0.1:1.5` and so on."""
+    """Read ranges such as `plane.mu=0.1:1.5`."""
     from hophoop.scenario import InputError
 
     ranges: dict[str, tuple[float, float]] = {}
@@ -57,23 +55,24 @@ def _ranges(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
         except ValueError:
             colon = ""
         if not colon:
-            raise InputError(f"--boxes {text} must be PATH=LEAST:GREATEST, such as plane.mu=0.9:1.1.")
+            raise InputError(f"--boxes {text} must be PATH=LOW:HIGH, such as plane.mu=0.9:1.1.")
         if path in ranges:
             raise InputError(f"--boxes names {path} twice.")
         ranges[path] = ends
     return ranges
 
 
-def _of_boxes(found: ProvedMap) -> Table:
-    table = _table(("sequence", "boxes", "share of the window"))
+def _print_boxes(found: ProvedMap) -> None:
+    titles = ("sequence", "boxes", "share of the window")
+    rows = []
     for sequence in found.sequences():
         count = sum(cell.proved and cell.sequence == sequence for cell in found.cells)
-        table.add_row(sequence, str(count), f"{100 * found.share(sequence):.4g} %")
-    return table
+        rows.append((sequence, str(count), f"{100 * found.share(sequence):.4g} %"))
+    print_table(table_of(titles, rows, wrap=titles), 200)
 
 
 def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bool) -> None:
-    """Prove critical speeds and thresholds; status 1 where one of those asked for is not proved."""
+    """Prove critical speeds and thresholds; status 1 if one of them is not proved."""
     from hophoop._version import __version__
     from hophoop.cli import NO_ANSWER, say
     from hophoop.prove.thresholds import KEYS, decided
@@ -82,7 +81,7 @@ def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bo
     wanted = list(KEYS) if text == ALL else text.split(",")
     unknown = [key for key in wanted if key not in KEYS]
     if unknown:
-        raise InputError(f"--thresholds has {unknown[0]!r}, which must be {ALL} or some of {', '.join(KEYS)}.")
+        raise InputError(f"--thresholds has {unknown[0]!r}, which must be {ALL} or names of {', '.join(KEYS)}.")
     numbers, reasons = decided(scenario, digits, wanted)
     result = {
         "schema": "hophoop-thresholds/1",
@@ -92,11 +91,12 @@ def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bo
     }
     _give(result, out, json)
     if not json:
-        table = _table(("threshold", "proved", "unit", "which says"))
-        for number in numbers:
-            unit = "" if number.unit == "1" else number.unit
-            table.add_row(number.key, str(number.enclosure), unit, number.statement)
-        _print(table)
+        rows = [
+            (number.key, str(number.enclosure), "" if number.unit == "1" else number.unit, number.statement)
+            for number in numbers
+        ]
+        titles = ("threshold", "proved", "unit", "statement")
+        print_table(table_of(titles, rows, wrap=("unit", "statement")), 200)
     for key, why in reasons.items():
         say(f"Undecided: {key}: {why}.")
     if reasons:
@@ -114,7 +114,7 @@ def _as_json(number: ProvedNumber) -> dict[str, str]:
 
 
 def statements(out: Path | None, json: bool) -> None:
-    """Prove the article's statements that are inequalities or sequences; status 1 where one is not proved."""
+    """Prove the article's statements that are inequalities or sequences; status 1 if one is not proved."""
     from hophoop._version import __version__
     from hophoop.cli import NO_ANSWER
     from hophoop.prove import statements as proved
@@ -123,37 +123,16 @@ def statements(out: Path | None, json: bool) -> None:
     rows = [{"key": one.key, "statement": one.statement, "proved": one.proved} for one in found]
     _give({"schema": "hophoop-statements/1", "version": __version__, "statements": rows}, out, json)
     if not json:
-        table = _table(("", "statement"))
-        for one in found:
-            table.add_row("proved" if one.proved else "undecided", one.statement)
-        _print(table)
+        verdicts = [("proved" if one.proved else "undecided", one.statement) for one in found]
+        print_table(table_of(("", "statement"), verdicts, wrap=("statement",)), 200)
         typer.echo(f"proved  {sum(one.proved for one in found)} of {len(found)}")
     if not all(one.proved for one in found):
         raise typer.Exit(NO_ANSWER)
 
 
 def _give(result: dict[str, Any], out: Path | None, json: bool) -> None:
-    """Write and print what was found as JSON, as asked."""
+    """Write and print a result as JSON, as asked."""
     if out is not None:
-        from hophoop._support.files import replacing
-
-        with replacing(out) as file:
-            file.write_text(json_text.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+        write_json(result, out, indent=1)
     if json:
-        typer.echo(json_text.dumps(result, ensure_ascii=False))
-
-
-def _table(titles: Sequence[str]) -> Table:
-    from rich import box
-    from rich.table import Table
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title in titles:
-        table.add_column(title, no_wrap=title in ("proved", "threshold", ""), overflow="fold")
-    return table
-
-
-def _print(table: Table) -> None:
-
-    console = console_of(200)
-    console.print(table)
+        print_json(result, indent=None)

@@ -1,4 +1,4 @@
-"""Take-offs, impacts and jams in a film: a ring that spreads as they happen, and a mark that stays on the plane."""
+"""Marks of take-offs, impacts and jams in a film: an expanding ring at the event, and a mark that stays on the plane."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hophoop.animate.canvas import Canvas, Points
+from hophoop.animate.canvas import Canvas, Points, TextStyle
 from hophoop.animate.themes import Theme
 from hophoop.plots.marks import clusters
 from hophoop.results.poses import Floats, to_world
@@ -15,18 +15,18 @@ from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.events import EVENTS, MARKS
 
 KINDS = tuple(kind for kind, facts in EVENTS.items() if facts.filmed)
-FLASH = 0.5  # how long a ring spreads [s of film]
-SPREAD = 0.45  # how far, in radii of the hoop
-MOST = 400  # of the last ones are drawn
-SIZE, FONT, LETTER = 5.0, 12.0, 7.4  # of marks and words, and width of a letter [units]
+FLASH = 0.5  # duration of the ring [s of film]
+SPREAD = 0.45  # its final radius, in radii of the hoop
+MOST = 400  # maximum number of marks, the last ones
+SIZE, FONT, LETTER = 5.0, 12.0, 7.4  # of marks and labels, and width of a letter [units]
 
-Seen = tuple[str, Points]  # kind of an event, and its place in the picture [pixels]
+ShownMark = tuple[str, Points]  # kind of an event, and its position in the picture [pixels]
 ToPixels = Callable[[Floats], Points | None]
 
 
 @dataclass(frozen=True)
-class Happening:
-    """An event that a film marks: what it is, when it happens [s], and where on the plane: along it, and in the world [m]."""
+class EventMark:
+    """A marked event: kind, time [s], and position along the plane and in the world [m]."""
 
     kind: str
     t: float
@@ -34,8 +34,8 @@ class Happening:
     place: Floats
 
 
-def happenings(motion: Trajectory, times: Floats) -> list[Happening]:
-    """The events to be marked in the pictures at some times.
+def event_marks(motion: Trajectory, times: Floats) -> list[EventMark]:
+    """Return the events to mark in a film.
 
     Parameters
     ----------
@@ -45,46 +45,46 @@ def happenings(motion: Trajectory, times: Floats) -> list[Happening]:
 
     Returns
     -------
-    found : list of Happening
+    found : list of EventMark
         In order of time.
     """
     slope = motion.scenario.plane.slope
     found = []
     for event in motion.events:
         if event.kind in KINDS and times[0] <= event.t <= times[-1]:
-            found.append(Happening(event.kind, event.t, event.x, to_world(event.x, 0.0, slope)))
+            found.append(EventMark(event.kind, event.t, event.x, to_world(event.x, 0.0, slope)))
     return found
 
 
-def draw_happenings(
+def draw_event_marks(
     canvas: Canvas,
     theme: Theme,
-    found: Sequence[Happening],
+    found: Sequence[EventMark],
     now: tuple[float, float, float],
     to_pixels: ToPixels,
     radius: float,
     below: float,
-) -> list[Seen]:
-    """Draw the signs of what has happened up to now, whose words `say_happenings` writes.
+) -> list[ShownMark]:
+    """Draw the marks of events up to now; `label_event_marks` writes their labels.
 
     Parameters
     ----------
     canvas : Canvas
     theme : Theme
-    found : sequence of Happening
+    found : sequence of EventMark
     now : tuple of float
-        Time of the motion [s], seconds of motion a second of film [1], and how long the film has stayed there [s of film].
+        Time of the motion [s], seconds of motion per second of film [1], and time of the final pause [s of film].
     to_pixels : callable
-        From the world to the canvas; None where a point cannot be seen.
+        From the world to the canvas; None for invisible points.
     radius : float
-        Of the hoop [pixels].
+        Radius of the hoop [pixels].
     below : float
-        How far under the plane words stand [pixels].
+        Distance of labels below the plane [pixels].
 
     Returns
     -------
     seen : list of (str, ndarray)
-        What each sign in the picture says, and its place on the plane [pixels].
+        Kind of each mark in the picture, and its position on the plane [pixels].
     """
     u = canvas.unit
     t, rate, still = now
@@ -103,17 +103,17 @@ def draw_happenings(
     return [(one.kind, spot) for one, spot in seen]
 
 
-def say_happenings(canvas: Canvas, theme: Theme, seen: Sequence[Seen], below: float) -> None:
-    """Write what has happened, under the plane: the words of all hoops in a view at once, so that none lies on another.
+def label_event_marks(canvas: Canvas, theme: Theme, seen: Sequence[ShownMark], below: float) -> None:
+    """Label the marks below the plane, those of all hoops in a view together, so that labels do not overlap.
 
     Parameters
     ----------
     canvas : Canvas
     theme : Theme
     seen : sequence of (str, ndarray)
-        As `draw_happenings` gives them [pixels].
+        From `draw_event_marks` [pixels].
     below : float
-        How far under the plane words stand [pixels].
+        Distance of labels below the plane [pixels].
     """
     if not seen:
         return
@@ -122,7 +122,7 @@ def say_happenings(canvas: Canvas, theme: Theme, seen: Sequence[Seen], below: fl
     across, up = (np.array([spot[k] for _, spot in ordered]) for k in (0, 1))
     for group in clusters(list(across / u), [kind for kind, _ in ordered], np.inf, LETTER):
         level = float(np.interp(group.middle * u, across, up))
-        canvas.text(group.middle * u, level - below, group.words, theme.ink, FONT, "center", vertical="center")
+        canvas.text(group.middle * u, level - below, group.words, TextStyle(theme.ink, FONT, "center", vertical="center"))
 
 
 def _mark(canvas: Canvas, theme: Theme, kind: str, spot: Points, size: float) -> None:

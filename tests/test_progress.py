@@ -1,0 +1,102 @@
+"""Progress: what a function reports, and the bar that a terminal shows of it."""
+
+import time
+
+import pytest
+from rich.console import Console
+
+import hophoop as hh
+from cli_tools import HOP, run
+from hophoop._support import progress as reporting
+from hophoop.simulation.event_errors import event_errors
+
+SOFT = hh.Scenario(contact=hh.Compliant(), duration=0.5)
+
+
+@pytest.fixture
+def terminal(monkeypatch):
+    monkeypatch.setattr(Console, "is_terminal", True)
+    monkeypatch.setenv("TERM", "xterm")
+
+
+def slowly(compute):
+    def computed(*given):
+        result = compute(*given)
+        time.sleep(0.05)  # compiled, it would be done before the first report
+        return result
+
+    return computed
+
+
+def test_a_compliant_motion_reports_its_share(monkeypatch):
+    from hophoop.simulation import compliant
+
+    monkeypatch.setattr(compliant, "simulate_compliant", slowly(compliant.simulate_compliant))
+    monkeypatch.setattr(reporting, "LOOKS", 0.002)
+    shares = []
+    motion = hh.simulate(SOFT, progress=shares.append)
+    assert shares == sorted(shares)
+    assert len(shares) > 2
+    assert 0.0 <= shares[0] <= shares[-2] <= 1.0 == shares[-1]
+    assert motion.tables["segments"].tobytes() == hh.simulate(SOFT).tables["segments"].tobytes()
+
+
+@pytest.mark.parametrize("more", [{}, {"digits": 15}])
+def test_a_rigid_motion_reports_its_end(more):
+    shares = []
+    hh.simulate(hh.Scenario(duration=0.5), progress=shares.append, **more)
+    assert shares == [1.0]
+
+
+def test_errors_of_events_report_their_share(monkeypatch):
+    from hophoop.kernel.rigid import errors
+
+    monkeypatch.setattr(errors, "event_errors", slowly(errors.event_errors))
+    monkeypatch.setattr(reporting, "LOOKS", 0.002)
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    shares = []
+    found = event_errors(motion, shares.append)
+    assert shares == sorted(shares)
+    assert 0.0 < shares[-2] < 1.0 == shares[-1]
+    assert found.t.tobytes() == motion.errors.t.tobytes()
+
+
+def test_an_error_of_the_computation_is_raised():
+    def breaks(share):
+        raise ValueError("hoop.radius is wrong.")
+
+    with pytest.raises(ValueError, match=r"^hoop\.radius is wrong\.$"):
+        reporting.compute_reporting(breaks, lambda share: None)
+
+
+@pytest.mark.parametrize(("soon", "shown"), [(0.0, True), (60.0, False)])
+def test_a_long_command_shows_a_bar_on_a_terminal(terminal, monkeypatch, soon, shown):
+    """`run` with a compliant contact, and its errors of events."""
+    monkeypatch.setattr(reporting, "SOON", soon)
+    soft = run("run", "--set", "contact.model=compliant", "--duration", 0.5).stderr
+    assert ("motion" in soft and "%" in soft) == shown
+    errors = run("run", *HOP, "--errors").stderr
+    assert ("errors" in errors and "100%" in errors) == shown
+    assert "motion" not in run("run", *HOP, "--quiet").stderr
+
+
+def test_a_bar_counts(terminal, capsys):
+    with reporting.bar("frames") as report:
+        report(3, 40)
+        report(4, 40, "more frames")
+    said = capsys.readouterr().err
+    assert "more frames" in said
+    assert "4/40" in said
+
+
+def test_there_is_no_bar_without_a_terminal(monkeypatch, capsys):
+    monkeypatch.setattr(Console, "is_terminal", False)
+    with reporting.bar("frames") as report:
+        assert report is None
+    assert "motion" not in run("run", "--set", "contact.model=compliant", "--duration", 0.1).stderr
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_bar_can_be_switched_off(terminal):
+    with reporting.bar("frames", quiet=True) as report:
+        assert report is None
