@@ -206,7 +206,15 @@ def test_theory(host: Calls, query: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "query", ["", "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3", "hoop.load_fraction=1", "plane.gravity=0", "plane.mu=inf"]
+    "query",
+    [
+        "",
+        "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3",
+        "plane.mu=0.9&plane.rolling_resistance=0.1",
+        "hoop.load_fraction=1",
+        "plane.gravity=0",
+        "plane.mu=inf",
+    ],
 )
 def test_regions(host: Calls, query: str) -> None:
     scenario = hh.Scenario.from_query(query)

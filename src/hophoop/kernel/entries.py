@@ -13,7 +13,7 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import EVENT, SEGMENT, Tables
+from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, Tables
 from hophoop.kernel.records.scratch import Scratch
 from hophoop.kernel.records.state import State
 
@@ -32,7 +32,7 @@ class Array(NamedTuple):
 
 
 REAL, WHOLE = np.dtype(np.float64), np.dtype(np.int64)
-EVENTS, SEGMENTS = Array(EVENT), Array(SEGMENT)
+BODIES, EVENTS, SEGMENTS = Array(BODY), Array(EVENT), Array(SEGMENT)
 ROW, TABLE, CUBE, COUNTS = Array(REAL), Array(REAL, 2), Array(REAL, 3), Array(WHOLE)
 
 # Arrays in named tuples, whose annotations do not tell their kind.
@@ -75,22 +75,22 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
         "hophoop.kernel.records.times.kernel_times": (ROW, float, ROW, float, ROW),
         "hophoop.kernel.physics.friction.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
-        _THEORY + "critical.slip_speeds": (TABLE, ROW),
+        _THEORY + "critical.slip_speeds": (BODIES, ROW),
         _THEORY + "painleve.border": (Body, float, bool),
-        _THEORY + "painleve.minima": (TABLE, TABLE),
-        _THEORY + "painleve.regions": (TABLE, ROW, ROW, COUNTS),
-        _THEORY + "painleve.thresholds": (TABLE, ROW, ROW),
+        _THEORY + "painleve.minima": (BODIES, TABLE),
+        _THEORY + "painleve.regions": (BODIES, ROW, ROW, COUNTS),
+        _THEORY + "painleve.thresholds": (BODIES, ROW, ROW),
         _THEORY + "phase_plane.lift_off": (Body, float),
-        _THEORY + "phase_plane.lift_off_speeds": (TABLE, ROW, ROW),
-        _THEORY + "phase_plane.modes": (TABLE, ROW, ROW, COUNTS),
-        _THEORY + "phase_plane.rolling_ranges": (TABLE, ROW, TABLE),
-        _THEORY + "rolling.contact_losses": (TABLE, ROW, TABLE),
-        _THEORY + "rolling.forces": (TABLE, ROW, ROW, TABLE),
-        _THEORY + "rolling.kinetic": (TABLE, ROW, ROW, ROW),
-        _THEORY + "rolling.needed_frictions": (TABLE, ROW, TABLE),
-        _THEORY + "rolling.rocking_periods": (TABLE, ROW, ROW),
-        _THEORY + "rolling.speeds": (TABLE, ROW, ROW, ROW),
-        _THEORY + "rolling.times": (TABLE, ROW, ROW, ROW),
+        _THEORY + "phase_plane.lift_off_speeds": (BODIES, ROW, ROW),
+        _THEORY + "phase_plane.modes": (BODIES, ROW, ROW, COUNTS),
+        _THEORY + "phase_plane.rolling_ranges": (BODIES, ROW, TABLE),
+        _THEORY + "rolling.contact_losses": (BODIES, ROW, TABLE),
+        _THEORY + "rolling.forces": (BODIES, ROW, ROW, TABLE),
+        _THEORY + "rolling.kinetic": (BODIES, ROW, ROW, ROW),
+        _THEORY + "rolling.needed_frictions": (BODIES, ROW, TABLE),
+        _THEORY + "rolling.rocking_periods": (BODIES, ROW, ROW),
+        _THEORY + "rolling.speeds": (BODIES, ROW, ROW, ROW),
+        _THEORY + "rolling.times": (BODIES, ROW, ROW, ROW),
     },
 }  # fmt: skip
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_type_hints
 
 import numpy as np
+
+from hophoop.kernel.physics.body import Body
 
 # Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
 CELL = (
@@ -45,6 +47,9 @@ SEGMENT = np.dtype(
     + [(name, "f8") for name in _PLACE]
     + [("rolling_resistance", "f8")]
 )
+
+# A Body in a table of cases.
+BODY = np.dtype([(name, {float: "f8", int: "i8", bool: "?"}[kind]) for name, kind in get_type_hints(Body).items()])
 
 
 # Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
