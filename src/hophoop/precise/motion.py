@@ -9,13 +9,15 @@ from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise import massless
 from hophoop.precise.contact import Advance, advance
 from hophoop.precise.flight import fly
+from hophoop.precise.impact import impact
 from hophoop.precise.problem import Body, Number, PreciseState, Problem
 from hophoop.precise.rules import (
     INCONSISTENT,
     INDETERMINATE,
     UNDECIDED,
+    Judged,
+    contact_at,
     free_opening,
-    impact,
     next_mode,
     sign,
     slip_mode,
@@ -180,16 +182,16 @@ class Run:
     def collide(self, rest: Number, collision: bool) -> dict[str, Any]:
         """Go through an impact; what its event says."""
         body, before = self.body, self.state
-        blow = impact(body, self.judge, rest, before.th, before.vt, before.vn)
+        blow = impact(contact_at(body, before.th), Judged(body, self.judge), rest, before.vt, before.vn)
         self.state = before._replace(
             vt=blow.vt,
             vn=blow.vn,
             om=before.om + blow.spin,
-            impact_n=before.impact_n + blow.loss_n,
-            impact_t=before.impact_t + blow.loss_t,
+            impact_n=before.impact_n - blow.work_n,
+            impact_t=before.impact_t - blow.work_t,
         )
-        gain = -(blow.loss_n + blow.loss_t)
-        size = abs(blow.loss_n) + abs(blow.loss_t) + before.vn * before.vn
+        gain = blow.work_n + blow.work_t
+        size = abs(blow.work_n) + abs(blow.work_t) + before.vn * before.vn
         if gain <= body.ctx.ldexp(size, -body.bits // 2):
             gain = body.zero
         return {"cause": before, "p_n": blow.p_n, "p_t": blow.p_t, "gain": gain, "collision": collision}
@@ -225,16 +227,16 @@ class Run:
             # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
             cosine, sine = body.ctx.cos_sin(state.th)
             arm, lever = 1 + body.eps * cosine, body.eps * sine
-            firm = body.kap + arm * arm
-            p_n = -state.vn / (1 + lever * lever / firm)
+            denominator = body.kap + arm * arm
+            p_n = -state.vn / (1 + lever * lever / denominator)
             self.state = state._replace(
                 vt=body.zero,
                 vn=body.zero,
-                om=state.om + lever / firm * p_n,
+                om=state.om + lever / denominator * p_n,
                 impact_n=state.impact_n - state.vn * p_n / 2,
             )
             cause["p_n"] += p_n
-            cause["p_t"] += arm * lever / firm * p_n
+            cause["p_t"] += arm * lever / denominator * p_n
         cause["gain"] = body.zero
         return cause
 

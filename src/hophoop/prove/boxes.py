@@ -13,9 +13,9 @@ from hophoop.kernel.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.model import FREE
+from hophoop.prove.enclosures.mean_value_form import parameter
 from hophoop.prove.motion import REVOLUTION, Run
-from hophoop.prove.varied import parameter
+from hophoop.prove.physics.equations import FREE
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import phase_starts
 

@@ -7,26 +7,28 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.precise.impact import impact
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Undecided, arb, sign
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.flight import Flight
-from hophoop.prove.model import Model, State, Still
-from hophoop.prove.phases import Ended, Limits, roll, travel
-from hophoop.prove.rolling import TURN
-from hophoop.prove.rule import (
+from hophoop.prove.phases.contact import Ended, Limits, roll, travel
+from hophoop.prove.phases.flight import Flight
+from hophoop.prove.phases.parameter_boxes import travel_box
+from hophoop.prove.phases.rolling import TURN
+from hophoop.prove.phases.trail_recorder import bracket
+from hophoop.prove.physics.equations import Model, State, Still
+from hophoop.prove.physics.mode_rule import (
     INCONSISTENT,
     INDETERMINATE,
     TIE_ORDER,
     UNDETERMINED,
+    Certain,
+    contact_at,
     free_opening,
-    impact,
     next_mode,
     opening_sign,
     slip_mode,
 )
-from hophoop.prove.smeared import travel_box
-from hophoop.prove.witness import bracket
 
 CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
 GAIN_FLOOR = "1e-14"  # beside the energy of an impact: less is no gain
@@ -203,9 +205,10 @@ class Run:
     def collide(self, rest: Ball) -> dict[str, Any]:
         """Go through an impact; what its event says."""
         before, self.energy = self.state, None
-        blow = impact(self.model, rest, before)
+        blow = impact(contact_at(self.model, before.th), Certain(), rest, before.vt, before.vn)
         self.state = replace(before, vt=blow.vt, vn=blow.vn, om=before.om + blow.spin, y=arb(0))
-        excess = blow.gain - arb(GAIN_FLOOR) * blow.size
+        size = abs(blow.work_n) + abs(blow.work_t) + before.vn * before.vn
+        excess = blow.work_n + blow.work_t - arb(GAIN_FLOOR) * size
         if not (excess > 0 or excess < 0):
             raise Undecided("whether an impact creates energy is not certain")
         return {"p_n": blow.p_n, "p_t": blow.p_t, "gain": bool(excess > 0)}

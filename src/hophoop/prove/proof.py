@@ -15,8 +15,8 @@ from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
 from hophoop.prove.checker.check import Verdict, checked
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.model import Model
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
+from hophoop.prove.physics.equations import Model
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.vocabulary.events import sequence_of
 

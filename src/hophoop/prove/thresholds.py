@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, pi, precision, series
-from hophoop.prove.extremes import Function, Highest, highest
-from hophoop.prove.model import Model
+from hophoop.prove.enclosures.maxima import Function, Highest, highest
+from hophoop.prove.enclosures.roots import exact
 from hophoop.prove.motion import REVOLUTION, Run
+from hophoop.prove.physics.equations import Model
 from hophoop.prove.proof import BITS_A_DIGIT, Enclosure, check_digits, enclosure
-from hophoop.prove.search import exact
 from hophoop.scenario import InputError, Scenario
 
 GUARD_DIGITS = 12

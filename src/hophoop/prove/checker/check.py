@@ -16,8 +16,8 @@ from hophoop.prove.checker.conventions import CLOSING, Conventions
 from hophoop.prove.checker.equations import Equations, Refused, State
 from hophoop.prove.checker.flight import flown, gap, no_top, skims, without_apex
 from hophoop.prove.checker.intervals import positive, require, root
-from hophoop.prove.checker.panelled import panelled
-from hophoop.prove.checker.pieces import Turn
+from hophoop.prove.checker.panel_phases import verify_panels
+from hophoop.prove.checker.panels import TurnPanel
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
 from hophoop.prove.deadline import Deadline, Late
@@ -227,7 +227,7 @@ class Walk:
         return self.phases.pop(0)
 
     def rolling(self) -> None:
-        """A piece of rolling, up to an event or a turning point."""
+        """Rolling, up to an event or a turning point."""
         if self._held(0):
             self.event("rest", "R", "R")
             self.state = replace(self.state, t=self.equations.t_end)
@@ -283,7 +283,7 @@ class Walk:
             limits["t_end"] = self.equations.t_end
         else:
             limits["turn_end"] = self._turn_left
-        what, state, turns = panelled(self.equations, sigma, self.state, self.zeros, one, limits)
+        what, state, turns = verify_panels(self.equations, sigma, self.state, self.zeros, one, limits)
         for turn in turns:
             self.state = turn
             self.after("turn")
@@ -297,9 +297,9 @@ class Walk:
             self.state = replace(self.state, t=self.equations.t_end)
         self.after(what)
 
-    def _turn_left(self, piece: Any, x: Ball) -> Jet:
-        slope = 2 * x if isinstance(piece, Turn) else arb(-1)
-        return [2 * pi() - piece.way * (piece.angle(x) - self.origin), slope]
+    def _turn_left(self, panel: Any, x: Ball) -> Jet:
+        slope = 2 * x if isinstance(panel, TurnPanel) else arb(-1)
+        return [2 * pi() - panel.way * (panel.angle(x) - self.origin), slope]
 
     def after(self, what: str) -> None:
         """What follows the end of a phase of contact, or a turning point in it."""

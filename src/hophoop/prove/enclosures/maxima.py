@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits
-from hophoop.prove.search import exact, refined
+from hophoop.prove.enclosures.roots import exact, refined
 
 Function = Callable[[Ball, int], Jet]  # (x, terms) → Taylor coefficients, valid on the ball x
 PARTS = 64

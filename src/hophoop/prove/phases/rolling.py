@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, order, series, sign
 from hophoop.prove.deadline import Deadline
-from hophoop.prove.model import Forces, Model, State
-from hophoop.prove.search import exact, first_root
-from hophoop.prove.varied import common, located, ranges
+from hophoop.prove.enclosures.mean_value_form import common, located, ranges
+from hophoop.prove.enclosures.roots import exact, first_root
+from hophoop.prove.physics.equations import Forces, Model, State
 
 AHEAD, BACK, OPEN, TURN, SPAN = "ahead", "back", "open", "turn", "span"
 FIRST_STEP = 0.15

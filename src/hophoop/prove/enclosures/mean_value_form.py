@@ -13,7 +13,7 @@ from typing import Any
 
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, ball_type, intersection, symmetric
-from hophoop.prove.search import Root, exact, refined
+from hophoop.prove.enclosures.roots import Root, exact, refined
 
 
 class Varied:

@@ -1,15 +1,14 @@
-"""Impacts and the mode rule of docs/model.md: every inequality shown, ties by the first derivative that is not zero.
+"""The mode rule of docs/model.md: every inequality shown, ties by the first derivative that is not zero.
 
 A quantity is in a tie only where it is zero exactly: an enclosure that merely contains zero decides nothing.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-from hophoop.kernel.physics.body import ImpactLaw, Mode
+from hophoop.kernel.physics.body import Mode
+from hophoop.precise.impact import Contact
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
-from hophoop.prove.model import Model, State, Still
+from hophoop.prove.physics.equations import Model, State, Still
 
 TIE_ORDER = 6
 INCONSISTENT, INDETERMINATE, UNDETERMINED = 10, 11, 12
@@ -90,12 +89,12 @@ def can_start_slip(model: Model, state: State, sigma: int) -> bool:
     if sign(model.stiffness(s, c, sigma), "p_σ") <= 0:
         return False
     forces = model.slipping(s, c, state.om * state.om, sigma)
-    load, slip = forces.load, sigma * forces.slip
-    if load < 0 or slip < 0:
+    normal, slip = forces.free_normal, sigma * forces.slip
+    if normal < 0 or slip < 0:
         return False
-    if load > 0 and slip > 0:
+    if normal > 0 and slip > 0:
         return True
-    if not ((_tied(load) or load > 0) and (_tied(slip) or slip > 0)):
+    if not ((_tied(normal) or normal > 0) and (_tied(slip) or slip > 0)):
         raise Undecided("whether slip can start is not certain")
     normals, _, slips, _ = model.candidate(state.th, state.om, sigma, TIE_ORDER)
     return leading(normals, "N in slip") > 0 and sigma * leading(slips, "v̇_t") > 0
@@ -116,99 +115,54 @@ def next_mode(model: Model, state: State) -> int:
     if model.mu_k is None:
         return int(Mode.FLIGHT) if opening >= 0 else INCONSISTENT
     s, c = state.th.sin_cos()
-    firm = sign(model.after(state.th, state.om, sigma).stiffness(s, c, sigma), "p_σ")
-    if firm > 0:
+    stiffness = sign(model.after(state.th, state.om, sigma).stiffness(s, c, sigma), "p_σ")
+    if stiffness > 0:
         return slip_mode(sigma) if opening < 0 else int(Mode.FLIGHT)
     if model.resisted and sign(model.stiffness(s, c, sigma), "p_σ") > 0 and (opening < 0 or model.problem.strike):
         return UNDETERMINED  # an impact, which is without rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT
-    return INDETERMINATE if firm < 0 else int(Mode.FLIGHT)
+    return INDETERMINATE if stiffness < 0 else int(Mode.FLIGHT)
 
 
-class Blow(NamedTuple):
-    """What an impact does: velocities after it, the change of θ̇, impulses, and the energy that it adds."""
+class Certain:
+    """Balls, as `impact` decides upon them: by signs that are certain."""
 
-    vt: Ball
-    vn: Ball
-    spin: Ball
-    p_n: Ball
-    p_t: Ball
-    gain: Ball
-    size: Ball
+    @property
+    def zero(self) -> Ball:
+        """0."""
+        return arb(0)
 
+    def sign(self, value: Ball, what: str) -> int:
+        """Return the sign of a number."""
+        return sign(value, what)
 
-def impact(model: Model, rest: Ball, state: State) -> Blow:
-    """Routh's impact, every branch taken by a sign that is certain."""
-    s, c = state.th.sin_cos()
-    arm, lever = 1 + model.eps * c, model.eps * s
-    firm = model.kap + arm * arm
-    hold = arm * lever / firm
-    law = model.problem.law
-    vt, vn = state.vt, state.vn
-    collision, approach = not vn.is_zero(), vn
-    spin = p_n = p_t = work_n = work_t = arb(0)
-    compression = True
-    todo = target = arb(0)
-    for _ in range(8):
-        sigma = sign(vt, "v_t in an impact")
-        stick = sigma == 0 and (model.mu_s is None or sign(model.mu_s - abs(hold), "the friction that an impact needs") >= 0)
-        if model.mu_k is None and not stick:  # infinite friction stops the slip with a tangential impulse alone
-            turned, side = arm * vt / firm, -vt * model.kap / firm
-            work_t, p_t, spin, vn = work_t + vt * side / 2, p_t + side, spin + turned, vn + lever * turned
-            vt = arb(0)
-            if sign(vn, "v_n after the slip was stopped") > 0:
-                break
-            continue
-        if stick:
-            ratio, turn, rate_t = hold, lever / firm, arb(0)
-        else:
-            way = sigma if sigma else sign(hold, "the friction that an impact needs")
-            ratio = -way * model.mu_k if sigma else way * model.mu_k
-            turn = (lever - arm * ratio) / model.kap
-            rate_t = ratio - arm * turn
-        rate_n = 1 + lever * turn
-        rises = sign(rate_n, "dv_n/dp in an impact") > 0
-        to_stop = -vt / rate_t if sigma and sign(rate_t, "dv_t/dp in an impact") * sigma < 0 else None
-        if compression:
-            to_end = -vn / rate_n if rises else None
-        elif law == ImpactLaw.NEWTON:
-            to_end = (target - vn) / rate_n if rises else None
-        elif law == ImpactLaw.POISSON:
-            to_end = todo
-        else:
-            to_end = 2 * todo / (vn + (vn * vn + 2 * rate_n * todo).sqrt())
-        stops = _stops_first(to_stop, to_end)
-        length = to_stop if stops else to_end
-        gain_n = length * (vn + rate_n * length / 2)
-        work_n, work_t = work_n + gain_n, work_t + ratio * length * (vt + rate_t * length / 2)
-        p_n, p_t, spin = p_n + length, p_t + ratio * length, spin + turn * length
-        if not compression:
-            todo = todo - (length if law == ImpactLaw.POISSON else gain_n)
-        vn = vn + rate_n * length
-        if stops:
-            vt = arb(0)
-            continue
-        vt = arb(0) if stick else vt + rate_t * length
-        if not compression:
-            vn = target if law == ImpactLaw.NEWTON else vn
-            break
-        vn = arb(0)
-        if rest.is_zero() or (law == ImpactLaw.NEWTON and not collision):
-            break
-        compression = False
-        target = -rest * approach
-        todo = rest * p_n if law == ImpactLaw.POISSON else -rest * rest * work_n
-    return Blow(vt, vn, spin, p_n, p_t, work_n + work_t, abs(work_n) + abs(work_t) + state.vn * state.vn)
+    def judged_sign(self, value: Ball, scale: Ball, what: str) -> int:
+        """Return the sign of a number, whatever its scale."""
+        return sign(value, what)
+
+    def order(self, one: Ball, other: Ball) -> int:
+        """Return −1 or 1; two impulses that may be equal are undecided."""
+        if one < other:
+            return -1
+        if other < one:
+            return 1
+        raise Undecided("slip stops in an impact as a part of it ends, as far as can be told")
+
+    def is_zero(self, value: Ball) -> bool:
+        """Return True if a number is exactly 0."""
+        return bool(value.is_zero())
+
+    def sqrt(self, value: Ball) -> Ball:
+        """Return the square root."""
+        return value.sqrt()
+
+    def endless(self) -> Exception:
+        """Return the error of an impact that does not end."""
+        return Undecided("an impact does not end")
 
 
-def _stops_first(to_stop: Ball | None, to_end: Ball | None) -> bool:
-    if to_end is None:
-        if to_stop is None:
-            raise Undecided("an impact does not end")
-        return True
-    if to_stop is None or to_end < to_stop:
-        return False
-    if to_stop < to_end:
-        return True
-    raise Undecided("slip stops in an impact as a part of it ends, as far as can be told")
+def contact_at(model: Model, th: Ball) -> Contact:
+    """Body and plane as `impact` takes them."""
+    s, c = th.sin_cos()
+    return Contact(1 + model.eps * c, model.eps * s, model.kap, model.mu_s, model.mu_k, model.problem.law)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import partial
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
-from hophoop.prove.model import Model, State
-from hophoop.prove.search import Root, exact, first_root
+from hophoop.prove.enclosures.roots import Root, exact, first_root
+from hophoop.prove.physics.equations import Model, State
 
 
 @dataclass(frozen=True)
