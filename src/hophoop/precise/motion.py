@@ -104,29 +104,14 @@ class Run:
 
     # --- events --------------------------------------------------------------------------------
 
-    def write(
-        self,
-        kind: Event,
-        before: int | None,
-        after: int,
-        cause: PreciseState | None = None,
-        p_n: Number | None = None,
-        p_t: Number | None = None,
-        gain: Number | None = None,
-        collision: bool | None = None,
-        stable: bool | None = None,
-    ) -> None:
-        """Append an event in the present state; `cause` has the velocities before it."""
+    def write(self, kind: Event, before: int | None, after: int, cause: PreciseState | None = None, **details: Any) -> None:
+        """Append an event in the present state; `cause` has the velocities before it, `details` are other fields of Record."""
         zero = self.body.zero
         was = self.state if cause is None else cause
         if len(self.records) >= self.max_events:
             raise Stopped(Status.EVENT_LIMIT)
-        self.records.append(
-            Record(
-                kind, before, after, self.state, was.vt, was.vn, was.om, p_n or zero, p_t or zero, gain or zero,
-                collision, stable,
-            )
-        )  # fmt: skip
+        fields = {"p_n": zero, "p_t": zero, "gain": zero} | details
+        self.records.append(Record(kind, before, after, self.state, was.vt, was.vn, was.om, **fields))
 
     def write_cause(self, kind: Event, before: int | None, after: int, cause: dict[str, Any]) -> None:
         """The event, and Kane's gain after it where there is one."""
