@@ -10,7 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
@@ -290,7 +290,7 @@ def test_changes(changing: Calls, decided: list[tuple[hh.Scenario, hh.Trajectory
             continue
         for sign in (1.0, -1.0):
             mine, reasons, failed = changing.changes(cell_of(scenario), rates_of(scenario, WRT), sign)
-            theirs = carry(motion, WRT, sign, edges=True)
+            theirs = propagate(motion, WRT, sign, edges=True)
             assert reasons.tolist() == theirs.reasons.tolist()
             assert failed.tolist() == theirs.failed.tolist()
             for index in range(len(motion.events)):

@@ -133,7 +133,7 @@ def test_far_uphill_no_hilltop_is_looked_at_one_by_one(way):
     np.testing.assert_array_equal(np.isnan(found), [False, True, True])
     # where they are few, one by one
     body, w = to_body(hoop, hh.Plane(slope=-way * 1e-3)), speed**2 / 9.81
-    place = arcs.next_of(arcs.first_hilltop(body), 0.0, way)
+    place = arcs.next_of(arcs.first_maximum(body), 0.0, way)
     while rolling_u(body, 0.0, w, place) >= 0.0:
         place += way * TURN
     for end in (1e5, 1e9):

@@ -31,6 +31,21 @@ class Array(NamedTuple):
     dimensions: int = 1
 
 
+class Named(NamedTuple):
+    """A named tuple of a package above the kernel, which is imported when the library is built.
+
+    Attributes
+    ----------
+    name : str
+        With its module.
+    kinds : tuple
+        Of its fields.
+    """
+
+    name: str
+    kinds: tuple[Any, ...]
+
+
 REAL, WHOLE = np.dtype(np.float64), np.dtype(np.int64)
 BODIES, EVENTS, SEGMENTS = Array(BODY), Array(EVENT), Array(SEGMENT)
 ROW, TABLE, CUBE, COUNTS = Array(REAL), Array(REAL, 2), Array(REAL, 3), Array(WHOLE)
@@ -42,6 +57,7 @@ FIELDS: dict[type, tuple[Array, ...]] = {
 }
 
 _THEORY = "hophoop.theory.kernels."
+WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 
 # Each group is compiled by a process of its own, and again only where a source that it is made of has changed.
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
@@ -60,11 +76,13 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.compliant.sampling.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
     },
     "derivatives": {
-        "hophoop.derivatives.events.ending.go_through": (
-            Body, EVENTS, SEGMENTS, TABLE, TABLE, float, float, bool, CUBE, CUBE, COUNTS, COUNTS, Scratch, TABLE,
+        "hophoop.derivatives.events.ending.propagate_motion": (
+            Body, Named("hophoop.derivatives.workspace.KnownMotion", (EVENTS, SEGMENTS, float, float)), TABLE, TABLE, bool,
+            Named("hophoop.derivatives.workspace.Solution", (CUBE, CUBE, COUNTS, COUNTS)), WORKSPACE,
         ),
-        "hophoop.derivatives.pieces.sampling.sample_changes": (
-            Body, SEGMENTS, CUBE, TABLE, ROW, ROW, bool, TABLE, CUBE, Scratch, TABLE,
+        "hophoop.derivatives.pieces.sampling.sample_tangents": (
+            Body, Named("hophoop.derivatives.pieces.sampling.Pieces", (SEGMENTS, CUBE, TABLE)), ROW, ROW, bool,
+            Named("hophoop.derivatives.pieces.sampling.Samples", (TABLE, CUBE)), WORKSPACE,
         ),
         "hophoop.derivatives.pieces.required_friction.need_at_rest": (Body, float),
         "hophoop.derivatives.pieces.required_friction.needs_on_panel": (Body, SEGMENTS, int, Scratch, ROW, ROW, ROW),
@@ -101,8 +119,15 @@ def kernel_named(name: str) -> Any:
     return getattr(import_module(module), function)
 
 
+def class_of(kind: Any) -> Any:
+    """The class of a named tuple."""
+    return kernel_named(kind.name) if isinstance(kind, Named) else kind
+
+
 def fields_of(kind: Any) -> tuple[tuple[str, Any], ...]:
     """Names and kinds of a named tuple's fields."""
+    if isinstance(kind, Named):
+        return tuple(zip(class_of(kind)._fields, kind.kinds, strict=True))
     if kind in FIELDS:
         return tuple(zip(kind._fields, FIELDS[kind], strict=True))
     import typing
@@ -112,5 +137,5 @@ def fields_of(kind: Any) -> tuple[tuple[str, Any], ...]:
 
 
 def is_tuple(kind: Any) -> bool:
-    """Whether a kind is that of a named tuple."""
-    return isinstance(kind, type) and issubclass(kind, tuple)
+    """Return True if a kind is that of a named tuple."""
+    return isinstance(kind, Named) or (isinstance(kind, type) and issubclass(kind, tuple))

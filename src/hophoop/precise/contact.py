@@ -16,7 +16,7 @@ MOST_STEPS = 1_000_000
 
 
 class Advance(Enum):
-    """What ends a phase of contact, in the order in which simultaneous ones count."""
+    """The ends of a phase of contact, in the order of precedence of simultaneous ones."""
 
     CONE_AHEAD = auto()
     CONE_BACK = auto()
@@ -28,7 +28,7 @@ class Advance(Enum):
 
 
 class Done(NamedTuple):
-    """What ended the advance, and the state there."""
+    """The end of an advance and the state there."""
 
     what: Advance
     state: PreciseState
@@ -192,7 +192,7 @@ def at(body: Body, sigma: int, state: PreciseState, step: Step, s: int) -> Preci
 
 
 def _settled(what: Advance, state: PreciseState, body: Body) -> PreciseState:
-    """The state with what the event says is zero."""
+    """The state with the quantity of the event set to 0."""
     if what == Advance.STOP:
         return state._replace(vt=body.zero)
     if what == Advance.TURN:
@@ -201,7 +201,7 @@ def _settled(what: Advance, state: PreciseState, body: Body) -> PreciseState:
 
 
 def _turned(body: Body, begin: PreciseState, state: PreciseState) -> bool:
-    """Whether rolling has gone through a whole turn since the phase began; False once that has been used."""
+    """Return True if rolling has gone through a revolution since the phase began; False once that has been used."""
     return bool(begin.om != 0 and abs(state.th - begin.th) >= 2 * body.ctx.pi)
 
 

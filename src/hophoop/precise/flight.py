@@ -11,7 +11,7 @@ from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, val
 
 
 class Landing(NamedTuple):
-    """How a flight ends: the state there, whether it lands, and the state where the centre is highest."""
+    """The end of a flight: the state there, whether it lands, and the state where the centre is highest."""
 
     state: PreciseState
     lands: bool
@@ -145,7 +145,7 @@ def _at(body: Body, step: Step, s: int) -> PreciseState:
 
 
 def _moved(body: Body, state: PreciseState, tau: Number, y: Number, vn: Number) -> PreciseState:
-    """What flight does to the other coordinates: G is a projectile and θ̇ is constant."""
+    """The state after τ with this gap: G is a projectile and θ̇ is constant."""
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)
     th = state.th + state.om * tau

@@ -15,7 +15,7 @@ MOST_PIECES = 8
 
 
 class Numbers(Protocol):
-    """How numbers of one kind are decided upon."""
+    """The decisions that depend on the kind of numbers."""
 
     @property
     def zero(self) -> Number:
@@ -64,7 +64,7 @@ class Blow(NamedTuple):
 
 
 class Restitution(NamedTuple):
-    """What restitution aims at: v_n at its end, and the impulse or the work that remains."""
+    """The end of restitution: v_n there, and the impulse or the work that remains."""
 
     target: Number
     todo: Number

@@ -36,7 +36,7 @@ def stop(status: Status) -> None:
 
 
 def lies(run: Run) -> bool:
-    """Whether the load is on the plane: θ is π as well as a double can say it, which no double is."""
+    """Return True if the load is on the plane: θ is the double nearest to π."""
     ctx, th = run.body.ctx, run.origin.th
     turns = ctx.nint((th / ctx.pi - 1) / 2)
     return float(th) == float((2 * turns + 1) * ctx.pi) and run.origin.om == 0

@@ -64,9 +64,9 @@ class Run:
     bits : int
         Working precision.
     last : bool
-        Whether what cannot be told from zero counts as zero.
+        True if a quantity that is indistinguishable from 0 counts as 0.
     closing : float
-        A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
+        A sequence of bounces is closed when its rest takes less than this part of the time so far.
     until : Number, optional
         End of time, in units of √(R/g), if it is not the scenario's.
     max_events : int, optional
@@ -97,7 +97,7 @@ class Run:
         self.origin = self.state
         self.mode: int = Mode.FLIGHT
         self.lifted = False  # in flight: whether it began with N → 0 in slip
-        self.slip_zeros = 0  # of v_t at the begin of a fresh slip phase, as far as known
+        self.slip_zeros = 0  # of v_t at the start of a new slip phase, as far as known
         self.last_bounce = self.body.zero
         self.turns: list[PreciseState] = []  # turning points of the present phase of rolling
         self.status = Status.COMPLETED
@@ -165,7 +165,7 @@ class Run:
             self.state = self.state._replace(vt=self.body.zero)
 
     def collide(self, rest: Number, collision: bool) -> dict[str, Any]:
-        """Go through an impact; what its event says."""
+        """Go through an impact; return the fields of its event."""
         body, before = self.body, self.state
         blow = impact(contact_at(body, before.th), Judged(body, self.judge), rest, before.vt, before.vn)
         self.state = before._replace(
@@ -195,7 +195,7 @@ class Run:
         self.settle(kind, Mode.FLIGHT, **cause)
 
     def is_last_bounce(self) -> bool:
-        """Whether the bounces that would follow take less than the part of the time so far that closes them."""
+        """Return True if the bounces that would follow take less than the part of the time so far that closes them."""
         state, last = self.state, self.last_bounce
         closing = -free_opening(self.body, state.th, state.om)
         if not (state.vn > 0 and closing > 0 and state.vn < last):
@@ -278,7 +278,7 @@ class Run:
         self.contact()
 
     def is_still(self) -> bool:
-        """Whether a hoop that does not turn will not begin to."""
+        """Return True if a hoop with θ̇ = 0 stays so."""
         body, sigma = self.body, {Mode.SKID: 1, Mode.SPIN: -1}.get(Mode(self.mode), 0)
         alpha = turning_acceleration(body, self.state.th, body.zero, sigma)
         return sign(body, self.judge, alpha, body.gn + abs(body.gt) + (0 if sigma == 0 else body.mu_k * body.gn)) == 0

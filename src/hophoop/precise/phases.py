@@ -197,7 +197,7 @@ def _reach(bits: int, om: int, firm: int, step: Step) -> tuple[int, int]:
         size = len(series) - 1
         tail = max((abs(series[k]).bit_length() - slack) / k for k in range(size - 3, size + 1))
         worst = max(worst, tail)
-        # the last terms may be rounding alone: those well above it tell how fast the terms shrink
+        # the last terms may be rounding alone: those well above it show how fast the terms shrink
         k = size
         while k > 1 and abs(series[k]).bit_length() - slack < bits // 4:
             k -= 1
@@ -230,7 +230,7 @@ def work_of_resistance(step: Step, rho: int, fixed: Fixed, until: int) -> int:
 
 
 def travel(step: Step, fixed: Fixed, until: int) -> int:
-    """How far the rim's lowest point has slid, ∫ v_t dt."""
+    """The distance that the rim's lowest point has slid, ∫ v_t dt."""
     bits = fixed.bits
     total = 0
     for coefficient in reversed(integral(step.slip)):

@@ -26,7 +26,7 @@ def direction(mode: int) -> int:
 
 
 def sign(body: Body, judge: Judge, value: Number, scale: Number) -> int:
-    """Sign of a number beside its natural size."""
+    """Sign of a number relative to its natural size."""
     with body.ctx.workprec(body.bits + 10):
         return judge.sign(body.integer(value), max(body.integer(abs(scale)), 1))
 
@@ -77,7 +77,7 @@ def tie_exponent(om: Number) -> int:
 
 
 def can_roll(body: Body, judge: Judge, state: PreciseState) -> bool:
-    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    """Return True if rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     step = expand(body, 0, state, tie_exponent(state.om), TIE_ORDER)
     if step is None:
         return False
@@ -103,7 +103,7 @@ def cone_margins(body: Body, normal: Series, friction: Series) -> list[list[int]
 
 
 def can_start_slip(body: Body, judge: Judge, state: PreciseState, sigma: int) -> bool:
-    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    """Return True if slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     rho = body.resistance(state.th, state.om, sigma)
     if sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k) <= 0:
         return False

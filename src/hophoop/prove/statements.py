@@ -1,6 +1,6 @@
 """The article's statements that are inequalities or sequences, proved for its own numbers.
 
-The article's scenarios stand here once more, since `hophoop.article` is built on this room's neighbours and not below it.
+The article's scenarios are repeated here, since `hophoop.article` is a layer above this package.
 """
 
 from __future__ import annotations

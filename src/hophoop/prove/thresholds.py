@@ -158,7 +158,7 @@ def hop_border(problem: Problem, low: Ball, high: Ball, wanted: Ball) -> Ball:
         middle = exact((low + high) / 2)
         try:
             found = hops(middle)
-        except Undecided:  # too close to the border: a little beside it
+        except Undecided:  # too close to the threshold: a little away from it
             middle = exact(low + (high - low) * 5 / 8)
             found = hops(middle)
         low, high = (low, middle) if found else (middle, high)
@@ -252,7 +252,7 @@ def _numbers(
 
 
 def _hop_speed(scenario: Scenario, problem: Problem, digits: int) -> Ball:
-    """The border of the hop, looked for beside the double that the kernel gives."""
+    """The threshold of the hop, searched next to the double that the kernel gives."""
     from hophoop.theory import first_hop_speed
 
     near = arb(float(first_hop_speed(scenario.hoop, scenario.plane)))

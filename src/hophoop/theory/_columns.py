@@ -39,7 +39,7 @@ class Columns:
             said = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
             raise InputError(f"The shapes of the arguments do not go together: {said}.") from None
         rows, units = [], []
-        # Models are few beside numbers: each pair is translated once, then spread over the shape.
+        # Models are few compared with numbers: each pair is translated once, then broadcast.
         pairs = np.broadcast_arrays(hoops, planes)
         for one, other in zip(pairs[0].ravel(), pairs[1].ravel(), strict=True):
             rows.append(to_body(one, other))

@@ -1,4 +1,4 @@
-"""Painlevé's paradox: the friction it needs, where it is, and the states of the dynamic jam."""
+"""Painlevé's paradox: its required friction, its region, and the states of the dynamic jam."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from hophoop.theory.kernels.phase_plane import lift_off
 
 
 class PainleveMinimum(NamedTuple):
-    """The least friction with which the paradox exists at all.
+    """The minimum friction with which the paradox exists at all.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class JamState:
 
 
 def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
-    r"""Kinetic friction from which on slip at an angle meets Painlevé's paradox, p_σ ≤ 0.
+    r"""Return the kinetic friction from which slip at an angle meets Painlevé's paradox, p_σ ≤ 0, without rolling resistance.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
     Returns
     -------
     mu : float or ndarray
-        [1]; inf where no friction is enough.
+        [1]; inf if no friction is enough.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
 
 
 def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
-    r"""Least friction with which Painlevé's paradox exists at any angle.
+    r"""Return the minimum friction with which Painlevé's paradox exists at any angle, without rolling resistance.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ from hophoop.prove.deadline import Deadline, Late
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the checker says of a certificate.
+    """The checker's verdict on a certificate.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Verdict:
     events : int
         How many events are verified [1].
     conventions : tuple of str
-        What the statement rests on beside the equations, as sentences without a capital; empty where it is refused.
+        The conventions of the statement, as sentences without a capital; empty if it is refused.
     """
 
     accepted: bool
@@ -220,7 +220,7 @@ class Walk:
             {"R": self.rolling, "S": self.slipping, "K": self.slipping, "H": self.flying}[self.mode]()
 
     def record(self, mode: str) -> dict[str, Any]:
-        """What the certificate says of the present phase."""
+        """The certificate's record of the present phase."""
         if not self.phases and self.seen == len(self.events) and self.claim["status"] == "event_limit":
             raise Stopped
         require(bool(self.phases) and self.phases[0]["mode"] == mode, "every phase has its record")
@@ -241,7 +241,7 @@ class Walk:
         self.after(one["what"])
 
     def _held(self, sigma: int) -> bool:
-        """Whether a hoop that does not turn will not begin to."""
+        """Return True if a hoop with θ̇ = 0 stays so."""
         state = self.state
         if not state.om.is_zero():
             return False
@@ -302,7 +302,7 @@ class Walk:
         return [2 * pi() - panel.way * (panel.angle(x) - self.origin), slope]
 
     def after(self, what: str) -> None:
-        """What follows the end of a phase of contact, or a turning point in it."""
+        """Go through the end of a phase of contact, or a turning point in it."""
         was = self.mode
         if what == "turn":
             self.turn(was)

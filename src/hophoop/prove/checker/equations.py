@@ -13,7 +13,7 @@ from hophoop.prove.deadline import Deadline
 
 
 class Refused(Exception):
-    """A step of a certificate that could not be verified; the text says which, as a clause."""
+    """A step of a certificate that could not be verified; the text says what, as a clause."""
 
 
 @dataclass
@@ -97,7 +97,7 @@ class Equations:
 
     @property
     def resisted(self) -> bool:
-        """Whether there is rolling resistance."""
+        """True if there is rolling resistance."""
         return not self.resist.is_zero()
 
     def turning(self, way: int) -> Equations:

@@ -16,7 +16,7 @@ LIMIT, SPAN, TURN = "limit", "span", "turn"
 
 @dataclass
 class Way:
-    """How far a certified slip phase is verified."""
+    """The place up to which a certified slip phase is verified."""
 
     th: Ball
     u: Ball

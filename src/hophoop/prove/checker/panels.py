@@ -1,4 +1,4 @@
-"""Pieces of a phase that a certificate names: their polynomials, put into the equations, leave so little over.
+"""Panels of a phase that a certificate names: their polynomials satisfy the equations up to a small residual.
 
 With u' = b − a u and a polynomial U for which Π U' − … is at most η Π in size, abs(u − U) grows from what it is at the
 begin by at most e^(αL) L η on a way L (Grönwall).
@@ -46,7 +46,7 @@ class Panel:
         return self.centre + self.way * x
 
     def starts(self, th: Ball, u: Ball, t: Ball, end: Ball) -> None:
-        """Bound the errors on the way from an angle to another, from what is left over of the equations."""
+        """Bound the errors on the way from an angle to another, from the residual of the equations."""
         model, sigma, reach = self.phase.equations, self.phase.sigma, self.reach
         x = self.way * (th - self.centre)
         length = (end - x).abs_upper()
@@ -104,7 +104,7 @@ class Panel:
         return self.phase.along(self, x, terms)
 
     def limits(self, x: Ball, t_end: Ball) -> Jet:
-        """What is left of the time."""
+        """The time that remains."""
         return [t_end - self.time(x), -self.square(x).rsqrt()]
 
 
@@ -162,7 +162,7 @@ class TurnPanel(Panel):
         return self.phase.about(self, w, terms)
 
     def limits(self, w: Ball, t_end: Ball) -> Jet:
-        """What is left of the time."""
+        """The time that remains."""
         return [t_end - self.time(w), -2 * self.over(w).rsqrt()]
 
 

@@ -1,4 +1,4 @@
-"""What a phase keeps, and what follows from θ, θ̇ and t in it: slip, and rolling with resistance."""
+"""The equations of slip and of rolling with resistance: margins and state from θ, θ̇ and t."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LIFT, STOP, AHEAD, BACK, OPEN = "lift", "stop", "ahead", "back", "open"
 
 @dataclass
 class Slip:
-    """What slip keeps, and the state it began in."""
+    """Slip and the state it began in: gravity alone changes its momentum."""
 
     equations: Equations
     sigma: int

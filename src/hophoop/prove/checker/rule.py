@@ -38,7 +38,7 @@ def opening(equations: Equations, state: State) -> int:
 
 
 def rolls(equations: Equations, state: State) -> bool:
-    """Whether rolling is admissible."""
+    """Return True if rolling is admissible."""
     s, c = state.th.sin_cos()
     after = equations.just_after(state.th, state.om, 0)
     contact = after.contact(s, c, state.om * state.om, 0)
@@ -64,7 +64,7 @@ def rolls(equations: Equations, state: State) -> bool:
 
 
 def slips(equations: Equations, state: State, sigma: int) -> bool:
-    """Whether slip can start from v_t = 0 in a direction."""
+    """Return True if slip can start from v_t = 0 in a direction."""
     s, c = state.th.sin_cos()
     contact = equations.just_after(state.th, state.om, sigma).contact(s, c, state.om * state.om, sigma)
     if sign(contact.divisor, "p_σ") <= 0:
@@ -78,7 +78,7 @@ def slips(equations: Equations, state: State, sigma: int) -> bool:
 
 
 def slip_zeros(equations: Equations, state: State, sigma: int) -> int:
-    """How many derivatives of v_t vanish where slip begins, its value included."""
+    """The number of derivatives of v_t that vanish where slip begins, its value included."""
     if not state.vt.is_zero():
         return 0
     series = equations.in_time(state.th, state.om, sigma, ORDER)["slip"]
@@ -119,7 +119,7 @@ def collide(equations: Equations, state: State, rest: Ball) -> tuple[State, bool
     w_tt, w_nn, w_tn = (value / equations.kap for value in equations.delassus(s, c))
     vt, vn, total_n, total_t = state.vt, state.vn, arb(0), arb(0)
     work_n = work_t = arb(0)
-    goal: Any = None  # restitution: what is left to do
+    goal: Any = None  # of restitution
     done = False
     for _ in range(8):
         way = sign(vt, "v_t in an impact")

@@ -32,7 +32,7 @@ def highest(function: Function, low: Ball, high: Ball) -> Highest:
     Raises
     ------
     Undecided
-        Where a top is too flat to be told.
+        If a maximum is too flat to be located.
     """
     width = (high - low) / PARTS
     marks = [low, *(exact(low + width * k) for k in range(1, PARTS)), high]

@@ -44,7 +44,7 @@ class Ended:
 
 @dataclass(frozen=True)
 class Limits:
-    """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter).
+    """The latest end of a motion: a time, and a revolution from an angle; None if it does not matter.
 
     Without `timed` the time that rolling takes is left out, where nothing depends on it.
     """

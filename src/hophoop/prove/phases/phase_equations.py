@@ -64,7 +64,7 @@ class PhaseEquations(ABC):
 
     @property
     def ends_at_turn(self) -> bool:
-        """Whether the equations are others after a turning point."""
+        """True if the equations change at a turning point."""
         return self.model.resisted
 
     def plain(self) -> PhaseEquations:
@@ -133,7 +133,7 @@ class Slip(PhaseEquations):
 
     @property
     def steady(self) -> Ball:
-        """How fast gravity changes what is kept."""
+        """The rate at which gravity changes `kept`."""
         return self.model.gt - self.sigma * self.model.mu_k * self.model.gn
 
     def velocity(self, t: Ball, th: Ball, om: Ball) -> Ball:
@@ -293,7 +293,7 @@ def square_at(phase: PhaseEquations, th: Ball, u: Ball, centre: Ball, energy: Ba
 
 
 def begin_at(phase: PhaseEquations, centre: Ball, u: Ball, way: int) -> State:
-    """The state that the phase has, or would have had, at an exact angle beside the one where it began."""
+    """The state that the phase has, or would have had, at an exact angle next to the one where it began."""
     begin, spread = phase.begin, centre - phase.begin.th
     th, square = begin.th.union(centre), u.union(begin.om * begin.om)
     slowness = square.rsqrt()

@@ -59,7 +59,7 @@ def packed(values: list[Ball], reach: float, precise: int) -> str:
 
 
 def extent(values: list[Ball], precise: int) -> float:
-    """How far the last terms of a series stay below 2^−precise."""
+    """The distance up to which the last terms of a series stay below 2^−precise."""
     found = WIDEST
     size = len(values) - 1
     for k in range(size - 3, size + 1):
@@ -216,7 +216,7 @@ class Trail:
             w = arb(self.panels[-1]["to"])
             return (w * w * self.about.over(w)).mid()
         begin = self.phase.begin
-        with order(8):  # the record goes on from a double beside the angle of the begin
+        with order(8):  # the record goes on from a double next to the angle of the start
             near = coefficients(self.phase.square(begin.th.mid(), (begin.om * begin.om).mid(), 1, 8), 8)
         return polynomial(near, arb(self.at) - begin.th.mid()).mid()
 

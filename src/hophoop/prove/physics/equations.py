@@ -65,7 +65,7 @@ class Model:
         self.equal_friction = problem.mu_s == problem.mu_k and not {"plane.mu_static", "plane.mu_kinetic"} & set(self.free)
         self.rest = rational(problem.rest)
         self.resist = rational(problem.resist)
-        self.rho = rational(0)  # the couple over N, in the direction that `toward` says
+        self.rho = rational(0)  # the couple over N, in the direction given to `toward`
         slope: Ball = self.free.get("plane.slope", rational(problem.slope))
         weight = 1 if problem.gravity else 0
         self.gn, self.gt = slope.cos() * weight, slope.sin() * weight
@@ -105,7 +105,7 @@ class Model:
 
     @property
     def resisted(self) -> bool:
-        """Whether there is rolling resistance."""
+        """True if there is rolling resistance."""
         return not self.resist.is_zero()
 
     def toward(self, way: int) -> Model:
@@ -194,7 +194,7 @@ class Model:
         return Forces(q * part, normal, -drag * normal, slip, free_normal)
 
     def divisor(self, s: Series, c: Series, sigma: int) -> Series:
-        """What θ̈ is divided by: D − ρ ε sin θ in rolling, κ p_σ in slip."""
+        """The divisor of θ̈: D − ρ ε sin θ in rolling, κ p_σ in slip."""
         return self.stiffness(s, c, sigma) if sigma else self.inertia(c) - self.rho * self.eps * s
 
     def rates(self, s: Series, c: Series, sigma: int) -> tuple[Series, Series]:

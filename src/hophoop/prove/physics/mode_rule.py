@@ -43,7 +43,7 @@ def opening_sign(model: Model, state: State) -> int:
 
 
 def can_roll(model: Model, state: State) -> bool:
-    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    """Return True if rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     model = model.after(state.th, state.om, 0)
     s, c = state.th.sin_cos()
     forces = model.rolling(s, c, state.om * state.om)
@@ -77,13 +77,13 @@ def _tied(value: Ball) -> bool:
 
 
 def _identically_free(model: Model, state: State) -> bool:
-    """Whether rolling needs no friction at all: without gravity along the plane, at rest in equilibrium or balanced."""
+    """Return True if rolling needs no friction at all: without gravity along the plane, at rest in equilibrium or balanced."""
     balanced = model.eps.is_zero() or isinstance(model, Still) or (state.om.is_zero() and state.th.is_zero())
     return bool(model.gt.is_zero() and balanced)
 
 
 def can_start_slip(model: Model, state: State, sigma: int) -> bool:
-    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    """Return True if slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     model = model.after(state.th, state.om, sigma)
     s, c = state.th.sin_cos()
     if sign(model.stiffness(s, c, sigma), "p_σ") <= 0:
