@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum, auto
 from typing import NamedTuple
 
+from hophoop.kernel.physics.body import Status
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle
 from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction, work_of_resistance
 from hophoop.precise.problem import Body, Number, PreciseState
@@ -32,6 +33,14 @@ class Done(NamedTuple):
 
     what: Advance
     state: PreciseState
+
+
+class Stopped(Exception):
+    """The motion has come to an end that is asked for or that the physics sets."""
+
+    def __init__(self, status: Status) -> None:
+        super().__init__(status.name)
+        self.status = status
 
 
 class Stiff(Exception):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.precise.contact import Stopped
 from hophoop.precise.problem import Number, PreciseState
 from hophoop.precise.rules import UNDECIDED, can_roll, slip_mode
 
@@ -30,8 +31,6 @@ def begin(run: Run) -> None:
 
 def stop(status: Status) -> None:
     """End the motion."""
-    from hophoop.precise.motion import Stopped
-
     raise Stopped(status)
 
 

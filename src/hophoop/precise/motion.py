@@ -7,7 +7,7 @@ from typing import Any
 
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise import massless
-from hophoop.precise.contact import Advance, advance
+from hophoop.precise.contact import Advance, Stopped, advance
 from hophoop.precise.flight import fly
 from hophoop.precise.impact import impact
 from hophoop.precise.problem import Body, Number, PreciseState, Problem
@@ -45,14 +45,6 @@ class Record:
     gain: Number
     collision: bool | None = None
     stable: bool | None = None
-
-
-class Stopped(Exception):
-    """The motion has come to an end that is asked for or that the physics sets."""
-
-    def __init__(self, status: Status) -> None:
-        super().__init__(status.name)
-        self.status = status
 
 
 class Run:

@@ -58,9 +58,9 @@ class Slip:
             s, c = z.sin_cos()
             u = model.square(th, panel.square(x), panel.way, sigma, terms - 1)
             contact = model.contact(s, c, u, sigma)
-            load = coefficients(series([0]) - contact.free, terms)
+            free_normal = coefficients(series([0]) - contact.free, terms)
             rate = coefficients(sigma * contact.slip * (series([0]) + u).rsqrt(), terms)
-        return [load, [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]]
+        return [free_normal, [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]]
 
     def about(self, panel: Any, w: Ball, terms: int) -> list[Jet]:
         """(N, σ v_t) with their slopes in w."""
@@ -71,7 +71,7 @@ class Slip:
         s, c = panel.angle(w).sin_cos()
         contact = model.contact(s, c, w * w * over, sigma)
         rate = 2 * sigma * contact.slip * over.rsqrt()
-        # load = g − ε cos θ u, with dθ/dw = −2 way w
+        # free_normal = g − ε cos θ u, with dθ/dw = −2 way w
         fall = -2 * panel.way * w * model.eps * (s * w * w * over - 2 * c * contact.alpha)
         return [[-contact.free, fall][:terms], [here + rate * (w - middle), rate][:terms]]
 

@@ -162,10 +162,10 @@ class Slip(PhaseEquations):
             z = series([th, way])
             s, c = z.sin_cos()
             squares = self.square(th, u, way, terms) if terms > 1 else series([u])
-            load = coefficients(series([0]) + (model.gn - model.eps * c * squares), terms)
+            free_normal = coefficients(series([0]) + (model.gn - model.eps * c * squares), terms)
             rate = coefficients(self.sigma * model.slipping(s, c, squares, self.sigma).slip * squares.rsqrt(), terms)
         velocity = [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]
-        return [load, velocity]
+        return [free_normal, velocity]
 
     def about(self, panel: Any, w: Ball, terms: int) -> list[Jet]:
         """(−f_n, σ v_t) with their slopes in w."""
