@@ -13,11 +13,10 @@ import time
 import numpy as np
 
 import hophoop as hh
-from hophoop.derivatives.events.ending import go_through
-from hophoop.derivatives.layout import CARRIED, KEPT
+from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.parameters import directions_of
-from hophoop.derivatives.results.propagation import carry
-from hophoop.derivatives.workspace import ROWS
+from hophoop.derivatives.results.propagation import propagate
+from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.records.cells import start_of
@@ -49,17 +48,18 @@ def plain(scenario):
 def derived(motion, paths):
     """The bare kernel of the derivatives."""
     scenario, events, segments = motion.scenario, motion.tables["events"], motion.tables["segments"]
-    given, count = directions_of(scenario, paths), len(paths)
-    arguments = (
-        scenario.to_body(), events, segments, given.changes, given.start.copy(),
-        scenario.duration / motion.units.time, motion.kernel_doubt, False,
-        np.zeros((len(events), KEPT, count)), np.zeros((len(segments), CARRIED, count)),
-        np.zeros(count, np.int64), np.full(count, -1, np.int64), new_scratch(), np.zeros((ROWS, ORDER)),
-    )  # fmt: skip
-    kernel = compiled(go_through)
+    given = directions_of(scenario, paths)
+    known = KnownMotion(events, segments, scenario.duration / motion.units.time, motion.kernel_doubt)
+    solution, workspace = (
+        new_solution(len(events), len(segments), len(paths)),
+        Workspace(new_scratch(), np.zeros((ROWS, ORDER))),
+    )
+    start = given.start.copy()
+    arguments = (scenario.to_body(), known, given.parameter_tangents, start, False, solution, workspace)
+    kernel = compiled(propagate_motion)
 
     def call():
-        arguments[4][:] = given.start
+        start[:] = given.start
         kernel(*arguments)
 
     return call
@@ -78,7 +78,7 @@ def main():
         "1 parameter, kernel": derived(motion, PATHS[:1]),
         "12 parameters, kernel": derived(motion, PATHS),
         "simulate()": lambda: hh.simulate(scenario),
-        "12 parameters, carried": lambda: carry(motion, PATHS),
+        "12 parameters, propagated": lambda: propagate(motion, PATHS),
         "motion.sensitivity(1 of 12)": lambda: motion.sensitivity("takeoff.angle", PATHS),
         "motion.sensitivity(8 of 12)": lambda: motion.sensitivity(
             ["takeoff.t", "takeoff.angle", "hop.height", "hop.distance", "hop.duration", "impact.slip", "end.x", "energy_lost"],

@@ -55,7 +55,7 @@ ROOMS = {
         tuple(
             f"derivatives/{name}.py"
             for name in (
-                *("directions", "replay", "events/conditions", "events/ending", "events/impact", "events/massless"),
+                *("directions", "tangents", "events/conditions", "events/ending", "events/impact", "events/massless"),
                 *("pieces/flight_and_rest", "pieces/panels", "pieces/pieces", "pieces/sampling"),
             )
         ),

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from hophoop._support.extras import need
 from hophoop.derivatives.parameters import PATHS, value_of
 from hophoop.derivatives.results.friction_utilization import greatest_use
-from hophoop.derivatives.results.propagation import Rated
+from hophoop.derivatives.results.propagation import WithDerivatives
 from hophoop.derivatives.results.quantities import NotInMotion, quantity
 from hophoop.derivatives.results.sensitivity import names_of
 from hophoop.scenario import InputError, Scenario
@@ -171,19 +171,19 @@ class _Plain:
         self.motion = motion
         self.last = 0
 
-    def at_event(self, index: int, name: str) -> Rated:
+    def at_event(self, index: int, name: str) -> WithDerivatives:
         self.last = max(self.last, index)
         event: Any = self.motion.events[index]
         if name in ("kinetic", "potential", "total"):
-            return Rated(getattr(self.motion.at(event.t), name), np.zeros(0))
+            return WithDerivatives(getattr(self.motion.at(event.t), name), np.zeros(0))
         for step in name.split("."):
             event = getattr(event, step)
-        return Rated(float(event), np.zeros(0))
+        return WithDerivatives(float(event), np.zeros(0))
 
-    def friction_use(self) -> Rated:
+    def friction_utilization(self) -> WithDerivatives:
         self.last = len(self.motion.events) - 1
         tables = self.motion.tables
-        return Rated(greatest_use(self.motion.scenario.to_body(), tables["events"], tables["segments"]), np.zeros(0))
+        return WithDerivatives(greatest_use(self.motion.scenario.to_body(), tables["events"], tables["segments"]), np.zeros(0))
 
     def at_times(self, times: Floats, names: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
         begins = np.array([event.t for event in self.motion.events])

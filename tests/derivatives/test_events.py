@@ -8,7 +8,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.parameters import value_of
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.native import forced
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.maps import sweep
@@ -38,7 +38,7 @@ def disagreement(ours, true):
 def compare(scenario, path, found):
     """Our derivatives of a parameter beside those of the differences: the worst disagreement."""
     motion = hh.simulate(scenario)
-    carried = carry(motion, [path])
+    carried = propagate(motion, [path])
     kinds = motion.tables["events"]["kind"]
     ours, true = [], []
     for key, fields in found.items():
@@ -119,7 +119,7 @@ def test_energies_and_times_follow_differences_of_doubles(name):
     scenario = scenario_of(name)
     motion = hh.simulate(scenario)
     paths = [path for path in CASES[name][1][:4] if path != "plane.gravity"]
-    carried = carry(motion, paths)
+    carried = propagate(motion, paths)
     events = np.array(sorted({event.t for event in motion.events}))
     times = np.sort(np.concatenate([0.5 * (events[1:] + events[:-1]), events[:-1] + 0.123 * np.diff(events)]))
     motions = ("x", "height", "angle", "vx", "vy", "omega", "slip")
@@ -175,7 +175,7 @@ def test_the_state_at_a_time_beside_an_event_is_that_of_the_event(name):
     """At a fixed time: the total derivative less the velocity times dt, on either side of the event."""
     scenario = scenario_of(name)
     motion = hh.simulate(scenario)
-    carried = carry(motion, CASES[name][1])
+    carried = propagate(motion, CASES[name][1])
     for index, event in enumerate(motion.events[1:-1], 1):
         if event.kind in ("apex", "jam") or event.t == motion.events[index + 1].t or event.t == motion.events[index - 1].t:
             continue
@@ -195,7 +195,7 @@ def test_the_state_at_a_time_beside_an_event_is_that_of_the_event(name):
 def test_compiled_and_interpreted_agree():
     motion = hh.simulate(scenario_of("hop"))
     paths = CASES["hop"][1]
-    interpreted = carry(motion, paths).at_events
+    interpreted = propagate(motion, paths).at_events
     with forced("compiled"):
-        compiled = carry(motion, paths).at_events
+        compiled = propagate(motion, paths).at_events
     assert compiled == pytest.approx(interpreted, rel=1e-11, abs=1e-11)

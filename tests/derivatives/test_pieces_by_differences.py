@@ -9,19 +9,18 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.events import massless
-from hophoop.derivatives.events.impact import impact_change, pulled_back
+from hophoop.derivatives.events.impact import Blow, closing_impulse_change, impact_change
 from hophoop.derivatives.layout import (
     BEFORE_VN,
     BEFORE_VT,
-    CARRIED,
     END,
     EPS,
+    EVENT_ROWS,
     GN,
     GT,
     IMPACT_N,
     IMPACT_T,
     KAP,
-    KEPT,
     MU_K,
     MU_S,
     OM,
@@ -31,6 +30,7 @@ from hophoop.derivatives.layout import (
     RESIST,
     RESISTED,
     REST,
+    STATE_ROWS,
     TH,
     VN,
     VT,
@@ -59,10 +59,10 @@ def state_of(**values):
 
 def directions():
     """One for each parameter and each component of the state: (changes, z)."""
-    count = PARAMETERS + CARRIED
-    changes, z = np.zeros((PARAMETERS, count)), np.zeros((CARRIED, count))
+    count = PARAMETERS + STATE_ROWS
+    changes, z = np.zeros((PARAMETERS, count)), np.zeros((STATE_ROWS, count))
     changes[:, :PARAMETERS] = np.eye(PARAMETERS)
-    z[:, PARAMETERS:] = np.eye(CARRIED)
+    z[:, PARAMETERS:] = np.eye(STATE_ROWS)
     return changes, z
 
 
@@ -107,7 +107,7 @@ def test_an_impact(law, mu, rest, th, vt):
     s, c = math.sin(th), math.cos(th)
     for k in range(z.shape[1]):
         given = (z[TH, k], z[VT, k], z[VN, k], changes, k)
-        *found, reason = impact_change(body, rest, s, c, vt, -1.1, *given)
+        *found, reason = impact_change(body, Blow(rest, s, c, vt, -1.1), *given)
         assert reason == Reason.NONE
         assert found == pytest.approx(expected[:, k].tolist(), rel=2e-7, abs=2e-8)
 
@@ -115,11 +115,11 @@ def test_an_impact(law, mu, rest, th, vt):
 def test_an_impact_that_stops_a_slip_that_has_just_begun():
     """From v_t = 0 either way: the impulse that stops it is there at once, the same to first order."""
     body = BODY._replace(mu_s=1.0, mu_k=1.0, rest=0.0)
-    changes, z = np.zeros((PARAMETERS, 1)), np.zeros((CARRIED, 1))
+    changes, z = np.zeros((PARAMETERS, 1)), np.zeros((STATE_ROWS, 1))
     s, c = math.sin(0.7), math.cos(0.7)
     for way in (1.0, -1.0):
         z[VT, 0] = way
-        *found, reason = impact_change(body, 0.0, s, c, 0.0, -1.1, 0.0, way, 0.0, changes, 0)
+        *found, reason = impact_change(body, Blow(0.0, s, c, 0.0, -1.1), 0.0, way, 0.0, changes, 0)
         assert reason == -1  # holds to this side
         state = state_of(angle=0.7, vn=-1.1)
         after, before = (np.array(struck(body, state._replace(vt=step))) for step in (way * STEP, 0.0))
@@ -129,14 +129,14 @@ def test_an_impact_that_stops_a_slip_that_has_just_begun():
 def test_what_has_no_derivative_of_an_impact():
     changes, _ = directions()
     s, c = math.sin(0.7), math.cos(0.7)
-    plastic = impact_change(BODY._replace(rest=0.0), 0.0, s, c, 0.4, -1.1, 0.0, 0.0, 0.0, changes, REST)
+    plastic = impact_change(BODY._replace(rest=0.0), Blow(0.0, s, c, 0.4, -1.1), 0.0, 0.0, 0.0, changes, REST)
     assert plastic[-1] == Reason.PLASTIC
     # friction that just holds the stick
     arm, lever = contact_arms(BODY, s, c)
     needed = abs(stick_rates(BODY, arm, lever)[0])
     for more, reason in ((0.0, Reason.BORDER), (1e-11, Reason.BORDER), (1e-9, Reason.NONE)):
         body = BODY._replace(mu_s=needed + more, mu_k=needed + more)
-        assert impact_change(body, 0.5, s, c, 0.0, -1.1, 0.0, 0.0, 0.0, changes, EPS)[-1] == reason
+        assert impact_change(body, Blow(0.5, s, c, 0.0, -1.1), 0.0, 0.0, 0.0, changes, EPS)[-1] == reason
 
 
 def test_a_rim_that_is_pulled_back():
@@ -153,7 +153,7 @@ def test_a_rim_that_is_pulled_back():
 
     expected = slopes(pulled, body, state, changes, z)
     for k in range(z.shape[1]):
-        found = pulled_back(body, math.sin(0.7), math.cos(0.7), 0.4, z[TH, k], z[VN, k], changes, k)
+        found = closing_impulse_change(body, Blow(0.0, math.sin(0.7), math.cos(0.7), 0.0, 0.4), z[TH, k], z[VN, k], changes, k)
         assert found == pytest.approx(expected[:, k].tolist(), rel=1e-7, abs=1e-9)
 
 
@@ -195,7 +195,7 @@ def test_a_disturbed_equilibrium(stiffness, tau):
         terms.append(stiffness * terms[n - 2] / (n * (n - 1)))
     there = sum(term * tau**n for n, term in enumerate(terms))
     speed = sum(n * term * tau ** (n - 1) for n, term in enumerate(terms) if n)
-    assert moving.disturbed(stiffness, drive, angle, rate, tau) == pytest.approx((there, speed), rel=1e-13)
+    assert moving.perturbed_rest(stiffness, drive, angle, rate, tau) == pytest.approx((there, speed), rel=1e-13)
 
 
 @pytest.mark.parametrize("sigma", [0, 1, -1])
@@ -211,7 +211,7 @@ def test_rates_of_a_state_are_those_of_its_motion(sigma):
     assert after.omega - 0.7 == pytest.approx(1e-4 * turning, rel=1e-3)
     assert after.slip - 0.8 * sigma == pytest.approx(1e-4 * along, rel=1e-3, abs=1e-15)
     assert (away, lost) == (0.0, 0.0)
-    z = np.zeros((CARRIED, 1))
+    z = np.zeros((STATE_ROWS, 1))
     moving.step_along(z, 0, 0.5, state, (turning, along, 0.25, 0.125))
     assert z[:, 0].tolist() == pytest.approx(
         [0.5, 0.5 * (state.vt + 0.7), 0.0, 0.35, 0.5 * turning, 0.5 * along, 0.125, 0.0, 0.0, 0.0625]
@@ -269,7 +269,7 @@ def test_the_blow_of_a_load(side, mu):
     z[Y] = z[VN] = z[RESISTED] = 0.0
     expected = slopes(blown, body, begin, changes, z)
     tau = blown(body, begin)[0]
-    kept = np.zeros((KEPT, z.shape[1]))
+    kept = np.zeros((EVENT_ROWS, z.shape[1]))
     massless.follow_strike(body, begin, tau, changes, z, kept)
     found = np.concatenate([z[[T, X, VT, IMPACT_N, IMPACT_T]], kept[[BEFORE_VT, BEFORE_VN, P_N, P_T]]])
     assert found.ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-6, abs=1e-7)

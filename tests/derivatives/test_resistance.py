@@ -9,7 +9,7 @@ import pytest
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.parameters import value_of
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.native import forced
 from oracles.derivatives import RESISTANCE, scenario_of
@@ -86,7 +86,7 @@ def test_rolling_loses_nothing_else():
     motion = hh.simulate(hh.Scenario(plane=plane, start=hh.Start.rolling(1.5), duration=1.2))
     assert motion.sequence == "R"
     paths = ["start.speed", "start.angle", "hoop.load_fraction", RESISTANCE, "plane.gravity"]
-    rates = carry(motion, paths).at_times(np.array([0.2, 0.5, 0.9, 1.2]), ["friction", "rolling_resistance", "total"])
+    rates = propagate(motion, paths).at_times(np.array([0.2, 0.5, 0.9, 1.2]), ["friction", "rolling_resistance", "total"])
     assert np.abs(rates["friction"][1]).max() < 1e-10
     assert np.abs(rates["rolling_resistance"][1][:, 3]).min() > 1.0
     assert (rates["rolling_resistance"][0] == motion.at([0.2, 0.5, 0.9, 1.2]).rolling_resistance).all()

@@ -11,7 +11,7 @@ from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.problem import Prior, defaults, problem_of, shared_errors
 from hophoop.fitting.solving import Choice, slopes
 from hophoop.tracking import Camera, View
-from hophoop.tracking.ground import given_line, ground_line
+from hophoop.tracking.ground import ground_line, line_through
 from hophoop.tracking.table import track_from_dict, track_of
 
 pytestmark = pytest.mark.compiled
@@ -158,5 +158,5 @@ def test_the_line_of_the_ground_knows_how_well_it_is_known():
         line = ground_line(np.stack([x, 40 + np.repeat(rng.normal(0, 0.05, 20), 10)], axis=-1), np.full(200, 0.05), 100.0)
         pulls.append([(line.y - 40) / line.height_error, line.angle / line.angle_error])
     assert np.std(pulls, axis=0) == pytest.approx([1.0, 1.0], abs=0.35)
-    clicked = given_line(np.array([0.0, 10.0]), np.array([400.0, 10.0]), 50.0)
+    clicked = line_through(np.array([0.0, 10.0]), np.array([400.0, 10.0]), 50.0)
     assert (clicked.height_error, clicked.angle_error) == pytest.approx((1.0, np.sqrt(2) / 400))

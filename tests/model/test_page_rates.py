@@ -12,7 +12,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.parameters import PATHS, allowed_sides, value_of
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.lab import presets
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from model.test_page_model import answers
@@ -98,8 +98,8 @@ def test_derivatives_of_all_events_are_those_of_python() -> None:
         motion = hh.simulate(scenario)
         assert math.isinf(motion.doubt)
         _, smaller, larger = expected
-        upward = carry(motion, (path,), edges=True)
-        downward = carry(motion, (path,), -1.0, edges=True) if upward.one_sided else upward
+        upward = propagate(motion, (path,), edges=True)
+        downward = propagate(motion, (path,), -1.0, edges=True) if upward.one_sided else upward
         assert found["count"] == len(motion.events)
         for name, side, allowed in (("larger", upward, larger), ("smaller", downward, smaller)):
             assert (found[name] is not None) == allowed

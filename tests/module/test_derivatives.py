@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.layout import Reason
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 
@@ -40,7 +40,7 @@ def assert_same(host: Host, scenario: hh.Scenario, paths: tuple[str, ...]) -> No
     motion = hh.simulate(scenario)
     for sign in (1.0, -1.0):
         rates, reasons, failed = host.changes(cell_of(scenario), rates_of(scenario, paths), sign)
-        theirs = carry(motion, paths, sign, edges=True)  # as `sensitivity` asks for both sides
+        theirs = propagate(motion, paths, sign, edges=True)  # as `sensitivity` asks for both sides
         assert reasons.tolist() == theirs.reasons.tolist()
         assert failed.tolist() == theirs.failed.tolist()
         for index in range(len(motion.events)):

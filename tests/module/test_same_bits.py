@@ -10,7 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
@@ -206,7 +206,15 @@ def test_theory(host: Calls, query: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "query", ["", "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3", "hoop.load_fraction=1", "plane.gravity=0", "plane.mu=inf"]
+    "query",
+    [
+        "",
+        "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3",
+        "plane.mu=0.9&plane.rolling_resistance=0.1",
+        "hoop.load_fraction=1",
+        "plane.gravity=0",
+        "plane.mu=inf",
+    ],
 )
 def test_regions(host: Calls, query: str) -> None:
     scenario = hh.Scenario.from_query(query)
@@ -282,7 +290,7 @@ def test_changes(changing: Calls, decided: list[tuple[hh.Scenario, hh.Trajectory
             continue
         for sign in (1.0, -1.0):
             mine, reasons, failed = changing.changes(cell_of(scenario), rates_of(scenario, WRT), sign)
-            theirs = carry(motion, WRT, sign, edges=True)
+            theirs = propagate(motion, WRT, sign, edges=True)
             assert reasons.tolist() == theirs.reasons.tolist()
             assert failed.tolist() == theirs.failed.tolist()
             for index in range(len(motion.events)):

@@ -5,6 +5,8 @@ sub-samples a step and extrema between them looked at, then settled by integrati
 beginning up to the root. Ties of the mode rule are decided by trying: the candidate motion is integrated for
 a thousandth of √(R/g), and the signs of slip velocity and normal force there are read off. Impacts are
 integrated numerically over the normal impulse.
+
+It repeats the laws of impact on purpose and shares no code with hophoop.
 """
 
 from __future__ import annotations

@@ -5,6 +5,8 @@ of the event functions. Functions that vanish at the start of a piece (slip velo
 after lift-off) have their leading zero coefficients divided out before roots are looked for, which also
 decides each tie of the mode rule: the first non-zero coefficient of the candidate motion is the first
 non-zero time derivative.
+
+It repeats the laws of impact on purpose and shares no code with hophoop.
 """
 
 from __future__ import annotations

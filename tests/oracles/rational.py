@@ -28,6 +28,8 @@ Rod-like body (ε = 1/2, κ = 39/100, sin θ = −4/5, cos θ = 3/5, R = m = 1),
     * Reversal, μ = 1/8: v_t grows at 4/3 + 2/3 = 2, stops at p = 1/2; v_n grows at 55/39 + 1/6 = 41/26 to
       −115/52. Now r = −1/8 (slip forwards): v_t grows at 4/3 − 2/3 = 2/3, v_n at 55/39 − 1/6 = 97/78 and is
       zero after 345/194 more. p = 221/97, v_t = 115/97. Tangential impulse (1/8)(1/2 − 345/194) = −31/194.
+
+It repeats the laws of impact on purpose and shares no code with hophoop.
 """
 
 from __future__ import annotations

@@ -11,8 +11,8 @@ import hophoop as hh
 from hophoop.precise.problem import Problem
 from hophoop.prove import prove, prove_box, prove_map
 from hophoop.prove._flint import precision
+from hophoop.prove.enclosures.mean_value_form import Varied, parameter, polynomial, series
 from hophoop.prove.motion import REVOLUTION, Run
-from hophoop.prove.varied import Varied, parameter, polynomial, series
 
 flint = pytest.importorskip("flint")
 

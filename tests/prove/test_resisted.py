@@ -16,7 +16,7 @@ from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.precise.problem import Problem
 from hophoop.prove import check, prove, prove_box, thresholds
 from hophoop.prove.checker.equations import Equations
-from hophoop.prove.model import Model
+from hophoop.prove.physics.equations import Model
 from oracles.cases import Case
 from oracles.resistance import solve_mode
 from prove_tools import NUMBERS, contradiction

@@ -7,7 +7,8 @@ import itertools
 import pytest
 
 import hophoop as hh
-from hophoop.prove import prove, search
+from hophoop.prove import prove
+from hophoop.prove.enclosures import roots
 
 pytest.importorskip("flint")
 
@@ -26,13 +27,13 @@ SHORT_HOPS = {
 @pytest.fixture
 def counted(monkeypatch):
     """How many intervals were looked at for an event; 10,000 are too many."""
-    counts, judge = itertools.count(1), search._judge
+    counts, judge = itertools.count(1), roots._judge
 
     def counting(*arguments):
         assert next(counts) < 10_000
         return judge(*arguments)
 
-    monkeypatch.setattr(search, "_judge", counting)
+    monkeypatch.setattr(roots, "_judge", counting)
 
 
 @pytest.mark.parametrize("name", sorted(SHORT_HOPS))

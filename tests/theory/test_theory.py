@@ -15,8 +15,8 @@ import hophoop as hh
 from hophoop import theory
 from hophoop.kernel.physics.roll import rolling_u
 from hophoop.scenario import to_body
-from hophoop.theory._columns import body_from
-from hophoop.theory.kernels import arcs
+from hophoop.theory._columns import Columns
+from hophoop.theory.kernels import arcs, rows
 from oracles import elliptic, mechanics
 from oracles.cases import case_of
 from strategies import hoops
@@ -133,7 +133,7 @@ def test_far_uphill_no_hilltop_is_looked_at_one_by_one(way):
     np.testing.assert_array_equal(np.isnan(found), [False, True, True])
     # where they are few, one by one
     body, w = to_body(hoop, hh.Plane(slope=-way * 1e-3)), speed**2 / 9.81
-    place = arcs.next_of(arcs.first_hilltop(body), 0.0, way)
+    place = arcs.next_of(arcs.first_maximum(body), 0.0, way)
     while rolling_u(body, 0.0, w, place) >= 0.0:
         place += way * TURN
     for end in (1e5, 1e9):
@@ -393,6 +393,9 @@ def test_bad_arguments_get_a_sentence(call, sentence):
 
 @pytest.mark.parametrize("hoop", [hh.Hoop.ideal(0.75), hh.Hoop(eccentricity=0.5, inertia_ratio=0.39)])
 def test_a_row_of_a_table_gives_the_body_back(hoop):
-    plane = hh.Plane(mu_static=0.9, mu_kinetic=0.7, slope=0.2, restitution=0.3, painleve="impact")
+    plane = hh.Plane(mu_static=0.9, mu_kinetic=0.7, slope=0.2, restitution=0.3, painleve="impact", rolling_resistance=0.1)
     body = to_body(hoop, plane)
-    assert body_from(np.array(body, dtype=float)) == body
+    cases = Columns(hoop, plane, resisted=True)
+    assert cases.bodies() == [body]
+    assert rows.body_of(cases.body[0]) == body
+    assert rows.table_of(body) == cases.body

@@ -12,7 +12,8 @@ from scipy import optimize
 
 import hophoop as hh
 from hophoop import theory
-from hophoop.kernel.physics.contact import free_acceleration, slip_stiffness
+from hophoop.kernel.physics.contact import free_acceleration, slip_motion, slip_stiffness
+from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.scenario import to_body
 from oracles import mechanics
 from oracles.cases import case_of
@@ -250,3 +251,50 @@ def test_the_mode_with_rolling_resistance():
         start = hh.Start.rolling(omega, angle=angle)
         motion = hh.simulate(hh.Hoop.ideal(0.75), plane, start, duration=1e-3)
         assert motion.sequence[0] == mode
+
+
+def region_by_forces(plane, hoop, theta, omega):
+    """σ of the slip whose normal force has the sign of f_n, so that p_σ < 0; 2 for both directions."""
+    body = to_body(hoop, plane)
+    s, c = math.sin(theta), math.cos(theta)
+    opening = free_acceleration(body, s, c, omega * omega)[1]
+    normals = {
+        sigma: slip_motion(body, s, c, omega * omega, sigma, resistance_arm(body, s, c, omega, sigma))[1] for sigma in (-1, 1)
+    }
+    pulls = [sigma for sigma, normal in normals.items() if normal * opening > 0.0]
+    return pulls[0] if len(pulls) == 1 else len(pulls)
+
+
+@pytest.mark.parametrize(("gamma", "mu", "resistance"), [(0.75, 0.9, 0.1), (0.75, 1.0, 0.0), (0.9, 0.05, 0.95), (0.9, 2, 0.01)])
+def test_the_region_of_the_paradox_is_where_the_kernels_forces_change_sign(gamma, mu, resistance):
+    hoop, plane = hh.Hoop.ideal(gamma), hh.Plane(mu=mu, rolling_resistance=resistance)
+    theta, omega = np.linspace(-3.1, 3.1, 125), np.array([-0.8, -1e-3, 0.0, 1e-3, 0.8])[:, None]
+    second = math.sqrt(hoop.radius / plane.gravity)
+    found = theory.painleve_region(theta, mu, hoop, rolling_resistance=resistance, omega=omega / second)
+    expected = [[region_by_forces(plane, hoop, float(angle), float(rate)) for angle in theta] for rate in omega[:, 0]]
+    assert np.array_equal(found, expected)
+    assert len(np.unique(found)) > 1
+    # the mirror image: θ and θ̇ change their sign, spin is skid, both stay both
+    mirrored = theory.painleve_region(-theta, mu, hoop, rolling_resistance=resistance, omega=-omega / second)
+    assert np.array_equal(mirrored, np.where(found == 2, 2, -found))
+
+
+def test_rolling_resistance_moves_the_paradox_of_spin_by_the_direction_of_rotation():
+    """γ = 3/4, μ = 0.9: shares of (0, π) from p_σ = 0, which is linear in the couple."""
+    theta, hoop = (np.arange(20_000) + 0.5) / 20_000 * math.pi, hh.Hoop.ideal(0.75)
+    lever, arm = hoop.eccentricity * np.sin(theta), 1.0 + hoop.eccentricity * np.cos(theta)
+    for resistance, omega, share in ((0.0, 1.0, 0.085), (0.1, 1.0, 0.186), (0.1, -1.0, 0.0)):
+        found = theory.painleve_region(theta, 0.9, hoop, rolling_resistance=resistance, omega=omega)
+        assert np.array_equal(found == -1, hoop.inertia_ratio + lever * (lever - 0.9 * arm - omega * resistance) <= 0.0)
+        assert np.mean(found == -1) == pytest.approx(share, abs=5e-4)
+
+
+def test_a_region_that_depends_on_the_direction_of_rotation_asks_for_it():
+    with pytest.raises(ValueError, match="omega = None must be given"):
+        theory.painleve_region(0.7, 1.0, REFERENCE, rolling_resistance=0.1)
+    with pytest.raises(ValueError, match=r"rolling_resistance = -0\.1 must be from 0 to 1"):
+        theory.painleve_region(0.7, 1.0, REFERENCE, rolling_resistance=-0.1, omega=1.0)
+    with pytest.raises(ValueError, match=r"rolling_resistance = 0\.98 must be below 0\.968"):
+        theory.painleve_region(0.7, 1.0, hh.Hoop.ideal(0.9), rolling_resistance=0.98, omega=1.0)
+    with pytest.raises(ValueError, match=r"rolling_resistance = 0\.1 must be 0 for the massless hoop"):
+        theory.painleve_region(0.7, 1.0, hh.Hoop.ideal(1.0), rolling_resistance=0.1, omega=1.0)

@@ -18,10 +18,10 @@ NUMBERS = (
 
 
 def direction(given, more):
-    """What changes in kernel units: of the body and the duration, of the start, of the logarithms of the units.
+    """Return the changes in kernel units: of the body and the duration, of the start, of the logarithms of the units.
 
     `given` holds the numbers of `NUMBERS` and `more` their rates; the results are in the order of `layout`'s PARAMETERS and
-    CARRIED, and length, time and mass.
+    STATE_ROWS, and length, time and mass.
     """
     length = given[RADIUS]
     gravity = given[GRAVITY]
@@ -36,7 +36,7 @@ def direction(given, more):
     else:
         normal, tangential = cosine * more[GRAVITY], sine * more[GRAVITY]
     by_speed = by_length - by_time
-    changes = (
+    parameter_tangents = (
         more[ECCENTRICITY],
         more[INERTIA_RATIO],
         more[MU_STATIC],
@@ -59,4 +59,4 @@ def direction(given, more):
         0.0,
         0.0,
     )
-    return changes, start, (by_length, by_time, more[MASS] / given[MASS])
+    return parameter_tangents, start, (by_length, by_time, more[MASS] / given[MASS])

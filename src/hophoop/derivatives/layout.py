@@ -1,8 +1,8 @@
-"""Which derivative stands where: rows of the arrays that the kernels fill, one column a direction.
+"""Rows of the arrays of derivatives that the kernels fill, with one column per direction.
 
-A direction is a way to change all parameters and the start together. What a kernel carries for it says which state the
-changed motion has when: at the time t + dt it is at x + dx, θ + dθ and so on. Moving along the motion changes all of
-them and says the same, so that each piece takes the form that suits it.
+A direction changes all parameters and the start together. Its tangent is the state of the changed motion at a time that may
+change too: at t + dt it is at x + dx, θ + dθ and so on. A step along the motion changes all of them and describes the same
+motion, so that each piece uses the form that suits it.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from enum import IntEnum
 EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST = range(9)
 PARAMETERS = 9
 
-# What is carried from event to event.
+# A state and its ledger, which are propagated from event to event.
 T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T, RESISTED = range(10)
-CARRIED = 10
+STATE_ROWS = 10
 
-# What is kept of an event beside that: the velocities before it, and its impulse.
-BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(CARRIED, CARRIED + 5)
-KEPT = CARRIED + 5
+# Of an event also the velocities before it, and its impulse.
+BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(STATE_ROWS, STATE_ROWS + 5)
+EVENT_ROWS = STATE_ROWS + 5
 
 
 class Reason(IntEnum):

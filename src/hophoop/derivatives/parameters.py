@@ -1,4 +1,4 @@
-"""What a parameter of a scenario changes: body, start and units of the kernel, by its path."""
+"""Rates of the kernel's body, start and units with a parameter of a scenario, given by its path."""
 
 from __future__ import annotations
 
@@ -49,15 +49,15 @@ class Directions:
 
     Attributes
     ----------
-    changes : ndarray, shape (PARAMETERS, n)
+    parameter_tangents : ndarray, shape (PARAMETERS, n)
         Of the body and the duration.
-    start : ndarray, shape (CARRIED, n)
+    start : ndarray, shape (STATE_ROWS, n)
         Of the start.
     units : ndarray, shape (3, n)
         Logarithmic rates of the units of length, time and mass.
     """
 
-    changes: Floats
+    parameter_tangents: Floats
     start: Floats
     units: Floats
 
@@ -162,7 +162,7 @@ PATHS = (*_SIMPLE, *_FRICTION)
 
 
 def change_of(scenario: Scenario, path: str) -> Change:
-    """What changes with one parameter.
+    """Return the rates of change with one parameter.
 
     Parameters
     ----------
@@ -219,7 +219,7 @@ _ANY = Range(-math.inf, math.inf)
 
 
 def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bool]:
-    """Whether the parameter may be smaller, and whether it may be larger, than it is.
+    """Return whether a parameter may be smaller, and whether it may be larger, than it is.
 
     Parameters
     ----------
@@ -245,7 +245,7 @@ def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bo
 
 
 def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
-    """What changes with some parameters, in kernel units.
+    """Return the directions of some parameters, in kernel units.
 
     Parameters
     ----------

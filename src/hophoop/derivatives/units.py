@@ -1,4 +1,4 @@
-"""What events have derivatives of: their rows, their units, and how those change with the parameters."""
+"""The quantities of events that have derivatives: their rows, their units, and how the units change with the parameters."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from hophoop.derivatives.layout import (
 # Exponents of the units of length, time and mass.
 LENGTH, TIME, ANGLE, SPEED, TURNING = (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, -1, 0), (0, -1, 0)
 MOMENTUM, ENERGY = (1, -1, 1), (2, -2, 1)
-# What can be asked of an event: column of the record, row of its derivatives, unit.
+# Quantities of an event: column of the record, row of its derivatives, unit.
 DIRECT = {
     "t": ("t", T, TIME),
     "x": ("x", X, LENGTH),

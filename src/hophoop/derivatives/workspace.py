@@ -1,7 +1,12 @@
-"""The rows of the array in which the derivatives on a panel are worked out, values at its nodes."""
+"""The input, output and working arrays of derivatives."""
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from hophoop.derivatives.layout import EVENT_ROWS, STATE_ROWS
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import STRETCH, TIME
@@ -15,9 +20,44 @@ SLOPE, INTERPOLATE, INTEGRATE, AT_BEGIN, RATES, TIMES, WEIGH, WEIGHED = range(LO
 ROWS = LOCAL + 8
 
 
+class KnownMotion(NamedTuple):
+    """A computed motion in kernel units."""
+
+    events: Any  # of records.EVENT
+    segments: Any  # of records.SEGMENT
+    t_end: float  # its duration
+    doubt: float  # the time after which doubles do not decide what follows, inf if they always do
+
+
+class Solution(NamedTuple):
+    """The derivatives of a motion in n directions, which the kernels fill in."""
+
+    at_events: Any  # shape (events, EVENT_ROWS, n)
+    at_segments: Any  # shape (segments, STATE_ROWS, n), at their starts
+    reasons: Any  # of int, shape (n,): why there is no derivative after some event, −1 if it is one-sided, else 0
+    failed: Any  # of int, shape (n,): the first event without a derivative, else −1
+
+
+class Workspace(NamedTuple):
+    """The arrays that a computation of derivatives works in."""
+
+    scratch: Any  # records.Scratch
+    local: Any  # shape (ROWS, ORDER), values at the nodes of a panel
+
+
+def new_solution(events: int, segments: int, directions: int) -> Solution:
+    """A solution to be filled in."""
+    return Solution(
+        np.zeros((events, EVENT_ROWS, directions)),
+        np.zeros((segments, STATE_ROWS, directions)),
+        np.zeros(directions, np.int64),
+        np.full(directions, -1, np.int64),
+    )
+
+
 @apart
 def integrate_row(panel, row, growth, work):
-    """What a rate of dθ̇²/dθ adds up to from the panel's reference on, grown by the factor `growth`."""
+    """Integrate a rate of dθ̇²/dθ from the panel's reference, with the integrating factor `growth`."""
     integral = work[TIME]
     for i in range(ORDER):
         row[i] *= work[STRETCH, i] / growth[i]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.fitting.parameters import PATHS
 from hophoop.fitting.problem import Problem
 from hophoop.simulation.trajectory import Trajectory
@@ -58,7 +58,7 @@ def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, .
 def _of_motion(problem: Problem, motion: Trajectory, values: dict[str, float], groups: list[tuple[str, ...]]) -> Floats:
     """Columns of parameters of the scenario, each a group of its numbers."""
     paths = tuple(dict.fromkeys(path for group in groups for path in group))
-    rated = carry(motion, paths).at_times(problem.moments(motion, values), ("x", "height", "angle"))
+    rated = propagate(motion, paths).at_times(problem.moments(motion, values), ("x", "height", "angle"))
     together = np.array([[float(path in group) for group in groups] for path in paths])
     change = {field: rates @ together for field, (_, rates) in rated.items()}
     return _residual_changes(problem, values, rated["angle"][0][:, None], change)

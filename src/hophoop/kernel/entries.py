@@ -13,7 +13,7 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import EVENT, SEGMENT, Tables
+from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, Tables
 from hophoop.kernel.records.scratch import Scratch
 from hophoop.kernel.records.state import State
 
@@ -31,8 +31,23 @@ class Array(NamedTuple):
     dimensions: int = 1
 
 
+class Named(NamedTuple):
+    """A named tuple of a package above the kernel, which is imported when the library is built.
+
+    Attributes
+    ----------
+    name : str
+        With its module.
+    kinds : tuple
+        Of its fields.
+    """
+
+    name: str
+    kinds: tuple[Any, ...]
+
+
 REAL, WHOLE = np.dtype(np.float64), np.dtype(np.int64)
-EVENTS, SEGMENTS = Array(EVENT), Array(SEGMENT)
+BODIES, EVENTS, SEGMENTS = Array(BODY), Array(EVENT), Array(SEGMENT)
 ROW, TABLE, CUBE, COUNTS = Array(REAL), Array(REAL, 2), Array(REAL, 3), Array(WHOLE)
 
 # Arrays in named tuples, whose annotations do not state dtype and dimensions.
@@ -42,6 +57,7 @@ FIELDS: dict[type, tuple[Array, ...]] = {
 }
 
 _THEORY = "hophoop.theory.kernels."
+WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 
 # Each group is compiled by its own process, and only if one of its sources has changed.
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
@@ -60,11 +76,13 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.compliant.sampling.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
     },
     "derivatives": {
-        "hophoop.derivatives.events.ending.go_through": (
-            Body, EVENTS, SEGMENTS, TABLE, TABLE, float, float, bool, CUBE, CUBE, COUNTS, COUNTS, Scratch, TABLE,
+        "hophoop.derivatives.events.ending.propagate_motion": (
+            Body, Named("hophoop.derivatives.workspace.KnownMotion", (EVENTS, SEGMENTS, float, float)), TABLE, TABLE, bool,
+            Named("hophoop.derivatives.workspace.Solution", (CUBE, CUBE, COUNTS, COUNTS)), WORKSPACE,
         ),
-        "hophoop.derivatives.pieces.sampling.sample_changes": (
-            Body, SEGMENTS, CUBE, TABLE, ROW, ROW, bool, TABLE, CUBE, Scratch, TABLE,
+        "hophoop.derivatives.pieces.sampling.sample_tangents": (
+            Body, Named("hophoop.derivatives.pieces.sampling.Pieces", (SEGMENTS, CUBE, TABLE)), ROW, ROW, bool,
+            Named("hophoop.derivatives.pieces.sampling.Samples", (TABLE, CUBE)), WORKSPACE,
         ),
         "hophoop.derivatives.pieces.required_friction.need_at_rest": (Body, float),
         "hophoop.derivatives.pieces.required_friction.needs_on_panel": (Body, SEGMENTS, int, Scratch, ROW, ROW, ROW),
@@ -75,22 +93,22 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
         "hophoop.kernel.records.times.kernel_times": (ROW, float, ROW, float, ROW),
         "hophoop.kernel.physics.friction.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
-        _THEORY + "critical.slip_speeds": (TABLE, ROW),
+        _THEORY + "critical.slip_speeds": (BODIES, ROW),
         _THEORY + "painleve.border": (Body, float, bool),
-        _THEORY + "painleve.minima": (TABLE, TABLE),
-        _THEORY + "painleve.regions": (TABLE, ROW, ROW, COUNTS),
-        _THEORY + "painleve.thresholds": (TABLE, ROW, ROW),
+        _THEORY + "painleve.minima": (BODIES, TABLE),
+        _THEORY + "painleve.regions": (BODIES, ROW, ROW, COUNTS),
+        _THEORY + "painleve.thresholds": (BODIES, ROW, ROW),
         _THEORY + "phase_plane.lift_off": (Body, float),
-        _THEORY + "phase_plane.lift_off_speeds": (TABLE, ROW, ROW),
-        _THEORY + "phase_plane.modes": (TABLE, ROW, ROW, COUNTS),
-        _THEORY + "phase_plane.rolling_ranges": (TABLE, ROW, TABLE),
-        _THEORY + "rolling.contact_losses": (TABLE, ROW, TABLE),
-        _THEORY + "rolling.forces": (TABLE, ROW, ROW, TABLE),
-        _THEORY + "rolling.kinetic": (TABLE, ROW, ROW, ROW),
-        _THEORY + "rolling.needed_frictions": (TABLE, ROW, TABLE),
-        _THEORY + "rolling.rocking_periods": (TABLE, ROW, ROW),
-        _THEORY + "rolling.speeds": (TABLE, ROW, ROW, ROW),
-        _THEORY + "rolling.times": (TABLE, ROW, ROW, ROW),
+        _THEORY + "phase_plane.lift_off_speeds": (BODIES, ROW, ROW),
+        _THEORY + "phase_plane.modes": (BODIES, ROW, ROW, COUNTS),
+        _THEORY + "phase_plane.rolling_ranges": (BODIES, ROW, TABLE),
+        _THEORY + "rolling.contact_losses": (BODIES, ROW, TABLE),
+        _THEORY + "rolling.forces": (BODIES, ROW, ROW, TABLE),
+        _THEORY + "rolling.kinetic": (BODIES, ROW, ROW, ROW),
+        _THEORY + "rolling.needed_frictions": (BODIES, ROW, TABLE),
+        _THEORY + "rolling.rocking_periods": (BODIES, ROW, ROW),
+        _THEORY + "rolling.speeds": (BODIES, ROW, ROW, ROW),
+        _THEORY + "rolling.times": (BODIES, ROW, ROW, ROW),
     },
 }  # fmt: skip
 
@@ -101,8 +119,15 @@ def kernel_named(name: str) -> Any:
     return getattr(import_module(module), function)
 
 
+def class_of(kind: Any) -> Any:
+    """The class of a named tuple."""
+    return kernel_named(kind.name) if isinstance(kind, Named) else kind
+
+
 def fields_of(kind: Any) -> tuple[tuple[str, Any], ...]:
-    """Return names and types of a named tuple's fields."""
+    """Return names and kinds of a named tuple's fields."""
+    if isinstance(kind, Named):
+        return tuple(zip(class_of(kind)._fields, kind.kinds, strict=True))
     if kind in FIELDS:
         return tuple(zip(kind._fields, FIELDS[kind], strict=True))
     import typing
@@ -112,5 +137,5 @@ def fields_of(kind: Any) -> tuple[tuple[str, Any], ...]:
 
 
 def is_tuple(kind: Any) -> bool:
-    """Return True if a type is a named tuple."""
-    return isinstance(kind, type) and issubclass(kind, tuple)
+    """Return True if a kind is that of a named tuple."""
+    return isinstance(kind, Named) or (isinstance(kind, type) and issubclass(kind, tuple))

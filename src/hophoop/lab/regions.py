@@ -31,7 +31,8 @@ def regions(
     -------
     regions : dict of ndarray
         `modes` (rows upward): code of the mode's word, 5 if the model has no answer; `paradox`: for each column −1 (spin), 1
-        (skid) or 0, the slip with Painlevé's paradox.
+        (skid) or 0, the slip with Painlevé's paradox. With rolling resistance it is 0 everywhere, since the paradox then
+        depends on the direction of rotation too.
     """
     left, right, bottom, top = window
     angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)
@@ -39,6 +40,7 @@ def regions(
     letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
     codes = codes_of(mode_words(letters, rates[:, None])).astype(np.uint8)
     paradox = np.zeros(columns)
-    if not scenario.hoop.massless and math.isfinite(scenario.plane.mu_kinetic):
-        paradox = np.asarray(theory.painleve_region(angles, scenario.plane.mu_kinetic, scenario.hoop), float)
+    hoop, plane = scenario.hoop, scenario.plane
+    if not hoop.massless and math.isfinite(plane.mu_kinetic) and plane.rolling_resistance == 0.0:
+        paradox = np.asarray(theory.painleve_region(angles, plane.mu_kinetic, hoop), float)
     return {"modes": codes, "paradox": paradox}

@@ -1,4 +1,4 @@
-"""The kernel's events beside those of a precise motion: the same ones, and how many digits of each are right."""
+"""Compare the kernel's events with those of a precise motion: the same ones, and the correct digits of each."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ MOST_DIGITS = 17
 
 
 class Motion(Protocol):
-    """What a comparison reads of the kernel's motion."""
+    """The attributes of the kernel's motion that a comparison reads."""
 
     @property
     def status(self) -> str:
-        """How it ended."""
+        """The status at its end."""
 
     @property
     def sequence(self) -> str:
@@ -43,7 +43,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Agreement:
-    """How two computations of one motion compare.
+    """The comparison of two computations of one motion.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ def compare(motion: Motion, precise: PreciseMotion) -> Agreement:
 
     Three things are no difference: endless bounces, of which the precise motion counts more before it closes them; the
     apex of a flight that the end of the motion cuts short; and slip that ends within 1e-14 rad of p_σ = 0, which the
-    kernel books as an impulse at a fixed angle (`painleve_inconsistent` and an `impact`).
+    kernel counts as an impulse at a fixed angle (`painleve_inconsistent` and an `impact`).
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def compare(motion: Motion, precise: PreciseMotion) -> Agreement:
     Returns
     -------
     agreement : Agreement
-        A digit is counted beside the number itself or its unit made of R and g, whichever is larger.
+        Digits are counted relative to the number itself or its unit made of R and g, whichever is larger.
     """
     scenario = precise.scenario
     second, length = time_unit(scenario.hoop, scenario.plane), scenario.hoop.radius
@@ -126,7 +126,7 @@ def _digits(value: float, true: Decimal, unit: float) -> float:
 
 
 def _is_impulse(mine: Any, right: PreciseEvent) -> bool:
-    """Whether the kernel's impact without collision is the end of a slip that has come all but to p_σ = 0."""
+    """Return True if the kernel's impact without collision is the end of a slip that nearly reaches p_σ = 0."""
     ends = ("stick", "slip_reversal", "takeoff", "turn")
     same = (mine.from_mode, mine.to_mode) == (right.from_mode, right.to_mode)
     return bool(mine.kind == "impact" and mine.collision is False and right.kind in ends and same)

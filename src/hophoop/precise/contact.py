@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum, auto
 from typing import NamedTuple
 
+from hophoop.kernel.physics.body import Status
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle
 from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction, work_of_resistance
 from hophoop.precise.problem import Body, Number, PreciseState
@@ -16,7 +17,7 @@ MOST_STEPS = 1_000_000
 
 
 class Advance(Enum):
-    """What ends a phase of contact, in the order in which simultaneous ones count."""
+    """The ends of a phase of contact, in the order of precedence of simultaneous ones."""
 
     CONE_AHEAD = auto()
     CONE_BACK = auto()
@@ -28,10 +29,18 @@ class Advance(Enum):
 
 
 class Done(NamedTuple):
-    """What ended the advance, and the state there."""
+    """The end of an advance and the state there."""
 
     what: Advance
     state: PreciseState
+
+
+class Stopped(Exception):
+    """The motion has come to an end that is asked for or that the physics sets."""
+
+    def __init__(self, status: Status) -> None:
+        super().__init__(status.name)
+        self.status = status
 
 
 class Stiff(Exception):
@@ -192,7 +201,7 @@ def at(body: Body, sigma: int, state: PreciseState, step: Step, s: int) -> Preci
 
 
 def _settled(what: Advance, state: PreciseState, body: Body) -> PreciseState:
-    """The state with what the event says is zero."""
+    """The state with the quantity of the event set to 0."""
     if what == Advance.STOP:
         return state._replace(vt=body.zero)
     if what == Advance.TURN:
@@ -201,7 +210,7 @@ def _settled(what: Advance, state: PreciseState, body: Body) -> PreciseState:
 
 
 def _turned(body: Body, begin: PreciseState, state: PreciseState) -> bool:
-    """Whether rolling has gone through a whole turn since the phase began; False once that has been used."""
+    """Return True if rolling has gone through a revolution since the phase began; False once that has been used."""
     return bool(begin.om != 0 and abs(state.th - begin.th) >= 2 * body.ctx.pi)
 
 

@@ -11,11 +11,20 @@ from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, val
 
 
 class Landing(NamedTuple):
-    """How a flight ends: the state there, whether it lands, and the state where the centre is highest."""
+    """The end of a flight: the state there, whether it lands, and the state where the centre is highest."""
 
     state: PreciseState
     lands: bool
     apex: PreciseState | None
+
+
+class Step(NamedTuple):
+    """A step of flight: its begin, and the series of the gap over 2^exponent with coefficients in units of 2^−bits."""
+
+    state: PreciseState
+    series: list[int]
+    bits: int
+    exponent: int
 
 
 def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Number) -> Landing:
@@ -54,10 +63,11 @@ def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Numb
         lands = bool(roots)
         if lands:
             where = roots[0] * part >> bits
-        top = _highest(body, judge_here, state, series, known, where, bits, exponent, highest)
+        step = Step(state, series, bits, exponent)
+        top = _highest(body, judge_here, step, known, where, highest)
         if top is not None:
             apex, highest = top, top.y
-        after = _at(body, state, series, where, bits, exponent)
+        after = _at(body, step, where)
         if lands:
             vn = min(after.vn, body.zero)
             return Landing(after._replace(y=body.zero, vn=vn), True, apex)
@@ -103,19 +113,10 @@ def _log2(number: float) -> float:
     return math.log2(number) if number > 0.0 else -1000.0
 
 
-def _highest(
-    body: Body,
-    judge: Judge,
-    state: PreciseState,
-    series: list[int],
-    known: int,
-    where: int,
-    bits: int,
-    exponent: int,
-    best: Number,
-) -> PreciseState | None:
-    """The highest top of the gap in this step, if it is higher than the best of the flight so far."""
-    rate = [k * series[k] for k in range(1, len(series))]
+def _highest(body: Body, judge: Judge, step: Step, known: int, where: int, best: Number) -> PreciseState | None:
+    """The highest apex of the gap in a step, if it is higher than the best of the flight so far."""
+    state, bits = step.state, step.bits
+    rate = [k * step.series[k] for k in range(1, len(step.series))]
     scale = max(map(abs, rate))
     zeros = max(known - 1, 1 if state.vn == 0 and known == 0 else 0)
     if scale == 0 or where == 0:
@@ -127,15 +128,16 @@ def _highest(
     for root in sign_changes(stretched(rate[zeros:], where, bits), sign, bits, judge, first=False):
         sign = -sign
         if sign < 0:
-            top = _at(body, state, series, root * where >> bits, bits, exponent)._replace(vn=body.zero)
+            top = _at(body, step, root * where >> bits)._replace(vn=body.zero)
             if top.y > best:
                 best, found = top.y, top
     return found
 
 
-def _at(body: Body, state: PreciseState, series: list[int], s: int, bits: int, exponent: int) -> PreciseState:
+def _at(body: Body, step: Step, s: int) -> PreciseState:
     """State at s of a step of flight."""
     ctx = body.ctx
+    state, series, bits, exponent = step
     tau = ctx.ldexp(ctx.mpf(s), exponent - bits)
     y = ctx.ldexp(ctx.mpf(value(series, s, bits)), -bits)
     vn = ctx.ldexp(ctx.mpf(slope_at(series, s, bits)), -bits - exponent)
@@ -143,7 +145,7 @@ def _at(body: Body, state: PreciseState, series: list[int], s: int, bits: int, e
 
 
 def _moved(body: Body, state: PreciseState, tau: Number, y: Number, vn: Number) -> PreciseState:
-    """What flight does to the other coordinates: G is a projectile and θ̇ is constant."""
+    """The state after τ with this gap: G is a projectile and θ̇ is constant."""
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)
     th = state.th + state.om * tau

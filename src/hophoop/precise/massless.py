@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.precise.contact import Stopped
 from hophoop.precise.problem import Number, PreciseState
 from hophoop.precise.rules import UNDECIDED, can_roll, slip_mode
 
@@ -30,13 +31,11 @@ def begin(run: Run) -> None:
 
 def stop(status: Status) -> None:
     """End the motion."""
-    from hophoop.precise.motion import Stopped
-
     raise Stopped(status)
 
 
 def lies(run: Run) -> bool:
-    """Whether the load is on the plane: θ is π as well as a double can say it, which no double is."""
+    """Return True if the load is on the plane: θ is the double nearest to π."""
     ctx, th = run.body.ctx, run.origin.th
     turns = ctx.nint((th / ctx.pi - 1) / 2)
     return float(th) == float((2 * turns + 1) * ctx.pi) and run.origin.om == 0

@@ -7,15 +7,17 @@ from typing import Any
 
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise import massless
-from hophoop.precise.contact import Advance, advance
+from hophoop.precise.contact import Advance, Stopped, advance
 from hophoop.precise.flight import fly
+from hophoop.precise.impact import impact
 from hophoop.precise.problem import Body, Number, PreciseState, Problem
 from hophoop.precise.rules import (
     INCONSISTENT,
     INDETERMINATE,
     UNDECIDED,
+    Judged,
+    contact_at,
     free_opening,
-    impact,
     next_mode,
     sign,
     slip_mode,
@@ -45,14 +47,6 @@ class Record:
     stable: bool | None = None
 
 
-class Stopped(Exception):
-    """The motion has come to an end that is asked for or that the physics sets."""
-
-    def __init__(self, status: Status) -> None:
-        super().__init__(status.name)
-        self.status = status
-
-
 class Run:
     """One motion at one working precision.
 
@@ -62,9 +56,9 @@ class Run:
     bits : int
         Working precision.
     last : bool
-        Whether what cannot be told from zero counts as zero.
+        True if a quantity that is indistinguishable from 0 counts as 0.
     closing : float
-        A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
+        A sequence of bounces is closed when its rest takes less than this part of the time so far.
     until : Number, optional
         End of time, in units of √(R/g), if it is not the scenario's.
     max_events : int, optional
@@ -95,36 +89,21 @@ class Run:
         self.origin = self.state
         self.mode: int = Mode.FLIGHT
         self.lifted = False  # in flight: whether it began with N → 0 in slip
-        self.slip_zeros = 0  # of v_t at the begin of a fresh slip phase, as far as known
+        self.slip_zeros = 0  # of v_t at the start of a new slip phase, as far as known
         self.last_bounce = self.body.zero
         self.turns: list[PreciseState] = []  # turning points of the present phase of rolling
         self.status = Status.COMPLETED
 
     # --- events --------------------------------------------------------------------------------
 
-    def write(
-        self,
-        kind: Event,
-        before: int | None,
-        after: int,
-        cause: PreciseState | None = None,
-        p_n: Number | None = None,
-        p_t: Number | None = None,
-        gain: Number | None = None,
-        collision: bool | None = None,
-        stable: bool | None = None,
-    ) -> None:
-        """Append an event in the present state; `cause` has the velocities before it."""
+    def write(self, kind: Event, before: int | None, after: int, cause: PreciseState | None = None, **details: Any) -> None:
+        """Append an event in the present state; `cause` has the velocities before it, `details` are other fields of Record."""
         zero = self.body.zero
         was = self.state if cause is None else cause
         if len(self.records) >= self.max_events:
             raise Stopped(Status.EVENT_LIMIT)
-        self.records.append(
-            Record(
-                kind, before, after, self.state, was.vt, was.vn, was.om, p_n or zero, p_t or zero, gain or zero,
-                collision, stable,
-            )
-        )  # fmt: skip
+        fields = {"p_n": zero, "p_t": zero, "gain": zero} | details
+        self.records.append(Record(kind, before, after, self.state, was.vt, was.vn, was.om, **fields))
 
     def write_cause(self, kind: Event, before: int | None, after: int, cause: dict[str, Any]) -> None:
         """The event, and Kane's gain after it where there is one."""
@@ -178,18 +157,18 @@ class Run:
             self.state = self.state._replace(vt=self.body.zero)
 
     def collide(self, rest: Number, collision: bool) -> dict[str, Any]:
-        """Go through an impact; what its event says."""
+        """Go through an impact; return the fields of its event."""
         body, before = self.body, self.state
-        blow = impact(body, self.judge, rest, before.th, before.vt, before.vn)
+        blow = impact(contact_at(body, before.th), Judged(body, self.judge), rest, before.vt, before.vn)
         self.state = before._replace(
             vt=blow.vt,
             vn=blow.vn,
             om=before.om + blow.spin,
-            impact_n=before.impact_n + blow.loss_n,
-            impact_t=before.impact_t + blow.loss_t,
+            impact_n=before.impact_n - blow.work_n,
+            impact_t=before.impact_t - blow.work_t,
         )
-        gain = -(blow.loss_n + blow.loss_t)
-        size = abs(blow.loss_n) + abs(blow.loss_t) + before.vn * before.vn
+        gain = blow.work_n + blow.work_t
+        size = abs(blow.work_n) + abs(blow.work_t) + before.vn * before.vn
         if gain <= body.ctx.ldexp(size, -body.bits // 2):
             gain = body.zero
         return {"cause": before, "p_n": blow.p_n, "p_t": blow.p_t, "gain": gain, "collision": collision}
@@ -208,7 +187,7 @@ class Run:
         self.settle(kind, Mode.FLIGHT, **cause)
 
     def is_last_bounce(self) -> bool:
-        """Whether the bounces that would follow take less than the part of the time so far that closes them."""
+        """Return True if the bounces that would follow take less than the part of the time so far that closes them."""
         state, last = self.state, self.last_bounce
         closing = -free_opening(self.body, state.th, state.om)
         if not (state.vn > 0 and closing > 0 and state.vn < last):
@@ -225,16 +204,16 @@ class Run:
             # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
             cosine, sine = body.ctx.cos_sin(state.th)
             arm, lever = 1 + body.eps * cosine, body.eps * sine
-            firm = body.kap + arm * arm
-            p_n = -state.vn / (1 + lever * lever / firm)
+            denominator = body.kap + arm * arm
+            p_n = -state.vn / (1 + lever * lever / denominator)
             self.state = state._replace(
                 vt=body.zero,
                 vn=body.zero,
-                om=state.om + lever / firm * p_n,
+                om=state.om + lever / denominator * p_n,
                 impact_n=state.impact_n - state.vn * p_n / 2,
             )
             cause["p_n"] += p_n
-            cause["p_t"] += arm * lever / firm * p_n
+            cause["p_t"] += arm * lever / denominator * p_n
         cause["gain"] = body.zero
         return cause
 
@@ -291,7 +270,7 @@ class Run:
         self.contact()
 
     def is_still(self) -> bool:
-        """Whether a hoop that does not turn will not begin to."""
+        """Return True if a hoop with θ̇ = 0 stays so."""
         body, sigma = self.body, {Mode.SKID: 1, Mode.SPIN: -1}.get(Mode(self.mode), 0)
         alpha = turning_acceleration(body, self.state.th, body.zero, sigma)
         return sign(body, self.judge, alpha, body.gn + abs(body.gt) + (0 if sigma == 0 else body.mu_k * body.gn)) == 0

@@ -70,12 +70,12 @@ def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: in
         rates = _slip(fixed, sigma, rho, om, s, c, exponent, order)
     if rates is None:
         return None
-    omega, sines, cosines, normal, friction, firm = rates
+    omega, sines, cosines, normal, friction, divisor = rates
     slip: Sequence[int] = ()
     if sigma != 0:
         slip = _slip_velocity(fixed, sigma, body.integer(state.vt), omega, sines, cosines, exponent)
     step = Step(exponent, integral(scaled(omega[:order], exponent)), omega, slip, normal, friction)
-    step.reach, step.room = _reach(fixed.bits, om, firm, step)
+    step.reach, step.room = _reach(fixed.bits, om, divisor, step)
     return step
 
 
@@ -187,17 +187,17 @@ def _slip_velocity(
     return slip
 
 
-def _reach(bits: int, om: int, firm: int, step: Step) -> tuple[int, int]:
+def _reach(bits: int, om: int, divisor: int, step: Step) -> tuple[int, int]:
     """(how far in s, up to 1, the last terms stay below rounding; the change of the exponent for which that is 1)."""
     spin = max(om.bit_length() - bits, 0)
     # forces have the rounding of θ̇² over what it is divided by
-    force = 2 * spin + max(bits - firm.bit_length(), 0) + 2
+    force = 2 * spin + max(bits - divisor.bit_length(), 0) + 2
     worst, room = 0.0, 2.0
     for series, slack in ((step.omega, spin), (step.normal, force)):
         size = len(series) - 1
         tail = max((abs(series[k]).bit_length() - slack) / k for k in range(size - 3, size + 1))
         worst = max(worst, tail)
-        # the last terms may be rounding alone: those well above it tell how fast the terms shrink
+        # the last terms may be rounding alone: those well above it show how fast the terms shrink
         k = size
         while k > 1 and abs(series[k]).bit_length() - slack < bits // 4:
             k -= 1
@@ -230,7 +230,7 @@ def work_of_resistance(step: Step, rho: int, fixed: Fixed, until: int) -> int:
 
 
 def travel(step: Step, fixed: Fixed, until: int) -> int:
-    """How far the rim's lowest point has slid, ∫ v_t dt."""
+    """The distance that the rim's lowest point has slid, ∫ v_t dt."""
     bits = fixed.bits
     total = 0
     for coefficient in reversed(integral(step.slip)):

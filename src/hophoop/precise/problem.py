@@ -81,11 +81,11 @@ class Problem:
 
     @property
     def massless(self) -> bool:
-        """Whether all mass is a point on the rim."""
+        """True if all mass is a point on the rim."""
         return self.kap == 0
 
     def tiny(self) -> int:
-        """How many bits the smallest number that is not zero lies below 1, in units of the kernel."""
+        """The bits by which the smallest number other than 0 is below 1, in units of the kernel."""
         unit = self.gravity / self.radius if self.gravity else 1 / self.radius
         speeds = (self.slip / self.radius, self.vy / self.radius, self.omega)
         sizes = [number**2 / unit for number in speeds if number]

@@ -1,4 +1,4 @@
-"""What a precise motion is read as: events in decimal numbers, in SI units."""
+"""A precise motion with its events in decimal numbers and SI units."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class PreciseEvent:
     stable : bool or None
         Of a `rest`: whether the equilibrium is stable.
     digits_right : int
-        How many digits of time and state two working precisions have in common, each number beside itself or beside
+        The digits of time and state that two working precisions have in common, each number relative to itself or to
         its unit made of R, g and m, whichever is larger.
     """
 
@@ -111,7 +111,7 @@ class PreciseMotion:
 
     @property
     def ok(self) -> bool:
-        """Whether the motion reached its end: completed or at rest."""
+        """True if the motion reached its end: completed or at rest."""
         return STATUSES[self.status].ok
 
     @property

@@ -1,10 +1,11 @@
-"""Impacts and the mode rule of docs/model.md, with every tie decided by the first derivative that is not zero."""
+"""The mode rule of docs/model.md, with every tie decided by the first derivative that is not zero."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop.kernel.physics.body import ImpactLaw, Mode
+from hophoop.kernel.physics.body import Mode
+from hophoop.precise.impact import Contact
 from hophoop.precise.phases import expand
 from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.series import Judge, Series
@@ -25,7 +26,7 @@ def direction(mode: int) -> int:
 
 
 def sign(body: Body, judge: Judge, value: Number, scale: Number) -> int:
-    """Sign of a number beside its natural size."""
+    """Sign of a number relative to its natural size."""
     with body.ctx.workprec(body.bits + 10):
         return judge.sign(body.integer(value), max(body.integer(abs(scale)), 1))
 
@@ -76,7 +77,7 @@ def tie_exponent(om: Number) -> int:
 
 
 def can_roll(body: Body, judge: Judge, state: PreciseState) -> bool:
-    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    """Return True if rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     step = expand(body, 0, state, tie_exponent(state.om), TIE_ORDER)
     if step is None:
         return False
@@ -102,7 +103,7 @@ def cone_margins(body: Body, normal: Series, friction: Series) -> list[list[int]
 
 
 def can_start_slip(body: Body, judge: Judge, state: PreciseState, sigma: int) -> bool:
-    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    """Return True if slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     rho = body.resistance(state.th, state.om, sigma)
     if sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k) <= 0:
         return False
@@ -132,106 +133,55 @@ def next_mode(body: Body, judge: Judge, state: PreciseState) -> int:
     if body.fixed.mu_k is None:  # infinite friction stops any slip at once
         return Mode.FLIGHT if opening >= 0 else INCONSISTENT
     rho = body.resistance(state.th, state.om, sigma)
-    firm = sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k)
-    if firm > 0:
+    p_sigma = sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k)
+    if p_sigma > 0:
         return slip_mode(sigma) if opening < 0 else Mode.FLIGHT
     if rho != 0 and stiffness(body, state.th, sigma, body.zero) > 0 and (opening < 0 or body.problem.strike):
         return UNDECIDED  # an impact, which is without rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT
-    return INDETERMINATE if firm < 0 else Mode.FLIGHT
+    return INDETERMINATE if p_sigma < 0 else Mode.FLIGHT
 
 
-class Blow(NamedTuple):
-    """What an impact does: velocities after it, the change of θ̇, impulses, and −∫ v dP in both directions."""
+class Judged(NamedTuple):
+    """Numbers of a working precision, as `impact` decides upon them."""
 
-    vt: Number
-    vn: Number
-    spin: Number
-    p_n: Number
-    p_t: Number
-    loss_n: Number
-    loss_t: Number
+    body: Body
+    judge: Judge
+
+    @property
+    def zero(self) -> Number:
+        """0."""
+        return self.body.zero
+
+    def sign(self, value: Number, what: str) -> int:
+        """Return the sign of a number as it is."""
+        return int(value > 0) - int(value < 0)
+
+    def judged_sign(self, value: Number, scale: Number, what: str) -> int:
+        """Return the sign of a number relative to its natural size."""
+        return sign(self.body, self.judge, value, scale)
+
+    def order(self, one: Number, other: Number) -> int:
+        """Return the sign of one − other relative to their sum."""
+        return sign(self.body, self.judge, one - other, one + other) if one + other else 0
+
+    def is_zero(self, value: Number) -> bool:
+        """Return True if a number is exactly 0."""
+        return bool(value == 0)
+
+    def sqrt(self, value: Number) -> Number:
+        """Return the square root."""
+        return self.body.ctx.sqrt(value)
+
+    def endless(self) -> Exception:
+        """Return the error of an impact that does not end."""
+        return ArithmeticError("an impact does not end.")
 
 
-def impact(body: Body, judge: Judge, rest: Number, th: Number, vt: Number, vn: Number) -> Blow:
-    """Routh's impact: while the slip keeps its state both velocities are straight lines over the normal impulse p.
-
-    It is at most three pieces of p: slip until it stops, stick or reversed slip, and the end of compression in any of
-    them. With vn = 0 it is the impact without collision.
-    """
-    ctx = body.ctx
-    cosine, sine = ctx.cos_sin(th)
-    arm, lever = 1 + body.eps * cosine, body.eps * sine
-    firm = body.kap + arm * arm
-    hold = arm * lever / firm  # tangential over normal impulse that keeps v_t
-    law = body.problem.law
-    collision, approach = vn < 0, vn
-    spin = p_n = p_t = work_n = work_t = body.zero
-    compression = True
-    todo = target = body.zero
-    for _ in range(8):
-        stick = False
-        if vt != 0:
-            ratio = -body.mu_k if vt > 0 else body.mu_k
-        elif body.fixed.mu_s is None or sign(body, judge, body.mu_s - abs(hold), 1 + body.mu_s) >= 0:
-            ratio, stick = hold, True
-        else:
-            ratio = -body.mu_k if hold < 0 else body.mu_k
-        if ctx.isinf(ratio):  # infinite friction stops the slip with a tangential impulse alone
-            turned, side = arm * vt / firm, -vt * body.kap / firm
-            work_t += vt * side / 2
-            p_t += side
-            spin += turned
-            vn += lever * turned
-            vt = body.zero
-            if sign(body, judge, vn, abs(vn) + abs(approach) + 1) > 0:
-                break
-            continue
-        if stick:
-            turn, rate_t = lever / firm, body.zero
-        else:
-            turn = (lever - arm * ratio) / body.kap
-            rate_t = ratio - arm * turn
-        rate_n = 1 + lever * turn
-        to_stop = -vt / rate_t if vt != 0 and vt * rate_t < 0 else ctx.inf
-        if compression:
-            to_end = -vn / rate_n if rate_n > 0 else ctx.inf
-        elif law == ImpactLaw.NEWTON:
-            to_end = (target - vn) / rate_n if rate_n > 0 else ctx.inf
-        elif law == ImpactLaw.POISSON:
-            to_end = todo
-        else:
-            square = vn * vn + 2 * rate_n * todo
-            to_end = 2 * todo / (vn + ctx.sqrt(square)) if todo else body.zero
-        both = False
-        if ctx.isinf(to_stop) or ctx.isinf(to_end):
-            stops = ctx.isinf(to_end)
-        else:
-            order = sign(body, judge, to_end - to_stop, to_end + to_stop) if to_end + to_stop else 0
-            stops, both = order > 0, order == 0
-        length = to_stop if stops else to_end
-        gain_n = length * (vn + rate_n * length / 2)
-        work_n += gain_n
-        work_t += ratio * length * (vt + rate_t * length / 2)
-        p_n += length
-        p_t += ratio * length
-        spin += turn * length
-        if not compression:
-            todo -= length if law == ImpactLaw.POISSON else gain_n
-        vn += rate_n * length
-        if stops:
-            vt = body.zero
-            continue
-        vt = body.zero if stick or both else vt + rate_t * length
-        if not compression:
-            if law == ImpactLaw.NEWTON:
-                vn = target
-            break
-        vn = body.zero
-        if rest == 0 or (law == ImpactLaw.NEWTON and not collision):
-            break
-        compression = False
-        target = -rest * approach
-        todo = rest * p_n if law == ImpactLaw.POISSON else -rest * rest * work_n
-    return Blow(vt, vn, spin, p_n, p_t, -work_n, -work_t)
+def contact_at(body: Body, th: Number) -> Contact:
+    """Body and plane as `impact` takes them."""
+    cosine, sine = body.ctx.cos_sin(th)
+    mu_s = None if body.fixed.mu_s is None else body.mu_s
+    mu_k = None if body.fixed.mu_k is None else body.mu_k
+    return Contact(1 + body.eps * cosine, body.eps * sine, body.kap, mu_s, mu_k, body.problem.law)

@@ -28,12 +28,12 @@ class TooManySteps(ArithmeticError):
 
 
 class Work:
-    """What several computations of one motion may take together.
+    """The steps that several computations of one motion may take together.
 
     Parameters
     ----------
     left : float
-        In steps of 106 bits, some 1 ms each [1].
+        In steps of 106 bits, about 1 ms each [1].
     """
 
     def __init__(self, left: float) -> None:
@@ -62,7 +62,7 @@ class Work:
 
 
 def work_of_step(bits: int) -> float:
-    """What a step costs beside one of 106 bits, as measured from 106 to 900 bits, to 15 %."""
+    """Return the cost of a step relative to one of 106 bits, as measured from 106 to 900 bits, to 15 %."""
     return 0.7 + (bits / 160.0) ** 3
 
 
@@ -88,7 +88,7 @@ class Judge:
         self.last = last
 
     def sign(self, value: int, scale: int) -> int:
-        """Sign of a fixed-point number beside another one, which is its natural size."""
+        """Sign of a fixed-point number relative to another one, which is its natural size."""
         if abs(value) > abs(scale) >> (self.bits // 2):
             return 1 if value > 0 else -1
         if not self.last:

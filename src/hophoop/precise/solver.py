@@ -19,7 +19,7 @@ BITS_A_DIGIT = 3.3219280948873626
 GUARD = 12  # digits beyond those asked for
 SURE = 0.9  # of the work that steps took, what as many take again for certain
 SECOND = 11  # bits that the second solution has more than the first: other roundings, other orders, other steps
-CLOSING_GUARD = 3  # digits: bounces are closed when what is left of them is this far below what is asked for
+CLOSING_GUARD = 3  # digits: bounces are closed when their rest is this far below the digits asked for
 MOST_TRIES = 8
 
 
@@ -47,7 +47,7 @@ class Solution:
     bits: int
 
     def digits(self) -> int:
-        """How many digits every event has.
+        """Return the number of digits that every event has.
 
         Returns
         -------
@@ -111,9 +111,9 @@ def solve(
     until : float or mpf, optional
         End of time in units of √(R/g), by default the scenario's duration [1].
     max_events : int, optional
-        Stop after so many events, by default as the scenario says [1].
+        Stop after so many events, by default the scenario's limit [1].
     closing : float, optional
-        A sequence of bounces is closed when what is left of it takes less than this part of the time so far; by default
+        A sequence of bounces is closed when its rest takes less than this part of the time so far; by default
         10^(−digits − 3) [1].
     most_steps : float, optional
         Steps of contact and flight that all computations may take together, at all their precisions: one with more than 106
@@ -122,7 +122,7 @@ def solve(
     Returns
     -------
     solution : Solution
-        Where the digits are not reached, `digits_right` says so.
+        `digits_right` shows if the digits are not reached.
 
     Raises
     ------
@@ -159,7 +159,7 @@ def solve(
 
 
 def check(scenario: Scenario, digits: int) -> None:
-    """Refuse what cannot be solved so."""
+    """Refuse a scenario or digits that cannot be solved."""
     whole = isinstance(digits, int) and not isinstance(digits, bool)
     if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
         raise InputError.of_field("digits", digits, f"a whole number from {LEAST_DIGITS} to {MOST_DIGITS}")
@@ -172,7 +172,7 @@ def check(scenario: Scenario, digits: int) -> None:
 
 
 def _levels(base: int) -> Iterator[tuple[int, bool]]:
-    """Working precisions while something that decides cannot be told from zero; at the last one it is zero."""
+    """Working precisions while a quantity that decides is indistinguishable from 0; at the last one it counts as 0."""
     yield base, False
     yield base * 3 // 2, False
     yield base * 3, True
@@ -180,7 +180,7 @@ def _levels(base: int) -> Iterator[tuple[int, bool]]:
 
 def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None, work: Work) -> tuple[Run, Run] | None:
     """The motion at two working precisions; None where the events are not the same."""
-    steps = 0.0  # up to what could not be told at the level before; all of them are made again
+    steps = 0.0  # up to the undecided quantity of the level before; all of them are made again
     for bits, last in _levels(base):
         rough, fine = (Run(problem, b, last, closing, until, max_events, work) for b in (bits, bits + SECOND))
         price, other = work_of_step(bits), work_of_step(bits + SECOND)
@@ -205,13 +205,13 @@ def _signature(run: Run) -> list[Any]:
 
 
 def numbers(record: Record) -> list[Number]:
-    """What is compared of an event: time and state."""
+    """The compared numbers of an event: time and state."""
     state: PreciseState = record.state
     return [state.t, state.x, state.y, state.th, state.vt, state.vn, state.om, record.p_n, record.p_t]
 
 
 def agreement(body: Body, rough: Record, fine: Record) -> int:
-    """How many digits of two solutions agree in every number, beside the number itself or 1, whichever is larger."""
+    """The digits in which two solutions agree in every number, relative to the number itself or 1, whichever is larger."""
     ctx = body.ctx
     worst = body.zero
     for a, b in zip(numbers(rough), numbers(fine), strict=True):

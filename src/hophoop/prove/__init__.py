@@ -1,6 +1,6 @@
 """Proofs: enclosures of every event of a rigid motion, and certificates that its sequence is the one stated.
 
-What they rest on, and how to check one without trusting the program, is said in docs/proofs.md.
+docs/proofs.md describes their assumptions, and how to check one without trusting the program.
 """
 
 from hophoop.prove.boxes import Box, ProvedMap, prove_box, prove_map

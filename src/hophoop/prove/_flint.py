@@ -30,7 +30,7 @@ def __getattr__(name: str) -> Any:
 
 
 class Undecided(Exception):
-    """Something that the proof needs could not be shown; the text says what, as a clause."""
+    """A condition of the proof could not be shown; the text names it, as a clause."""
 
 
 def arb(*values: Any) -> Ball:
@@ -40,7 +40,7 @@ def arb(*values: Any) -> Ball:
 
 @cache
 def ball_type() -> type:
-    """What a ball is."""
+    """The type of balls."""
     found: type = library().arb
     return found
 
@@ -122,5 +122,5 @@ def polynomial(values: Jet, x: Ball) -> Ball:
 
 
 def intersection(a: Ball, b: Ball) -> Ball:
-    """What two enclosures of one number have in common."""
+    """The intersection of two enclosures of one number."""
     return a.intersection(b) if a.overlaps(b) else a

@@ -1,6 +1,6 @@
 """Whole boxes of parameters proved to have one sequence, and a map proved cell by cell.
 
-A parameter that is a ball stands for every number in it: what is shown for the ball is shown for all of them at once.
+A parameter that is a ball means every number in it: a statement about the ball holds for all of them.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from hophoop.kernel.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.model import FREE
+from hophoop.prove.enclosures.mean_value_form import parameter
 from hophoop.prove.motion import REVOLUTION, Run
-from hophoop.prove.varied import parameter
+from hophoop.prove.physics.equations import FREE
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import phase_starts
 
@@ -33,7 +33,7 @@ class Box:
     Attributes
     ----------
     ranges : dict of str to tuple of float
-        Least and greatest value of each parameter, by its path [SI units].
+        Minimum and maximum of each parameter, by its path [SI units].
     sequence : str
         One letter a phase; as far as it is proved.
     ending : str
@@ -49,7 +49,7 @@ class Box:
 
     @property
     def proved(self) -> bool:
-        """Whether all motions in the box are proved to have this sequence and ending."""
+        """True if all motions in the box are proved to have this sequence and ending."""
         return not self.why
 
 
@@ -99,7 +99,7 @@ class ProvedMap:
         return sum(self.area(cell) for cell in self.cells if cell.proved and sequence in (None, cell.sequence)) / whole
 
     def sequences(self) -> list[str]:
-        """All sequences of proved cells, the one with the greatest share first.
+        """All sequences of proved cells, the one with the largest share first.
 
         Returns
         -------
@@ -113,7 +113,7 @@ class ProvedMap:
         Returns
         -------
         result : dict
-            Shares of the window [1] and the boxes, with least and greatest values [SI units].
+            Shares of the window [1] and the boxes, with minima and maxima [SI units].
         """
         return {
             "share": self.share(),
@@ -132,9 +132,9 @@ def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
     Parameters
     ----------
     scenario : Scenario
-        What the box does not say.
+        The other parameters.
     ranges : mapping of str to tuple of float
-        Least and greatest value of each parameter, by its path, such as ``{"plane.mu": (0.99, 1.01)}`` [SI units].
+        Minimum and maximum of each parameter, by its path, such as ``{"plane.mu": (0.99, 1.01)}`` [SI units].
 
     Returns
     -------
@@ -182,7 +182,7 @@ def prove_map(
     Parameters
     ----------
     scenario : Scenario
-        What the window does not say.
+        The other parameters.
     ranges : mapping of str to tuple of float
         As in `prove_box` [SI units].
     depth : int, default 8

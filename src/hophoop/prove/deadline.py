@@ -16,7 +16,7 @@ class Late(Exception):
 
 
 class Deadline:
-    """When to give up.
+    """The time to give up.
 
     A step of arithmetic cannot be interrupted. So none is begun that would end after the slack, were it as long as the
     longest one so far.

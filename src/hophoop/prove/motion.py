@@ -7,29 +7,31 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.precise.impact import impact
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Undecided, arb, sign
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.flight import Flight
-from hophoop.prove.model import Model, State, Still
-from hophoop.prove.phases import Ended, Limits, roll, travel
-from hophoop.prove.rolling import TURN
-from hophoop.prove.rule import (
+from hophoop.prove.phases.contact import Ended, Limits, roll, travel
+from hophoop.prove.phases.flight import Flight
+from hophoop.prove.phases.parameter_boxes import travel_box
+from hophoop.prove.phases.rolling import TURN
+from hophoop.prove.phases.trail_recorder import bracket
+from hophoop.prove.physics.equations import Model, State, Still
+from hophoop.prove.physics.mode_rule import (
     INCONSISTENT,
     INDETERMINATE,
     TIE_ORDER,
     UNDETERMINED,
+    Certain,
+    contact_at,
     free_opening,
-    impact,
     next_mode,
     opening_sign,
     slip_mode,
 )
-from hophoop.prove.smeared import travel_box
-from hophoop.prove.witness import bracket
 
-CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
-GAIN_FLOOR = "1e-14"  # beside the energy of an impact: less is no gain
+CLOSING = "1e-12"  # bounces are closed when their rest takes less than this part of the time so far
+GAIN_FLOOR = "1e-14"  # relative to the energy of an impact: less is no gain
 DURATION, REVOLUTION = "duration", "revolution"
 
 
@@ -91,7 +93,7 @@ class Run:
 
     @property
     def proved(self) -> bool:
-        """Whether all of it is shown."""
+        """True if every step is proved."""
         return not self.why
 
     def run(self) -> Run:
@@ -122,7 +124,7 @@ class Run:
         self.status, self.ending, self.done = int(status), ending, True
 
     def end(self, status: Status, ending: str) -> None:
-        """The motion ends, with the event that says so."""
+        """End the motion with an `end` event."""
         last = self.facts[-1].after_mode
         self.note(Event.END, last, last)
         self.finish(status, ending)
@@ -201,11 +203,12 @@ class Run:
                 self.zeros = 1 + next((k for k, value in enumerate(slips) if not value.is_zero()), 0)
 
     def collide(self, rest: Ball) -> dict[str, Any]:
-        """Go through an impact; what its event says."""
+        """Go through an impact; return the fields of its event."""
         before, self.energy = self.state, None
-        blow = impact(self.model, rest, before)
+        blow = impact(contact_at(self.model, before.th), Certain(), rest, before.vt, before.vn)
         self.state = replace(before, vt=blow.vt, vn=blow.vn, om=before.om + blow.spin, y=arb(0))
-        excess = blow.gain - arb(GAIN_FLOOR) * blow.size
+        size = abs(blow.work_n) + abs(blow.work_t) + before.vn * before.vn
+        excess = blow.work_n + blow.work_t - arb(GAIN_FLOOR) * size
         if not (excess > 0 or excess < 0):
             raise Undecided("whether an impact creates energy is not certain")
         return {"p_n": blow.p_n, "p_t": blow.p_t, "gain": bool(excess > 0)}
@@ -225,7 +228,7 @@ class Run:
         self.settle(kind, int(Mode.FLIGHT), blow)
 
     def is_last_bounce(self, before: State) -> bool:
-        """Whether the bounces that would follow take less than the part of the time so far that closes them."""
+        """Return True if the bounces that would follow take less than the part of the time so far that closes them."""
         state, last = self.state, self.last_bounce
         closing = -free_opening(self.model, state.th, state.om)
         rises = sign(state.vn, "v_n after an impact") > 0
@@ -272,7 +275,7 @@ class Run:
             raise Undecided("a landing and the end of the time come together")
         try:
             top = flight.apex(longest if tau is None else tau)
-        except Undecided:  # an apex is no change of mode: one that cannot be told is left out
+        except Undecided:  # an apex is no change of mode: an undecided one is left out
             top = None
         if top is not None:
             self.state = replace(top[0], vn=arb(0))
@@ -330,7 +333,7 @@ class Run:
             self.settle(Event.TURN if paradox else rolled if was == Mode.ROLL else Event.STICK, was)
 
     def after(self, ended: Ended) -> None:
-        """What follows the end of a phase."""
+        """Go through the event that ends a phase."""
         was = self.mode
         if ended.what == "rest":
             self.note(Event.REST, was, was)

@@ -15,8 +15,8 @@ from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
 from hophoop.prove.checker.check import Verdict, checked
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.model import Model
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
+from hophoop.prove.physics.equations import Model
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.vocabulary.events import sequence_of
 
@@ -38,7 +38,7 @@ class Enclosure:
     radius: Decimal
 
     def holds(self, value: float | Decimal | Fraction) -> bool:
-        """Whether a number lies in it.
+        """Return True if a number lies in it.
 
         Parameters
         ----------
@@ -52,7 +52,7 @@ class Enclosure:
         return abs(Fraction(value) - Fraction(self.middle)) <= Fraction(self.radius)
 
     def distance(self, value: float) -> float:
-        """How far a number is from it, 0 inside.
+        """Return the distance of a number from it, 0 inside.
 
         Parameters
         ----------
@@ -102,7 +102,7 @@ class ProvedEvent:
 
 @dataclass(frozen=True)
 class Proof:
-    """What is proved of a motion; made by `prove`.
+    """The proved events of a motion; made by `prove`.
 
     Attributes
     ----------
@@ -139,12 +139,12 @@ class Proof:
 
     @property
     def proved(self) -> bool:
-        """Whether the whole motion is proved."""
+        """True if the whole motion is proved."""
         return self.verdict == "proved"
 
     @property
     def rank(self) -> tuple[bool, int, int]:
-        """What makes one attempt better than another."""
+        """The key by which attempts are compared."""
         return self.proved, len(self.events), self.digits_proved
 
     def save(self, path: str | Path) -> None:
@@ -287,7 +287,7 @@ def decimal_of(exact: Ball, rounding: str, digits: int) -> Decimal:
 
 
 def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
-    """Decimal numbers that enclose a ball, as wide as the digits say."""
+    """Decimal numbers that enclose a ball, as wide as the digits allow."""
     if value.is_zero():
         return Enclosure(Decimal(0), Decimal(0))
     size = abs(value).mid().max(unit.mid())

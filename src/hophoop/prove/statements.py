@@ -1,6 +1,6 @@
 """The article's statements that are inequalities or sequences, proved for its own numbers.
 
-The article's scenarios stand here once more, since `hophoop.article` is built on this room's neighbours and not below it.
+The article's scenarios are repeated here, since `hophoop.article` is a layer above this package.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from fractions import Fraction
 
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, pi, precision, series
-from hophoop.prove.extremes import highest
-from hophoop.prove.model import Model
+from hophoop.prove.enclosures.maxima import highest
+from hophoop.prove.enclosures.roots import exact
+from hophoop.prove.physics.equations import Model
 from hophoop.prove.proof import Proof, ProvedEvent, prove
-from hophoop.prove.search import exact
 from hophoop.prove.thresholds import Rolling, first_slip, needed_friction
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 

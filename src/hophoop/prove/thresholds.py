@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, pi, precision, series
-from hophoop.prove.extremes import Function, Highest, highest
-from hophoop.prove.model import Model
+from hophoop.prove.enclosures.maxima import Function, Highest, highest
+from hophoop.prove.enclosures.roots import exact
 from hophoop.prove.motion import REVOLUTION, Run
+from hophoop.prove.physics.equations import Model
 from hophoop.prove.proof import BITS_A_DIGIT, Enclosure, check_digits, enclosure
-from hophoop.prove.search import exact
 from hophoop.scenario import InputError, Scenario
 
 GUARD_DIGITS = 12
@@ -158,7 +158,7 @@ def hop_border(problem: Problem, low: Ball, high: Ball, wanted: Ball) -> Ball:
         middle = exact((low + high) / 2)
         try:
             found = hops(middle)
-        except Undecided:  # too close to the border: a little beside it
+        except Undecided:  # too close to the threshold: a little away from it
             middle = exact(low + (high - low) * 5 / 8)
             found = hops(middle)
         low, high = (low, middle) if found else (middle, high)
@@ -252,7 +252,7 @@ def _numbers(
 
 
 def _hop_speed(scenario: Scenario, problem: Problem, digits: int) -> Ball:
-    """The border of the hop, looked for beside the double that the kernel gives."""
+    """The threshold of the hop, searched next to the double that the kernel gives."""
     from hophoop.theory import first_hop_speed
 
     near = arb(float(first_hop_speed(scenario.hoop, scenario.plane)))

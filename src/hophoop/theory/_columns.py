@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.kernel.physics.body import Body
+from hophoop.kernel.records.layout import BODY
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 
 Floats = NDArray[np.float64]
@@ -20,10 +21,11 @@ Planes = Plane | Sequence[Plane] | NDArray[np.object_]
 class Columns:
     """Hoops, planes and numbers of one common shape, one row for each case.
 
-    `body` has a row of `Body` fields for each; `length`, `time` and `mass` are the kernels' units in SI.
+    `body` has a record of `Body` for each; `length`, `time` and `mass` are the kernels' units in SI. With `resisted` planes may
+    have rolling resistance.
     """
 
-    def __init__(self, hoop: Hoops, plane: Planes, resisted: bool = False, /, **numbers: ArrayLike) -> None:
+    def __init__(self, hoop: Hoops, plane: Planes, *, resisted: bool = False, **numbers: ArrayLike) -> None:
         hoops, planes = _models(hoop, Hoop, "hoop"), _models(plane, Plane, "plane")
         if not resisted:
             for one in planes.ravel():
@@ -37,25 +39,28 @@ class Columns:
             said = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
             raise InputError(f"The shapes of the arguments do not go together: {said}.") from None
         rows, units = [], []
-        # Models are few beside numbers: each pair is translated once, then spread over the shape.
+        # Models are few compared with numbers: each pair is translated once, then broadcast.
         pairs = np.broadcast_arrays(hoops, planes)
         for one, other in zip(pairs[0].ravel(), pairs[1].ravel(), strict=True):
-            rows.append(np.array(to_body(one, other), dtype=float))
+            rows.append(to_body(one, other))
             units.append((one.radius, time_unit(one, other), one.mass))
         pair_shape = pairs[0].shape
-        width = len(Body._fields)
-        self.body = self._spread(np.array(rows).reshape((*pair_shape, width)), (width,))
+        self.body = self._spread(np.array(rows, BODY).reshape(pair_shape), ())
         self.length, self.time, self.mass = np.moveaxis(
             self._spread(np.array(units, dtype=float).reshape((*pair_shape, 3)), (3,)), -1, 0
         )
         self._values = {name: self._spread(value, ()) for name, value in values.items()}
 
-    def _spread(self, values: Floats, tail: tuple[int, ...]) -> Floats:
+    def _spread(self, values: NDArray[Any], tail: tuple[int, ...]) -> NDArray[Any]:
         whole = np.broadcast_to(values, (*self.shape, *tail)).reshape((-1, *tail))
         return np.ascontiguousarray(whole)
 
     def __getitem__(self, name: str) -> Floats:
         return self._values[name]
+
+    def bodies(self) -> list[Body]:
+        """The Body of each case."""
+        return [Body(*row) for row in self.body.tolist()]
 
     @property
     def speed(self) -> Floats:
@@ -85,7 +90,7 @@ class Columns:
 
     def require(self, good: Callable[[Any], Any], column: str, sentence: str) -> None:
         """Refuse cases; `column` is a field of Body, and the sentence has a place {} for its value."""
-        values = self.body[:, Body._fields.index(column)]
+        values = self.body[column]
         bad = ~np.asarray(good(values), dtype=bool)
         if bad.any():
             raise InputError(sentence.format(f"{values[bad][0].item()!r}"))
@@ -118,9 +123,3 @@ def _finite(name: str, value: ArrayLike) -> Floats:
     if not np.isfinite(numbers).all():
         raise InputError.of_field(name, numbers[~np.isfinite(numbers)].flat[0], "a finite number")
     return numbers
-
-
-def body_from(row: Floats) -> Body:
-    """`body_of` outside kernels, of the types that `to_body` gives."""
-    values = row.tolist()
-    return Body._make([*values[:7], int(values[7]), values[8] > 0.0, values[9], values[10] > 0.0, values[11]])

@@ -15,7 +15,7 @@ from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import run
 from hophoop.scenario import InputError, Plane
-from hophoop.theory._columns import Columns, Hoops, Planes, body_from
+from hophoop.theory._columns import Columns, Hoops, Planes
 from hophoop.theory.kernels import critical as kernels
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.phase_plane import lift_off_speeds
@@ -150,7 +150,7 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
     if not (isinstance(turns, int | np.integer) and turns >= 1):
         raise InputError.of_field("turns", turns, "a whole number of at least 1")
     cases = _cases(hoop, plane)
-    speeds = np.array([float(compiled(kernels.hop_speed)(body_from(row), float(turns))) for row in cases.body])
+    speeds = np.array([float(compiled(kernels.hop_speed)(body, float(turns))) for body in cases.bodies()])
     return cases.shaped(speeds * cases.speed)
 
 
@@ -178,7 +178,7 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 9)
     3.616628264
     """
-    cases = Columns(hoop, plane, True)  # there is no contact force in it
+    cases = Columns(hoop, plane, resisted=True)  # there is no contact force in it
     speeds = cases.new()
     compiled(lift_off_speeds)(cases.body, np.zeros_like(speeds), speeds)
     return cases.shaped(speeds * cases.speed)
@@ -275,6 +275,6 @@ def hop_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
 def _first_angle(hoop: Hoops, v0: ArrayLike, plane: Planes, which: int) -> Any:
     cases = _cases(hoop, plane, v0=v0)
     trials = _Trials()
-    rows = zip(cases.body, cases.of_speed("v0"), strict=True)
-    angles = np.array([trials.angles(body_from(row), speed)[which] for row, speed in rows])
+    starts = zip(cases.bodies(), cases.of_speed("v0"), strict=True)
+    angles = np.array([trials.angles(body, speed)[which] for body, speed in starts])
     return cases.shaped(angles)

@@ -14,7 +14,7 @@ from hophoop.theory.kernels import rolling as kernels
 
 
 class ContactLoss(NamedTuple):
-    """Where a massless hoop that rolls from the top loses its contact force.
+    """Return the angle at which a massless hoop that rolls from the top loses its contact force.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane(
     Parameters
     ----------
     v0 : float or array_like
-        Velocity of the centre at the top; 0 stands for the smallest push [m/s].
+        Velocity of the centre at the top; 0 means the smallest push [m/s].
     radius : float or array_like, default 1
         Rim radius [m].
     plane : Plane or array of Plane

@@ -1,4 +1,4 @@
-"""Painlevé's paradox: the friction it needs, where it is, and the states of the dynamic jam."""
+"""Painlevé's paradox: its required friction, its region, and the states of the dynamic jam."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
+from hophoop.scenario.ranges import RANGES
 from hophoop.theory._columns import Columns, Hoops, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels
 from hophoop.theory.kernels.arcs import TURN
@@ -18,7 +20,7 @@ from hophoop.theory.kernels.phase_plane import lift_off
 
 
 class PainleveMinimum(NamedTuple):
-    """The least friction with which the paradox exists at all.
+    """The minimum friction with which the paradox exists at all.
 
     Attributes
     ----------
@@ -52,7 +54,7 @@ class JamState:
 
 
 def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
-    r"""Kinetic friction from which on slip at an angle meets Painlevé's paradox, p_σ ≤ 0.
+    r"""Return the kinetic friction from which slip at an angle meets Painlevé's paradox, p_σ ≤ 0, without rolling resistance.
 
     Parameters
     ----------
@@ -63,7 +65,7 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
     Returns
     -------
     mu : float or ndarray
-        [1]; inf where no friction is enough.
+        [1]; inf if no friction is enough.
 
     Raises
     ------
@@ -92,7 +94,7 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
 
 
 def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
-    r"""Least friction with which Painlevé's paradox exists at any angle.
+    r"""Return the minimum friction with which Painlevé's paradox exists at any angle, without rolling resistance.
 
     Parameters
     ----------
@@ -126,8 +128,10 @@ def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
     return PainleveMinimum(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
-def painleve_region(theta: ArrayLike, mu: ArrayLike, hoop: Hoops) -> Any:
-    """In which direction slip at an angle meets Painlevé's paradox.
+def painleve_region(
+    theta: ArrayLike, mu: ArrayLike, hoop: Hoops, *, rolling_resistance: ArrayLike = 0.0, omega: ArrayLike | None = None
+) -> Any:
+    """Return the direction of slip that meets Painlevé's paradox at an angle.
 
     Parameters
     ----------
@@ -136,29 +140,60 @@ def painleve_region(theta: ArrayLike, mu: ArrayLike, hoop: Hoops) -> Any:
     mu : float or array_like
         Kinetic friction, at least 0 [1].
     hoop : Hoop or array of Hoop
+    rolling_resistance : float or array_like, default 0
+        Couple against the rotation over R N [1].
+    omega : float or array_like, optional
+        Angular velocity, of which only the sign counts [rad/s]. Required with rolling resistance, whose couple changes
+        sign with it.
 
     Returns
     -------
     direction : int or ndarray of int
-        σ = sign(v_t) with p_σ ≤ 0: −1 spin, +1 skid, 0 where neither [1].
+        σ = sign(v_t) with p_σ ≤ 0: −1 spin, +1 skid, 0 neither, 2 both (only with rolling resistance) [1].
 
     Raises
     ------
     ValueError
-        If a number is not finite, mu is negative, or the shapes do not go together.
+        If a number is not finite, mu is negative, rolling_resistance is not possible for the hoop or given without omega, or
+        the shapes do not go together.
 
     Examples
     --------
     >>> import hophoop as hh
     >>> hh.theory.painleve_region([0.7, -0.7, 2.0], 1.0, hh.Hoop.ideal(0.75))
     array([-1,  1,  0])
+    >>> hh.theory.painleve_region(0.7, 0.9, hh.Hoop.ideal(0.75), rolling_resistance=0.1, omega=[1.0, -1.0])
+    array([-1,  0])
     """
-    cases = Columns(hoop, Plane(), theta=theta, mu=mu)
+    rates = 0.0 if omega is None else omega
+    cases = Columns(hoop, Plane(), theta=theta, mu=mu, rolling_resistance=rolling_resistance, omega=rates)
     if (cases["mu"] < 0.0).any():
         raise InputError.of_field("mu", float(cases["mu"].min()), "at least 0")
-    directions = np.empty(cases.body.shape[0], dtype=np.int64)
-    compiled(kernels.regions)(cases.body, cases["theta"], cases["mu"], directions)
+    bodies = cases.body.copy()
+    bodies["mu_s"] = bodies["mu_k"] = cases["mu"]
+    bodies["resist"] = cases["rolling_resistance"]
+    if bodies["resist"].any():
+        _check_resistance(bodies)
+        if omega is None:
+            raise InputError.of_field("omega", None, "given: with rolling resistance the direction of rotation counts")
+    directions = np.empty(len(bodies), dtype=np.int64)
+    compiled(kernels.regions)(bodies, cases["theta"], cases["omega"], directions)
     return cases.shaped(directions)
+
+
+def _check_resistance(bodies: NDArray[Any]) -> None:
+    """Refuse a rolling resistance that the hoop cannot have."""
+    allowed = RANGES["plane.rolling_resistance"]
+    for eccentricity, inertia_ratio, given in np.unique(bodies[["eps", "kap", "resist"]]).tolist():
+        if given == 0.0:
+            continue
+        if not allowed.least <= given <= allowed.most:
+            raise InputError.of_field("rolling_resistance", given, allowed.words())
+        if inertia_ratio == 0.0:
+            raise InputError.of_field("rolling_resistance", given, "0 for the massless hoop (hoop.inertia_ratio = 0)")
+        most = most_resistance(eccentricity, inertia_ratio)
+        if not given < most:
+            raise InputError.of_field("rolling_resistance", given, f"below {most:.6g} for this hoop")
 
 
 def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:

@@ -57,7 +57,7 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Pla
     >>> hh.theory.mode_of([0.5, 2.0, 5.9], [3.0, 9.9, 4.0], hh.Hoop.ideal(0.75))
     array(['R', 'K', 'H'], dtype='<U1')
     """
-    cases = Columns(hoop, plane, True, theta=theta, omega=omega)
+    cases = Columns(hoop, plane, resisted=True, theta=theta, omega=omega)
     codes = np.empty(cases.body.shape[0], dtype=np.int64)
     compiled(kernels.modes)(cases.body, cases["theta"], cases["omega"] * cases.time, codes)
     return cases.shaped(_LETTERS[codes])
@@ -127,7 +127,7 @@ def lift_off_speed(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> An
     >>> round(hh.theory.lift_off_speed(0.0, hh.Hoop.ideal(0.75)), 6)
     3.616628
     """
-    cases = Columns(hoop, plane, True, theta=theta)  # there is no contact force in it
+    cases = Columns(hoop, plane, resisted=True, theta=theta)  # there is no contact force in it
     rates = cases.new()
     compiled(kernels.lift_off_speeds)(cases.body, cases["theta"], rates)
     return cases.shaped(rates / cases.time)

@@ -9,7 +9,7 @@ from hophoop.kernel.numerics.elementwise import arcsine, cosine, sine, tangent
 from hophoop.kernel.physics.contact import rolling_inertia
 from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
-from hophoop.theory.kernels.arcs import TURN, first_hilltop, first_valley
+from hophoop.theory.kernels.arcs import TURN, first_maximum, first_valley
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
 
     Notes
     -----
-    :math:`\varepsilon \sin(\theta + \beta) = -\sin\beta`: the centre of gravity stands above the contact.
+    :math:`\varepsilon \sin(\theta + \beta) = -\sin\beta`: the centre of gravity is above the contact.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
     body = to_body(hoop, plane)
     second = time_unit(hoop, plane)
     found = []
-    for angle in (float(first_hilltop(body)), float(first_valley(body))):
+    for angle in (float(first_maximum(body)), float(first_valley(body))):
         if math.isnan(angle):
             continue
         stable = bool(equilibrium_is_stable(body, angle))
@@ -124,7 +124,7 @@ def rest_ranges(hoop: Hoop, plane: Plane) -> tuple[RestRange, ...]:
 
     Notes
     -----
-    :math:`\lvert\varepsilon\sin(\theta + \beta) + \sin\beta\rvert \le f\cos\beta`: the centre of gravity stands above the
+    :math:`\lvert\varepsilon\sin(\theta + \beta) + \sin\beta\rvert \le f\cos\beta`: the centre of gravity is above the
     range in which the pressure of the contact can be.
 
     Examples

@@ -2,7 +2,7 @@
 
 All motions are named by v0, the velocity of the centre at θ = 0. Friction has no say here: the formulas tell
 what rolling would be, and `friction_utilization` whether friction allows it. An angle counts as reached when
-it lies in the motion's past or future; v0 = 0 stands for the smallest push ahead.
+it lies in the motion's past or future; v0 = 0 means the smallest push ahead.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ def rolling_speed(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = 
         Angle from the outward normal to C→G [rad].
     hoop : Hoop or array of Hoop
     v0 : float or array_like
-        Velocity of the centre at theta = 0; 0 stands for the smallest push ahead [m/s].
+        Velocity of the centre at theta = 0; 0 means the smallest push ahead [m/s].
     plane : Plane or array of Plane
 
     Returns
@@ -232,7 +232,7 @@ def friction_utilization(
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     friction, normal = _force_columns(cases)
-    share = utilization_of(False, friction, normal, cases.body[:, 2], cases.body[:, 3])
+    share = utilization_of(False, friction, normal, cases.body["mu_s"], cases.body["mu_k"])
     return cases.shaped(np.where(normal <= 0.0, np.inf, share))
 
 
@@ -284,7 +284,7 @@ def needed_friction(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Need
     ----------
     hoop : Hoop or array of Hoop
     v0 : float or array_like
-        Velocity of the centre at θ = 0; 0 stands for the smallest push [m/s].
+        Velocity of the centre at θ = 0; 0 means the smallest push [m/s].
     plane : Plane or array of Plane
         Its own friction makes no difference. Where it slopes so that the hoop turns back before a whole turn,
         the way up to there counts.

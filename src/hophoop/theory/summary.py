@@ -1,4 +1,4 @@
-"""All that theory says about one hoop on its plane, in words: for the command line and the lab."""
+"""Thresholds and closed forms of one hoop on its plane as text, for the command line and the lab."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Quantity(NamedTuple):
     value : float or None
         In SI units, None where there is none [SI].
     note : str
-        What more there is to say.
+        A remark.
     """
 
     key: str
@@ -39,7 +39,7 @@ class Quantity(NamedTuple):
 
 
 def summary(scenario: Scenario) -> tuple[Quantity, ...]:
-    """What theory says about a hoop on its plane: thresholds and closed forms.
+    """Return thresholds and closed forms of a hoop on its plane.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def summary(scenario: Scenario) -> tuple[Quantity, ...]:
     Returns
     -------
     quantities : tuple of Quantity
-        One that the hoop or the plane does not have says why.
+        One that the hoop or the plane does not have gives the reason.
 
     Examples
     --------

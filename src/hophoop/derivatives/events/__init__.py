@@ -1,1 +1,1 @@
-"""How events carry derivatives over: the conditions that set them off, impacts, what follows."""
+"""Propagation of derivatives through events: their conditions, impacts, and the state after them."""

@@ -25,13 +25,13 @@ from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
 from hophoop.kernel.physics.massless import strike
 
 
-def load_changes(begin, z, k):
+def load_changes(begin, tangents, k):
     """Changes of the load: (its height at the begin, its rate of sinking, its speed along the plane)."""
     s, c = sine_and_cosine(begin.th)
-    dth = z[TH, k]
+    dth = tangents[TH, k]
     fallen = s * dth
-    sink = c * begin.om * dth + s * z[OM, k]
-    along = z[VT, k] + z[OM, k] * (1.0 + c) - begin.om * s * dth
+    sink = c * begin.om * dth + s * tangents[OM, k]
+    along = tangents[VT, k] + tangents[OM, k] * (1.0 + c) - begin.om * s * dth
     return fallen, sink, along
 
 
@@ -43,46 +43,46 @@ def skim_rates(body, state):
 
 
 @apart
-def follow_skim(body, begin, end, tau, z):
-    """Carry all directions over the time tau of skimming."""
+def follow_skim(body, begin, end, tau, tangents):
+    """Propagate all directions over the time tau of skimming."""
     s1, c1 = sine_and_cosine(end.th)
     c0 = cosine(begin.th)
     if tau <= 0.0:
         return
-    for k in range(z.shape[1]):
-        fallen, sink, along = load_changes(begin, z, k)
+    for k in range(tangents.shape[1]):
+        fallen, sink, along = load_changes(begin, tangents, k)
         dth = (fallen + sink * tau) / s1
         dom = (sink - c1 * end.om * dth) / s1
-        z[X, k] += c0 * z[TH, k] + along * tau - c1 * dth
-        z[VT, k] = along - dom * (1.0 + c1) + end.om * s1 * dth
-        z[TH, k] = dth
-        z[OM, k] = dom
+        tangents[X, k] += c0 * tangents[TH, k] + along * tau - c1 * dth
+        tangents[VT, k] = along - dom * (1.0 + c1) + end.om * s1 * dth
+        tangents[TH, k] = dth
+        tangents[OM, k] = dom
 
 
 @apart
-def follow_strike(body, begin, tau, changes, z, kept):
-    """Carry all directions from the begin of the skimming to just after the load has struck, at the time tau."""
+def follow_strike(body, begin, tau, parameter_tangents, tangents, event_tangents):
+    """Propagate all directions from the begin of the skimming to just after the load has struck, at the time tau."""
     s, c = sine_and_cosine(begin.th)
     sink = s * begin.om + body.gn * tau
     speed = begin.vt + begin.om * (1.0 + c)
     after, _, _ = strike(body, speed, -sink)
-    for k in range(z.shape[1]):
-        fallen, dsink, dspeed = load_changes(begin, z, k)
+    for k in range(tangents.shape[1]):
+        fallen, dsink, dspeed = load_changes(begin, tangents, k)
         dt = -(fallen + dsink * tau) / sink
         dblow = dsink + body.gn * dt
-        z[T, k] += dt
-        z[X, k] += c * z[TH, k] + dspeed * tau + speed * dt
+        tangents[T, k] += dt
+        tangents[X, k] += c * tangents[TH, k] + dspeed * tau + speed * dt
         dafter = 0.0
         if after != 0.0:
-            dafter = dspeed - math.copysign(1.0, speed) * (changes[MU_K, k] * sink + body.mu_k * dblow)
-        kept[BEFORE_OM, k] = math.nan
-        kept[BEFORE_VT, k] = dspeed
-        kept[BEFORE_VN, k] = -dblow
-        kept[P_N, k] = dblow
-        kept[P_T, k] = dafter - dspeed
-        z[IMPACT_N, k] += sink * dblow
-        z[IMPACT_T, k] += speed * dspeed - after * dafter
-        z[TH, k] = 0.0
-        z[OM, k] = 0.0
-        z[VT, k] = dafter
-        z[VN, k] = 0.0
+            dafter = dspeed - math.copysign(1.0, speed) * (parameter_tangents[MU_K, k] * sink + body.mu_k * dblow)
+        event_tangents[BEFORE_OM, k] = math.nan
+        event_tangents[BEFORE_VT, k] = dspeed
+        event_tangents[BEFORE_VN, k] = -dblow
+        event_tangents[P_N, k] = dblow
+        event_tangents[P_T, k] = dafter - dspeed
+        tangents[IMPACT_N, k] += sink * dblow
+        tangents[IMPACT_T, k] += speed * dspeed - after * dafter
+        tangents[TH, k] = 0.0
+        tangents[OM, k] = 0.0
+        tangents[VT, k] = dafter
+        tangents[VN, k] = 0.0

@@ -1,9 +1,9 @@
-"""A start in contact whose rim is lifted a little, or thrown up or down: what is left of that when it has come to rest again.
+"""A start in contact whose rim is lifted a little, or launched up or down: the perturbation after it has settled.
 
 A small velocity v_n is gone after bounces that last a time of its order. Whatever they were, slip and gap are then as without
-them, so that the impulses beside those of N and F are known: those that stop v_n, along the line of sticking or of slip. A
-rim that is lifted by h falls for √(2 h/abs(f_n)). In slip, and in rolling with e = 0, the impulses are then those of N and F
-to the order √h, and what differs is of the order h (docs/derivatives.md#a-start-in-contact).
+them, so that the impulses in addition to those of N and F are known: those that stop v_n, along the line of sticking or of
+slip. A rim that is lifted by h falls for √(2 h/abs(f_n)). In slip, and in rolling with e = 0, the impulses are then those of
+N and F to the order √h, and the difference is of the order h (docs/derivatives.md#a-start-in-contact).
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ from hophoop.kernel.physics.contact import (
 from hophoop.kernel.physics.impact import impact, slip_rates, stick_rates
 from hophoop.kernel.physics.painleve import stiffness_slope
 
-SMALL = 2.0**-30  # of v_n beside the slip
+SMALL = 2.0**-30  # v_n relative to the slip
 
 
 @apart
 def rebound(body, sigma, s, c, vt, vn):
-    """Little v_n after a landing of rolling (sigma = 0) or slip, beside what it was; nan where the contact is another then."""
+    """Return v_n after a landing of rolling (sigma = 0) or slip over the small one before; nan if the contact changes."""
     if sigma != 0:
         return impact(body, body.rest, s, c, vt, -SMALL)[1] / SMALL
     after = impact(body, body.rest, s, c, vt, vn)
@@ -42,7 +42,7 @@ def rebound(body, sigma, s, c, vt, vn):
 
 @apart
 def time_of_bounces(body, sigma, s, c, state, throw):
-    """How long bounces last that begin with a small v_n = `throw`, beside its size; nan where that is not known."""
+    """Return the duration of bounces that begin with a small v_n = `throw`, over its size; nan if it is unknown."""
     along, away = free_acceleration(body, s, c, state.om * state.om)
     part = rebound(body, sigma, s, c, state.vt if sigma != 0 else -2.0 * along / away, -1.0)
     time = -2.0 / away / (1.0 - part) if part < 1.0 else math.nan
@@ -53,7 +53,7 @@ def time_of_bounces(body, sigma, s, c, state, throw):
 
 @apart
 def loses_slip(body, s, c, om):
-    """Whether a little slip of either direction ends at once in a hoop that rolls."""
+    """Return True if a small slip of either direction ends at once in a hoop that rolls."""
     if math.isinf(body.mu_k):
         return True
     for sigma in (-1, 1):
@@ -64,11 +64,11 @@ def loses_slip(body, s, c, om):
 
 
 @apart
-def stop_throw(body, sigma, state, z, k):
+def stop_throw(body, sigma, state, tangents, k):
     """A little v_n of a start in contact; returns whether there is a derivative."""
     s, c = sine_cosine(state.th, state.th_low)
     arm, lever = contact_arms(body, s, c)
-    throw = z[VN, k]
+    throw = tangents[VN, k]
     if body.rest >= 1.0 or body.mu_s == 0.0 or (body.resist > 0.0 and state.om == 0.0):
         return False
     sliding = 0.0
@@ -84,20 +84,20 @@ def stop_throw(body, sigma, state, z, k):
     if body.resist > 0.0:  # which does not act in the bounces
         with_couple = resisted_motion(body, sigma, state, 0.0)
         without = motion_against(body, sigma, state, 0.0)
-        z[OM, k] -= (with_couple[0] - without[0]) * time
-        z[VT, k] -= (with_couple[1] - without[1]) * time
-        z[RESISTED, k] -= with_couple[3] * time
-    z[OM, k] -= turn * throw / lift
-    z[VT, k] -= sliding * throw / lift
-    z[VN, k] = 0.0
+        tangents[OM, k] -= (with_couple[0] - without[0]) * time
+        tangents[VT, k] -= (with_couple[1] - without[1]) * time
+        tangents[RESISTED, k] -= with_couple[3] * time
+    tangents[OM, k] -= turn * throw / lift
+    tangents[VT, k] -= sliding * throw / lift
+    tangents[VN, k] = 0.0
     return True
 
 
 @apart
-def let_fall(body, sigma, state, z, k):
+def let_fall(body, sigma, state, tangents, k):
     """A little height of a start in contact; returns whether there is a derivative."""
     s, c = sine_cosine(state.th, state.th_low)
-    height = z[Y, k]
+    height = tangents[Y, k]
     om = state.om
     eps = body.eps
     if body.rest >= 1.0 or body.resist > 0.0 or body.mu_s == 0.0 or not height > 0.0:
@@ -108,9 +108,9 @@ def let_fall(body, sigma, state, z, k):
             return False
         turning = rolling_acceleration(body, s, c, om * om, 0.0)
         inertia = inertia_at_height(body, load_height(s, c))
-        z[TH, k] += turning / away * height
-        z[X, k] += (turning - along) / away * height
-        z[OM, k] -= om * eps * (c * body.gn - s * body.gt - eps * om * om) / (inertia * away) * height
+        tangents[TH, k] += turning / away * height
+        tangents[X, k] += (turning - along) / away * height
+        tangents[OM, k] -= om * eps * (c * body.gn - s * body.gt - eps * om * om) / (inertia * away) * height
     else:
         q = slip_torque_arm(body, s, c, sigma)
         stiffness = slip_stiffness(body, s, c, sigma, 0.0)
@@ -121,9 +121,9 @@ def let_fall(body, sigma, state, z, k):
         steeper = (eps * (c - signed_mu * s) - spin * stiffness_slope(body, s, c, sigma, q)) / stiffness
         dth = -spin * height
         dom = om * (steeper + 2.0 * eps * c * spin * spin) * height
-        z[TH, k] += dth
-        z[OM, k] += dom
-        z[X, k] += signed_mu * height - place_change(body, sigma, s, c, dth, 0.0, 0.0)
-        z[VT, k] -= momentum_change(body, sigma, s, c, om, 0.0, dom, dth, 0.0, 0.0)
-    z[Y, k] = 0.0
+        tangents[TH, k] += dth
+        tangents[OM, k] += dom
+        tangents[X, k] += signed_mu * height - place_change(body, sigma, s, c, dth, 0.0, 0.0)
+        tangents[VT, k] -= momentum_change(body, sigma, s, c, om, (0.0, dom, dth), (0.0, 0.0))
+    tangents[Y, k] = 0.0
     return True

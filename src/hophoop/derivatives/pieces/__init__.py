@@ -1,1 +1,1 @@
-"""How derivatives go along the pieces of a motion between events."""
+"""Propagation of derivatives along the pieces of a motion between events."""

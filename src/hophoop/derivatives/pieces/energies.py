@@ -16,7 +16,7 @@ COLUMNS = "x", "height", "theta", "omega", "slip", "vy"  # rows X to VN of what 
 ENERGIES = ("kinetic", "potential", "total", "friction")
 
 
-def energy_rates(field: str, body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
+def energy_rates(field: str, body: Body, state: Floats, rates: Floats, parameter_tangents: Floats) -> tuple[Floats, Floats]:
     """An energy and how it changes in all directions.
 
     Parameters
@@ -25,7 +25,7 @@ def energy_rates(field: str, body: Body, state: Floats, rates: Floats, changes: 
     body : Body
     state : ndarray, shape (6,) or (m, 6)
         By COLUMNS.
-    rates : ndarray, shape (CARRIED or more, n) or (m, CARRIED or more, n)
+    rates : ndarray, shape (STATE_ROWS or more, n) or (m, STATE_ROWS or more, n)
         Of the state.
     changes : ndarray, shape (PARAMETERS, n)
         Of the parameters.
@@ -48,7 +48,7 @@ def energy_rates(field: str, body: Body, state: Floats, rates: Floats, changes: 
         value, *slopes = (_kinetic if field == "kinetic" else _potential)(body, *columns)
         by_state, by_parameters = (np.array(each) for each in slopes)
     by_place = weighted_sum(by_state[..., None], [rates[..., row, :] for row in range(X, VN + 1)])
-    return value, by_place + weighted_sum(by_parameters[..., None], changes[EPS : GT + 1])
+    return value, by_place + weighted_sum(by_parameters[..., None], parameter_tangents[EPS : GT + 1])
 
 
 def _kinetic(body: Body, x: Any, y: Any, th: Any, om: Any, vt: Any, vn: Any) -> tuple[Any, list[Any], list[Any]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, RESISTED, TH, VN, VT, T, X, Y
-from hophoop.derivatives.pieces.panels import follow_slip
+from hophoop.derivatives.pieces.panels import SlipTime, follow_slip
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.circular import sine, sine_and_cosine
 from hophoop.kernel.numerics.hyperbolic import hyperbolic_cosine, hyperbolic_sine
@@ -26,7 +26,7 @@ from hophoop.kernel.physics.resistance import resistance_arm
 
 ROLL, FLIGHT = int(Mode.ROLL), int(Mode.FLIGHT)
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
-TOUCH = 1e-9  # a gap this small beside the hoop is none
+TOUCH = 1e-9  # of the radius: a smaller gap is none
 
 
 @apart
@@ -68,22 +68,22 @@ def accelerations(body, mode, state, way):
     return turning, along, 0.0, 0.0
 
 
-def step_along(z, k, dt, state, rates):
-    """The same change of a direction, told of a moment of the motion that is later by the small dt."""
+def step_along(tangents, k, dt, state, rates):
+    """Express the change of a direction at a moment that is later by the small dt."""
     turning, along, away, lost = rates
-    z[T, k] += dt
-    z[X, k] += (state.vt + state.om) * dt
-    z[Y, k] += state.vn * dt
-    z[TH, k] += state.om * dt
-    z[OM, k] += turning * dt
-    z[VT, k] += along * dt
-    z[VN, k] += away * dt
-    z[RESISTED, k] += lost * dt
+    tangents[T, k] += dt
+    tangents[X, k] += (state.vt + state.om) * dt
+    tangents[Y, k] += state.vn * dt
+    tangents[TH, k] += state.om * dt
+    tangents[OM, k] += turning * dt
+    tangents[VT, k] += along * dt
+    tangents[VN, k] += away * dt
+    tangents[RESISTED, k] += lost * dt
 
 
 @apart
-def follow_flight(body, opening, begin, end, tau, changes, z):
-    """Carry all directions over the time tau of a flight whose f_n at the begin is `opening`, 0 after a lift-off."""
+def follow_flight(body, opening, begin, end, tau, parameter_tangents, tangents):
+    """Propagate all directions over the time tau of a flight whose f_n at the begin is `opening`, 0 after a lift-off."""
     s0, c0 = sine_cosine(begin.th, begin.th_low)
     s1, c1 = sine_cosine(end.th, end.th_low)
     om = begin.om
@@ -91,30 +91,32 @@ def follow_flight(body, opening, begin, end, tau, changes, z):
     sine_part, cosine_part, versine = turn_deficits(phi)
     turned = sine(phi)
     half = 0.5 * tau * tau
-    for k in range(z.shape[1]):
-        deps = changes[EPS, k]
-        dth = z[TH, k]
-        dom = z[OM, k]
+    for k in range(tangents.shape[1]):
+        deps = parameter_tangents[EPS, k]
+        dth = tangents[TH, k]
+        dom = tangents[OM, k]
         dopening = 0.0
         if opening != 0.0:
-            dopening = -changes[GN, k] + om * (deps * c0 * om - body.eps * s0 * om * dth + 2.0 * body.eps * c0 * dom)
+            dopening = -parameter_tangents[GN, k] + om * (deps * c0 * om - body.eps * s0 * om * dth + 2.0 * body.eps * c0 * dom)
         # the gap without cancellation, as in physics.flight
-        z[Y, k] += z[VN, k] * tau + dopening * half - deps * (c0 * cosine_part + s0 * sine_part)
-        z[Y, k] -= body.eps * ((c0 * sine_part - s0 * cosine_part) * dth + (c0 * sine_part + s0 * versine) * tau * dom)
-        z[VN, k] += dopening * tau - (deps * om + body.eps * dom) * (c0 * sine_part + s0 * versine)
-        z[VN, k] -= body.eps * om * ((c0 * versine - s0 * sine_part) * dth + (c0 * versine + s0 * turned) * tau * dom)
+        tangents[Y, k] += tangents[VN, k] * tau + dopening * half - deps * (c0 * cosine_part + s0 * sine_part)
+        tangents[Y, k] -= body.eps * ((c0 * sine_part - s0 * cosine_part) * dth + (c0 * sine_part + s0 * versine) * tau * dom)
+        tangents[VN, k] += dopening * tau - (deps * om + body.eps * dom) * (c0 * sine_part + s0 * versine)
+        tangents[VN, k] -= body.eps * om * ((c0 * versine - s0 * sine_part) * dth + (c0 * versine + s0 * turned) * tau * dom)
         dth1 = dth + tau * dom
         # G moves on a parabola
-        along = z[VT, k] + dom * (1.0 + body.eps * c0) + om * (deps * c0 - body.eps * s0 * dth)
+        along = tangents[VT, k] + dom * (1.0 + body.eps * c0) + om * (deps * c0 - body.eps * s0 * dth)
         shift = deps * (s0 - s1) + body.eps * (c0 * dth - c1 * dth1)
-        z[X, k] += shift + along * tau + changes[GT, k] * half
-        z[VT, k] = along + changes[GT, k] * tau - dom * (1.0 + body.eps * c1) - om * (deps * c1 - body.eps * s1 * dth1)
-        z[TH, k] = dth1
+        tangents[X, k] += shift + along * tau + parameter_tangents[GT, k] * half
+        tangents[VT, k] = (
+            along + parameter_tangents[GT, k] * tau - dom * (1.0 + body.eps * c1) - om * (deps * c1 - body.eps * s1 * dth1)
+        )
+        tangents[TH, k] = dth1
 
 
 @apart
 def skims_plane(body, opening, begin, tau):
-    """Whether the gap of a flight has a smallest value that is zero but for rounding: a touch without approach."""
+    """Return True if the minimum of the gap of a flight is 0 to rounding: a touch without approach."""
     s, c = sine_cosine(begin.th, begin.th_low)
     om = begin.om
     if not body.eps * om * om > body.gn:
@@ -141,7 +143,7 @@ def skims_plane(body, opening, begin, tau):
     return False
 
 
-def disturbed(stiffness, drive, angle, rate, tau):
+def perturbed_rest(stiffness, drive, angle, rate, tau):
     """(δθ, δθ̇) after the time tau of δθ̈ = stiffness · δθ + drive."""
     pull = abs(stiffness)
     pace = math.sqrt(pull)
@@ -164,19 +166,19 @@ def disturbed(stiffness, drive, angle, rate, tau):
 
 
 @apart
-def follow_hold(body, sigma, begin, end, tau, changes, z):
-    """Carry all directions over the time tau of rest (sigma = 0), or of slip without rotation."""
+def follow_hold(body, sigma, begin, end, tau, parameter_tangents, tangents):
+    """Propagate all directions over the time tau of rest (sigma = 0), or of slip without rotation."""
     s, c = sine_cosine(begin.th, begin.th_low)
     signed_mu = sigma * body.mu_k
-    for k in range(z.shape[1]):
-        deps = changes[EPS, k]
-        dth0 = z[TH, k]
-        dom0 = z[OM, k]
+    for k in range(tangents.shape[1]):
+        deps = parameter_tangents[EPS, k]
+        dth0 = tangents[TH, k]
+        dom0 = tangents[OM, k]
         if body.resist > 0.0:  # what is held stays, and a little rotation is stopped at once
             if tau > 0.0:
-                z[OM, k] = 0.0
+                tangents[OM, k] = 0.0
             if sigma != 0:
-                follow_slip(body, sigma, begin, end, tau, (dth0, dom0), 0.0, k, changes, z)
+                follow_slip(body, SlipTime(sigma, begin, end, tau), (dth0, dom0), 0.0, k, parameter_tangents, tangents)
             continue
         if body.kap == 0.0:
             stiffness = 0.0
@@ -184,14 +186,14 @@ def follow_hold(body, sigma, begin, end, tau, changes, z):
         elif sigma == 0:
             inertia = inertia_at_height(body, load_height(s, c))
             stiffness = body.eps * (body.gn * c - body.gt * s) / inertia
-            drive = (body.gn * s + body.gt * c) * deps + body.eps * s * changes[GN, k]
-            drive = (drive + (1.0 + body.eps * c) * changes[GT, k]) / inertia
+            drive = (body.gn * s + body.gt * c) * deps + body.eps * s * parameter_tangents[GN, k]
+            drive = (drive + (1.0 + body.eps * c) * parameter_tangents[GT, k]) / inertia
         else:
             load = body.gn / slip_stiffness(body, s, c, sigma, 0.0)
             stiffness = body.eps * (c - signed_mu * s) * load
-            drive = load * ((s + signed_mu * c) * deps + sigma * (1.0 + body.eps * c) * changes[MU_K, k])
-        z[TH, k], z[OM, k] = disturbed(stiffness, drive, dth0, dom0, tau)
+            drive = load * ((s + signed_mu * c) * deps + sigma * (1.0 + body.eps * c) * parameter_tangents[MU_K, k])
+        tangents[TH, k], tangents[OM, k] = perturbed_rest(stiffness, drive, dth0, dom0, tau)
         if sigma == 0:
-            z[X, k] += z[TH, k] - dth0
+            tangents[X, k] += tangents[TH, k] - dth0
         else:
-            follow_slip(body, sigma, begin, end, tau, (dth0, dom0), 0.0, k, changes, z)
+            follow_slip(body, SlipTime(sigma, begin, end, tau), (dth0, dom0), 0.0, k, parameter_tangents, tangents)

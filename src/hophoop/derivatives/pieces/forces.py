@@ -41,13 +41,18 @@ def rolling_slopes(body, s, c, om, rho):
 
 
 def by_angle(slopes, alpha):
-    """The rate by θ along the motion of what has such slopes."""
+    """Return the rate by θ along the motion of a quantity with such slopes."""
     return slopes[0] + 2.0 * slopes[1] * alpha
 
 
-def changed(slopes, om, z, changes, k):
-    """The change in a direction of what has such slopes."""
+def change_of(slopes, om, tangents, parameter_tangents, k):
+    """Return the change of a quantity with such slopes in a direction."""
     by_th, by_u, by_eps, by_kap, by_gn, by_gt, by_resist = slopes
-    by_state = by_th * z[TH, k] + 2.0 * by_u * om * z[OM, k]
-    by_body = by_eps * changes[EPS, k] + by_kap * changes[KAP, k] + by_gn * changes[GN, k] + by_gt * changes[GT, k]
-    return by_state + by_body + by_resist * changes[RESIST, k]
+    by_state = by_th * tangents[TH, k] + 2.0 * by_u * om * tangents[OM, k]
+    by_body = (
+        by_eps * parameter_tangents[EPS, k]
+        + by_kap * parameter_tangents[KAP, k]
+        + by_gn * parameter_tangents[GN, k]
+        + by_gt * parameter_tangents[GT, k]
+    )
+    return by_state + by_body + by_resist * parameter_tangents[RESIST, k]

@@ -1,11 +1,13 @@
 """Derivatives on a panel of rolling or slip (docs/derivatives.md#on-a-panel).
 
 Over θ, u = θ̇² obeys u′ = a u + b, so that its derivatives have the same integrating factor. They are taken at fixed
-places ξ of the panel, which goes along with its begin, and with the turning point that it arrives at: so dt/dξ stays
-smooth. Eight of them, by the begin of the panel and by the parameters, serve all directions.
+ξ of the panel, which moves with its start, and with the turning point at its end: so dt/dξ stays smooth. Eight of them, by
+the start of the panel and by the parameters, serve all directions.
 """
 
 from __future__ import annotations
+
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -89,7 +91,7 @@ def roll_rates(body, panel, work, local):
 
 @apart
 def refine_rates(body, panel, xi, u, row):
-    """What rolling has in closed form at ξ, in place of what is interpolated."""
+    """Replace interpolated rates at ξ by the closed forms of rolling."""
     sine, versine = sine_versine_of_offset(panel, xi)
     rates = roll_rates_at(body, panel, sine, versine, angle_at(panel, xi), u)
     slope, growth, shift, row[BY_EPS], row[BY_KAP], row[BY_GN], row[BY_GT] = rates
@@ -115,16 +117,16 @@ def slip_rates(body, panel, work, local):
         s = work[SINE, i]
         c = work[COSINE, i]
         q = work[ARM, i]
-        firm = 1.0 / work[STIFFNESS, i]
-        load = (body.gn - eps * c * work[U, i]) * firm
+        compliance = 1.0 / work[STIFFNESS, i]
+        over_p = (body.gn - eps * c * work[U, i]) * compliance
         q_eps = s + sigma * body.mu_k * c
         q_mu = sigma * (1.0 + eps * c)
-        local[SLOPE, i] = 2.0 * q * load
-        local[SHIFT, i] = 2.0 * q * load - slope * growth[i]
-        local[BY_EPS, i] = 2.0 * (q_eps * load - q * firm * (c * work[U, i] + load * (s * q + eps * s * q_eps)))
-        local[BY_KAP, i] = -2.0 * q * load * firm
-        local[BY_MU, i] = 2.0 * q_mu * load * (1.0 - q * eps * s * firm)
-        local[BY_GN, i] = 2.0 * q * firm
+        local[SLOPE, i] = 2.0 * q * over_p
+        local[SHIFT, i] = 2.0 * q * over_p - slope * growth[i]
+        local[BY_EPS, i] = 2.0 * (q_eps * over_p - q * compliance * (c * work[U, i] + over_p * (s * q + eps * s * q_eps)))
+        local[BY_KAP, i] = -2.0 * q * over_p * compliance
+        local[BY_MU, i] = 2.0 * q_mu * over_p * (1.0 - q * eps * s * compliance)
+        local[BY_GN, i] = 2.0 * q * compliance
         local[BY_GT, i] = 0.0
     for row in range(BY_EPS, BY_GT):
         integrate_row(panel, local[row], growth, work)
@@ -176,8 +178,13 @@ def changes_at(panel, xi, work, local):
     return time
 
 
-def momentum_change(body, sigma, s, c, om, dvt, dom, dth, deps, dmu):
-    """Change of v_t + θ̇ (1 + ε c − σ μ ε s), which gravity alone changes in slip."""
+def momentum_change(body, sigma, s, c, om, of_state, of_body):
+    """Change of v_t + θ̇ (1 + ε c − σ μ ε s), which gravity alone changes in slip.
+
+    `of_state` are the changes of (v_t, θ̇, θ), `of_body` those of (ε, μk).
+    """
+    dvt, dom, dth = of_state
+    deps, dmu = of_body
     signed_mu = sigma * body.mu_k
     arm = 1.0 + body.eps * (c - signed_mu * s)
     return (
@@ -191,42 +198,56 @@ def place_change(body, sigma, s, c, dth, deps, dmu):
     return deps * (s + signed_mu * c) + sigma * dmu * body.eps * c + body.eps * (c - signed_mu * s) * dth
 
 
+class SlipTime(NamedTuple):
+    """Slip of a direction σ that lasts a time, between two states."""
+
+    sigma: int
+    begin: Any
+    end: Any
+    time: float
+
+
 @apart
-def follow_slip(body, sigma, begin, end, time, before, dt, k, changes, z):
-    """The changes of v_t and x of a direction over a time of slip, by its `momentum`; those of t, θ, θ̇ stand in z."""
+def follow_slip(body, slip, before, dt, k, parameter_tangents, tangents):
+    """Propagate v_t and x of a direction through slip by its momentum; the tangents of t, θ and θ̇ are those at its end.
+
+    `before` are those of (θ, θ̇) at its start, and `dt` is the change of its duration.
+    """
+    sigma, begin, end, time = slip
     s0, c0 = sine_cosine(begin.th, begin.th_low)
     s1, c1 = sine_cosine(end.th, end.th_low)
     signed_mu = sigma * body.mu_k
-    deps = changes[EPS, k]
-    dmu = changes[MU_K, k]
+    deps = parameter_tangents[EPS, k]
+    dmu = parameter_tangents[MU_K, k]
     dth0, dom0 = before
     steady = body.gt - signed_mu * body.gn
-    dsteady = changes[GT, k] - sigma * dmu * body.gn - signed_mu * changes[GN, k]
+    dsteady = parameter_tangents[GT, k] - sigma * dmu * body.gn - signed_mu * parameter_tangents[GN, k]
     momentum = begin.vt + begin.om * (1.0 + body.eps * (c0 - signed_mu * s0))
-    dmomentum = momentum_change(body, sigma, s0, c0, begin.om, z[VT, k], dom0, dth0, deps, dmu)
-    dplace = place_change(body, sigma, s0, c0, dth0, deps, dmu) - place_change(body, sigma, s1, c1, z[TH, k], deps, dmu)
-    z[X, k] += dplace + dmomentum * time + momentum * dt + 0.5 * dsteady * time * time + steady * time * dt
-    rest = momentum_change(body, sigma, s1, c1, end.om, 0.0, z[OM, k], z[TH, k], deps, dmu)
-    z[VT, k] = dmomentum + dsteady * time + steady * dt - rest
+    dmomentum = momentum_change(body, sigma, s0, c0, begin.om, (tangents[VT, k], dom0, dth0), (deps, dmu))
+    dplace = place_change(body, sigma, s0, c0, dth0, deps, dmu) - place_change(body, sigma, s1, c1, tangents[TH, k], deps, dmu)
+    tangents[X, k] += dplace + dmomentum * time + momentum * dt + 0.5 * dsteady * time * time + steady * time * dt
+    rest = momentum_change(body, sigma, s1, c1, end.om, (0.0, tangents[OM, k], tangents[TH, k]), (deps, dmu))
+    tangents[VT, k] = dmomentum + dsteady * time + steady * dt - rest
 
 
 @inline
-def by_parameters(row, changes, k):
+def by_parameters(row, parameter_tangents, k):
     """The part of a row of local derivatives that is by the parameters."""
     return (
-        row[BY_EPS] * changes[EPS, k]
-        + row[BY_KAP] * changes[KAP, k]
-        + row[BY_MU] * changes[MU_K, k]
-        + row[BY_GN] * changes[GN, k]
-        + row[BY_GT] * changes[GT, k]
-        + row[BY_RESIST] * changes[RESIST, k]
+        row[BY_EPS] * parameter_tangents[EPS, k]
+        + row[BY_KAP] * parameter_tangents[KAP, k]
+        + row[BY_MU] * parameter_tangents[MU_K, k]
+        + row[BY_GN] * parameter_tangents[GN, k]
+        + row[BY_GT] * parameter_tangents[GT, k]
+        + row[BY_RESIST] * parameter_tangents[RESIST, k]
     )
 
 
 @apart
-def prepare_panel(body, panel, u, changes, work, local):
-    """What `follow_panel` needs of a solved panel that begins with θ̇² = u, whatever the place on it."""
-    fill_rates(body, panel, resists(body, changes), work, local)
+def prepare_panel(body, panel, u, parameter_tangents, workspace):
+    """Compute what `follow_panel` needs of a solved panel that begins with θ̇² = u."""
+    work, local = workspace.scratch.work, workspace.local
+    fill_rates(body, panel, resists(body, parameter_tangents), work, local)
     lagrange(-1.0, local[INTERPOLATE])
     for row in range(LOCAL):
         local[AT_BEGIN, row] = dot(local[INTERPOLATE], local[row])
@@ -235,11 +256,10 @@ def prepare_panel(body, panel, u, changes, work, local):
 
 
 @apart
-def follow_panel(body, panel, xi, begin, end, changes, z, work, local):
-    """Carry all directions from the state at the begin of a prepared panel to the one at ξ.
-
-    `changes` are those of the parameters; z is changed in place.
-    """
+def follow_panel(body, stretch, parameter_tangents, tangents, workspace):
+    """Propagate all directions from the start of a prepared panel to ξ."""
+    panel, xi, begin, end = stretch
+    work, local = workspace.scratch.work, workspace.local
     arrives = panel.kind == ARRIVE
     time = changes_at(panel, xi, work, local)
     rates = local[RATES]
@@ -247,36 +267,39 @@ def follow_panel(body, panel, xi, begin, end, changes, z, work, local):
     freely = panel.sigma == 0 and body.resist == 0.0
     if freely:
         refine_rates(body, panel, xi, end.om * end.om, rates)
-    resisting = resists(body, changes)
+    resisting = resists(body, parameter_tangents)
     pressing = (0.0, 0.0)
     if resisting:
-        pressing = pressed_on(body, panel, xi, begin, end, weigh(panel, work, local))
+        pressing = pressed_on(body, stretch, weigh(panel, work, local))
         if freely and not arrives:  # as `first_resistance`
             s, c = sine_cosine(end.th, end.th_low)
             rates[BY_RESIST] = -2.0 * panel.way * pressing[1] / inertia_at_height(body, load_height(s, c))
     part = 0.5 * (1.0 - xi)
     part *= part
-    for k in range(z.shape[1]):
-        dth0 = z[TH, k]
-        dom0 = z[OM, k]
+    for k in range(tangents.shape[1]):
+        dth0 = tangents[TH, k]
+        dom0 = tangents[OM, k]
         given = 2.0 * begin.om * dom0
-        if arrives:  # what θ̇² is at the begin says where the turning point is
+        if arrives:  # θ̇² at the start gives the turning point
             first = dth0
-            given -= local[AT_BEGIN, BEGIN] * dth0 + by_parameters(local[AT_BEGIN], changes, k)
+            given -= local[AT_BEGIN, BEGIN] * dth0 + by_parameters(local[AT_BEGIN], parameter_tangents, k)
             second = given / local[AT_BEGIN, SHIFT]
-            z[TH, k] = dth0 * part + second * (1.0 - part)
+            tangents[TH, k] = dth0 * part + second * (1.0 - part)
         else:
             first = given
             second = dth0
-        dt = first * times[BEGIN] + second * times[SHIFT] + by_parameters(times, changes, k)
-        du = first * rates[BEGIN] + second * rates[SHIFT] + by_parameters(rates, changes, k)
-        z[OM, k] = 0.5 * du / end.om if end.om != 0.0 else 0.0
-        z[T, k] += dt
+        dt = first * times[BEGIN] + second * times[SHIFT] + by_parameters(times, parameter_tangents, k)
+        du = first * rates[BEGIN] + second * rates[SHIFT] + by_parameters(rates, parameter_tangents, k)
+        tangents[OM, k] = 0.5 * du / end.om if end.om != 0.0 else 0.0
+        tangents[T, k] += dt
         if resisting:
             row = local[WEIGHED]
-            weighed = first * row[BEGIN] + second * row[SHIFT] + by_parameters(row, changes, k)
-            z[RESISTED, k] += loss_change(body, panel, xi, begin, end, pressing, (dth0, dom0), weighed, k, changes, z)
+            weighed = first * row[BEGIN] + second * row[SHIFT] + by_parameters(row, parameter_tangents, k)
+            tangents[RESISTED, k] += loss_change(
+                body, stretch, pressing, (dth0, dom0), weighed, k, parameter_tangents, tangents
+            )
         if panel.sigma == 0:
-            z[X, k] += z[TH, k] - dth0
+            tangents[X, k] += tangents[TH, k] - dth0
         else:
-            follow_slip(body, panel.sigma, begin, end, time, (dth0, dom0), dt, k, changes, z)
+            slip = SlipTime(panel.sigma, begin, end, time)
+            follow_slip(body, slip, (dth0, dom0), dt, k, parameter_tangents, tangents)

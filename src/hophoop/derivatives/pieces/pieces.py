@@ -1,4 +1,4 @@
-"""One piece of a motion, as it is written, with its derivatives carried from its begin to a place in it."""
+"""Propagate derivatives from the start of a piece of a motion to a place in it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from hophoop.derivatives.events.massless import follow_skim
 from hophoop.derivatives.layout import OM
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, follow_flight, follow_hold, step_along
 from hophoop.derivatives.pieces.panels import follow_panel, prepare_panel
+from hophoop.derivatives.pieces.resisted import Stretch
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
@@ -20,14 +21,14 @@ from hophoop.kernel.rigid.panel_choice import solve
 
 
 @apart
-def held(body, row, begin, tau):
+def state_after_hold(body, row, begin, tau):
     """The state after the time tau of rest, or of slip without rotation."""
     after = moved(begin, begin.t + tau, 0.0, begin.x, begin.x_low, 0.0, begin.turns, begin.th, begin.th_low)
     return with_velocities(after, begin.vt + row["opening"] * tau, 0.0, 0.0)
 
 
 @apart
-def fallen(body, row, begin, tau):
+def state_after_flight(body, row, begin, tau):
     """The state after the time tau of a flight."""
     s, c = sine_cosine(begin.th, begin.th_low)
     y, vn = flight_gap(body, s, c, begin.om, begin.y, begin.vn, row["opening"], tau)
@@ -36,7 +37,7 @@ def fallen(body, row, begin, tau):
 
 
 @apart
-def skimmed(body, row, begin, tau):
+def state_after_skim(body, row, begin, tau):
     """The state after the time tau of skimming."""
     x, th, vt, om = skim_state(body, begin.x, begin.th, begin.vt, begin.om, row["way"], tau)
     after = moved(begin, begin.t + tau, 0.0, x, 0.0, 0.0, begin.turns, th, 0.0)
@@ -44,70 +45,71 @@ def skimmed(body, row, begin, tau):
 
 
 @apart
-def follow_without_panel(body, row, tau, changes, z):
-    """Carry all directions to the time tau after the begin of a piece that needs no panel; returns the state there."""
+def follow_without_panel(body, row, tau, parameter_tangents, tangents):
+    """Propagate all directions to the time tau after the begin of a piece that needs no panel; returns the state there."""
     begin = state_of(row)
     if row["kind"] == FLY:
-        end = fallen(body, row, begin, tau)
-        follow_flight(body, row["opening"], begin, end, tau, changes, z)
+        end = state_after_flight(body, row, begin, tau)
+        follow_flight(body, row["opening"], begin, end, tau, parameter_tangents, tangents)
     elif row["kind"] == HOLD:
-        end = held(body, row, begin, tau)
-        follow_hold(body, row["sigma"], begin, end, tau, changes, z)
+        end = state_after_hold(body, row, begin, tau)
+        follow_hold(body, row["sigma"], begin, end, tau, parameter_tangents, tangents)
     else:
-        end = skimmed(body, row, begin, tau)
-        follow_skim(body, begin, end, tau, z)
+        end = state_after_skim(body, row, begin, tau)
+        follow_skim(body, begin, end, tau, tangents)
     return end
 
 
 @apart
-def from_rest(body, mode, begin, z):
-    """A changed motion that turns at a panel's begin is told of where it is at rest, not of when it was elsewhere."""
-    for k in range(z.shape[1]):
-        if z[OM, k] != 0.0:
-            rates = accelerations(body, mode, begin, math.copysign(1.0, z[OM, k]))
-            step_along(z, k, -z[OM, k] / rates[0], begin, rates)
-            z[OM, k] = 0.0
+def turn_at_begin(body, mode, begin, tangents):
+    """At a turning point, express the perturbation as a shift of the angle of rest rather than of time."""
+    for k in range(tangents.shape[1]):
+        if tangents[OM, k] != 0.0:
+            rates = accelerations(body, mode, begin, math.copysign(1.0, tangents[OM, k]))
+            step_along(tangents, k, -tangents[OM, k] / rates[0], begin, rates)
+            tangents[OM, k] = 0.0
 
 
 @apart
-def follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local):
-    """Carry all directions to ξ of a prepared panel; returns the state there."""
+def follow_prepared(body, row, panel, totals, xi, parameter_tangents, tangents, workspace):
+    """Propagate all directions to ξ of a prepared panel; returns the state there."""
+    scratch = workspace.scratch
     begin = state_of(row)
     if -1.0 < xi < 1.0:
         fill_inside(panel, scratch.work)
     end = state_on_panel(body, panel, totals, begin, xi, scratch)
     if panel.kind == LEAVE:
-        from_rest(body, row["mode"], begin, z)
+        turn_at_begin(body, row["mode"], begin, tangents)
     if xi > -1.0:
-        follow_panel(body, panel, xi, begin, end, changes, z, scratch.work, local)
+        follow_panel(body, Stretch(panel, xi, begin, end), parameter_tangents, tangents, workspace)
     return end
 
 
 @apart
 def is_panel(row):
-    """Whether a piece is a panel."""
+    """Return True if a piece is a panel."""
     return row["kind"] != FLY and row["kind"] != HOLD and row["kind"] != SKIMMING
 
 
 @apart
 def length_of(row):
-    """How long a piece lasts."""
+    """Return the duration of a piece."""
     return (row["t_end"] - row["t"]) - row["t_low"]
 
 
 @apart
 def is_before(t, t_low, row):
-    """Whether a time of two doubles lies before an event."""
+    """Return True if a time of two doubles is before an event."""
     return (t - row["t"]) + (t_low - row["t_low"]) < 0.0
 
 
 @apart
-def follow_piece(body, row, changes, z, scratch, local):
-    """Carry all directions over a whole piece; returns the state at its end."""
+def follow_piece(body, row, parameter_tangents, tangents, workspace):
+    """Propagate all directions over a whole piece; returns the state at its end."""
     if is_panel(row):
         panel = panel_of(row)
-        totals = solve(body, panel, scratch.work)
-        prepare_panel(body, panel, row["omega"] * row["omega"], changes, scratch.work, local)
-        return follow_prepared(body, row, panel, totals, row["xi"], changes, z, scratch, local)
+        totals = solve(body, panel, workspace.scratch.work)
+        prepare_panel(body, panel, row["omega"] * row["omega"], parameter_tangents, workspace)
+        return follow_prepared(body, row, panel, totals, row["xi"], parameter_tangents, tangents, workspace)
     tau = length_of(row)
-    return follow_without_panel(body, row, tau, changes, z)
+    return follow_without_panel(body, row, tau, parameter_tangents, tangents)

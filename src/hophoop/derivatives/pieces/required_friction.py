@@ -1,11 +1,11 @@
-"""The friction that rolling needs, abs(F)/N, on a piece of it: at the nodes of a panel, and where it is greatest."""
+"""The friction that rolling needs, abs(F)/N, on a piece of it: at the nodes of a panel, and at its maximum."""
 
 from __future__ import annotations
 
 import math
 
 from hophoop.derivatives.layout import MU_S
-from hophoop.derivatives.pieces.forces import by_angle, changed, rolling_slopes
+from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slopes
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER
@@ -22,7 +22,7 @@ HALVINGS = 60
 
 @apart
 def need_of(body, s, c, om, rho, way):
-    """(abs(F)/N, its rate by the way that is turned, but for a positive factor)."""
+    """(abs(F)/N, its rate by the angle turned, up to a positive factor)."""
     friction, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)
     if not normal > 0.0:
         return math.inf if friction != 0.0 else 0.0, 0.0
@@ -85,7 +85,7 @@ def need_at_rest(body, th):
     return need_of(body, s, c, 0.0, rho, 1.0)[0], rho
 
 
-def use_changes(body, th, om, rho, z, changes, larger, smaller):
+def use_changes(body, th, om, rho, tangents, parameter_tangents, larger, smaller):
     """Fill in how abs(F)/(μs N) changes in each direction at an angle of rolling, and to the other side."""
     s, c = sine_and_cosine(th)
     friction, normal, _, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)
@@ -93,9 +93,9 @@ def use_changes(body, th, om, rho, z, changes, larger, smaller):
         of_friction = (0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0)
         of_normal = (0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
     limit = body.mu_s * normal
-    for k in range(z.shape[1]):
-        pull = changed(of_friction, om, z, changes, k) / limit
-        less = changed(of_normal, om, z, changes, k) / normal + changes[MU_S, k] / body.mu_s
+    for k in range(tangents.shape[1]):
+        pull = change_of(of_friction, om, tangents, parameter_tangents, k) / limit
+        less = change_of(of_normal, om, tangents, parameter_tangents, k) / normal + parameter_tangents[MU_S, k] / body.mu_s
         less *= abs(friction) / limit
         if friction == 0.0:
             larger[k] = abs(pull) - less

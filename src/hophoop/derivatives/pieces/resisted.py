@@ -1,6 +1,8 @@
-"""What rolling resistance does to the derivatives on a panel, and those of what it takes (docs/derivatives.md#on-a-panel)."""
+"""Rolling resistance in the derivatives on a panel, and the derivatives of its loss (docs/derivatives.md#on-a-panel)."""
 
 from __future__ import annotations
+
+from typing import Any, NamedTuple
 
 from hophoop.derivatives.layout import EPS, GN, OM, RESIST, TH
 from hophoop.derivatives.workspace import (
@@ -40,11 +42,11 @@ from hophoop.kernel.panels.slip import from_reference
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, resisted_inertia
 
 
-def resists(body, changes):
-    """Whether there is rolling resistance, or a direction that changes it."""
+def resists(body, parameter_tangents):
+    """Return True if there is rolling resistance, or a direction that changes it."""
     found = body.resist > 0.0
-    for k in range(changes.shape[1]):
-        found = found or changes[RESIST, k] != 0.0
+    for k in range(parameter_tangents.shape[1]):
+        found = found or parameter_tangents[RESIST, k] != 0.0
     return found
 
 
@@ -57,15 +59,15 @@ def resisted_rates(body, panel, work, local):
     fill_geometry(panel, work)
     s0 = panel.sine
     c0 = panel.cosine
-    firm0 = resisted_inertia(body, s0, c0, rho)
-    slope = 2.0 * (panel.arm + eps * (s0 + rho * c0) * panel.u) / firm0
+    inertia0 = resisted_inertia(body, s0, c0, rho)
+    slope = 2.0 * (panel.arm + eps * (s0 + rho * c0) * panel.u) / inertia0
     for i in range(ORDER):
         ds, dc = rotated(s0, c0, work[A, i], work[B, i])
         s = work[SINE, i]
         c = work[COSINE, i]
         u = work[U, i]
         more = 2.0 / work[STIFFNESS, i]
-        growth[i] = work[NORMAL, i] * firm0 / work[STIFFNESS, i]  # D′ θ̇² grows by what stands there
+        growth[i] = work[NORMAL, i] * inertia0 / work[STIFFNESS, i]  # D′ θ̇² grows by the numerator
         alpha = 0.5 * more * (panel.arm + eps * (body.gn * ds + body.gt * dc + (s + rho * c) * u))
         local[SLOPE, i] = 2.0 * alpha
         local[SHIFT, i] = 2.0 * alpha - slope * growth[i]
@@ -111,7 +113,7 @@ def resistance_rates(body, panel, work, local):
 def weigh(panel, work, local):
     """Fill the row WEIGHED: how ∫ cos θ θ̇² dθ, of which the angles stay, changes from the begin of a panel to a place on it.
 
-    `changes_at` has left the weights of that place, but for what they integrate. Returns the integral itself.
+    `changes_at` has left the weights of that place, without the integrand. Returns the integral itself.
     """
     weights = local[WEIGH]
     moved = 0.0
@@ -131,28 +133,39 @@ def weigh(panel, work, local):
     return dot(weights, work[U])
 
 
-def pressed_on(body, panel, xi, begin, end, integral):
-    """(Δ(sin θ θ̇²) + ∫ cos θ θ̇² dθ, ∫ N dθ) from the begin of a panel to ξ; `integral` is the one of the first.
+class Stretch(NamedTuple):
+    """A panel from its start to ξ, and the states there."""
+
+    panel: Any
+    xi: float
+    begin: Any
+    end: Any
+
+
+def pressed_on(body, stretch, integral):
+    """(Δ(sin θ θ̇²) + ∫ cos θ θ̇² dθ, ∫ N dθ) on a stretch; `integral` is that of the first.
 
     From N = g_n − ε (sin θ θ̈ + cos θ θ̇²) and θ̈ = ½ dθ̇²/dθ: ∫ N dθ = g_n Δθ − ½ ε times the first.
     """
+    panel, xi, begin, end = stretch
     s0, _ = sine_cosine(begin.th, begin.th_low)
     s1, _ = sine_cosine(end.th, end.th_low)
     swung = s1 * end.om * end.om - s0 * begin.om * begin.om + integral
     return swung, body.gn * (angle_at(panel, xi) - angle_at(panel, -1.0)) - 0.5 * body.eps * swung
 
 
-def loss_change(body, panel, xi, begin, end, pressing, before, weighed, k, changes, z):
-    """Change of the loss f ∫ N abs(dθ) from the begin of a panel to ξ, where z is that of the end but for it.
+def loss_change(body, stretch, pressing, before, weighed, k, parameter_tangents, tangents):
+    """Change of the loss f ∫ N abs(dθ) on a stretch, where the other tangents are those at its end.
 
-    `pressing` is what `pressed_on` gives, `weighed` the change of ∫ cos θ θ̇² dθ between angles that stay.
+    `pressing` is the result of `pressed_on`, `weighed` the change of ∫ cos θ θ̇² dθ between fixed angles.
     """
+    panel, xi, begin, end = stretch
     s0, c0 = sine_cosine(begin.th, begin.th_low)
     s1, c1 = sine_cosine(end.th, end.th_low)
     swung, pressed = pressing
     dth0, dom0 = before
-    dth1 = z[TH, k]
-    dswung = end.om * (c1 * end.om * dth1 + s1 * z[OM, k]) - begin.om * (c0 * begin.om * dth0 + s0 * dom0)
-    dpressed = changes[GN, k] * (angle_at(panel, xi) - angle_at(panel, -1.0)) + body.gn * (dth1 - dth0)
-    dpressed -= 0.5 * (changes[EPS, k] * swung + body.eps * (2.0 * dswung + weighed))
-    return panel.way * (body.resist * dpressed + changes[RESIST, k] * pressed)
+    dth1 = tangents[TH, k]
+    dswung = end.om * (c1 * end.om * dth1 + s1 * tangents[OM, k]) - begin.om * (c0 * begin.om * dth0 + s0 * dom0)
+    dpressed = parameter_tangents[GN, k] * (angle_at(panel, xi) - angle_at(panel, -1.0)) + body.gn * (dth1 - dth0)
+    dpressed -= 0.5 * (parameter_tangents[EPS, k] * swung + body.eps * (2.0 * dswung + weighed))
+    return panel.way * (body.resist * dpressed + parameter_tangents[RESIST, k] * pressed)

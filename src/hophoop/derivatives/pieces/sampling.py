@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
 import numpy as np
 
 from hophoop.derivatives.events.massless import skim_rates
@@ -17,19 +19,37 @@ from hophoop.kernel.rigid.sampling import find_segment, xi_at_time
 STATE = ("x", "height", "theta", "omega", "slip", "vy")
 
 
-def sample_changes(body, segments, at_segments, changes, clock, times, left, states, out, scratch, local):
-    """Fill `states`, shape (times, 6), and `out`, shape (times, CARRIED, directions), with the motion at these times.
+class Pieces(NamedTuple):
+    """The segments of a motion and their tangents."""
 
-    `clock` is by how much each direction changes a time, per unit of it.
+    segments: Any  # of records.SEGMENT
+    at_segments: Any  # shape (segments, STATE_ROWS, n)
+    parameter_tangents: Any  # shape (PARAMETERS, n)
+
+
+class Samples(NamedTuple):
+    """States and tangents at some times, which `sample_tangents` fills in."""
+
+    states: Any  # shape (times, 6)
+    tangents: Any  # shape (times, STATE_ROWS, n)
+
+
+def sample_tangents(body, pieces, clock, times, left, samples, workspace):
+    """Fill in the motion and its tangents at some times.
+
+    `clock` is the change of the unit of time in each direction, over the unit.
     """
-    z = np.empty(at_segments.shape[1:])
+    segments, at_segments, parameter_tangents = pieces
+    states = samples.states
+    scratch = workspace.scratch
+    tangents = np.empty(at_segments.shape[1:])
     solved = -1
     totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for i in range(times.shape[0]):
         index = find_segment(segments, times[i], left)
         row = segments[index]
-        z[:] = at_segments[index]
+        tangents[:] = at_segments[index]
         tau = (min(times[i], row["t_end"]) - row["t"]) - row["t_low"]
         if times[i] == row["t"]:
             tau = 0.0
@@ -37,21 +57,21 @@ def sample_changes(body, segments, at_segments, changes, clock, times, left, sta
             if index != solved:
                 panel = panel_of(row)
                 totals = solve(body, panel, scratch.work)
-                prepare_panel(body, panel, row["omega"] * row["omega"], changes, scratch.work, local)
+                prepare_panel(body, panel, row["omega"] * row["omega"], parameter_tangents, workspace)
                 solved = index
             fill_inside(panel, scratch.work)
             xi = xi_at_time(scratch.work[TIME], row, tau, scratch)
-            end = follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local)
+            end = follow_prepared(body, row, panel, totals, xi, parameter_tangents, tangents, workspace)
         else:
-            end = follow_without_panel(body, row, tau, changes, z)
+            end = follow_without_panel(body, row, tau, parameter_tangents, tangents)
         rates = (0.0, 0.0, 0.0, 0.0)
         if row["kind"] != SKIMMING and not (row["kind"] == HOLD and row["sigma"] == 0):
             rates = accelerations(body, row["mode"], end, row["way"])
         elif row["kind"] == SKIMMING:
             rates = skim_rates(body, end)
-        for k in range(z.shape[1]):
-            step_along(z, k, clock[k] * times[i] - z[T, k], end, rates)
-        out[i] = z
+        for k in range(tangents.shape[1]):
+            step_along(tangents, k, clock[k] * times[i] - tangents[T, k], end, rates)
+        samples.tangents[i] = tangents
         states[i, 0] = end.x
         states[i, 1] = end.y
         states[i, 2] = end.th + end.th_low

@@ -1,4 +1,4 @@
-"""The greatest share of friction that a motion uses, and how it changes with parameters.
+"""The maximum friction utilization of a motion, and its derivatives.
 
 Where slip takes part it is 1 and stays so. In rolling the share has its greatest values inside phases, where to first order
 it does not matter that their places change, and at the ends of phases, which the change goes along with.
@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.layout import BEFORE_OM, CARRIED, OM, T
+from hophoop.derivatives.layout import BEFORE_OM, OM, STATE_ROWS, T
 from hophoop.derivatives.pieces.required_friction import need_at_rest, needs_on_panel, peak_on_panel, use_changes
-from hophoop.derivatives.pieces.sampling import sample_changes
+from hophoop.derivatives.pieces.sampling import Pieces, Samples, sample_tangents
+from hophoop.derivatives.workspace import ROWS, Workspace
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import HOLD
@@ -24,11 +25,11 @@ from hophoop.kernel.records.scratch import thread_scratch
 Floats = NDArray[np.float64]
 ROLL = int(Mode.ROLL)
 SLIPS = (int(Mode.SPIN), int(Mode.SKID))
-TIED = 1e-9  # beside 1: greatest values that differ by less are one
+TIED = 1e-9  # relative to 1: maxima that differ by less are one
 
 
 class Peak(NamedTuple):
-    """A place at which rolling needs more friction than beside it; `event` is −1 for one inside a phase."""
+    """A maximum of the friction that rolling requires; `event` is −1 for one inside a phase."""
 
     need: float
     event: int
@@ -81,7 +82,7 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
 
 
 def settled_by(body: Body, events: np.ndarray) -> tuple[float, int]:
-    """The greatest use where it is known without looking into phases, and the event from which on it is; else −1.
+    """Return the utilization if it is known without a search of phases, and the event from which it is; else −1.
 
     Parameters
     ----------
@@ -109,7 +110,7 @@ def settled_by(body: Body, events: np.ndarray) -> tuple[float, int]:
 
 
 def greatest_peaks(body: Body, events: np.ndarray, segments: np.ndarray, scratch: Any) -> list[Peak]:
-    """The places at which a motion that only rolls needs most friction: one, but for ties.
+    """Return the places at which a motion that only rolls requires most friction: one, except for ties.
 
     Parameters
     ----------
@@ -132,7 +133,7 @@ def greatest_peaks(body: Body, events: np.ndarray, segments: np.ndarray, scratch
 
 
 def greatest_use(body: Body, events: np.ndarray, segments: np.ndarray) -> float:
-    """The greatest share of friction that a motion uses.
+    """Return the maximum friction utilization of a motion.
 
     Parameters
     ----------
@@ -151,55 +152,50 @@ def greatest_use(body: Body, events: np.ndarray, segments: np.ndarray) -> float:
     return min(most / body.mu_s, 1.0)
 
 
-def use_rates(
-    body: Body, motion: tuple[np.ndarray, np.ndarray], carried: tuple[Floats, Floats], changes: Floats, peak: Peak, room: Any
-) -> tuple[Floats, Floats]:
-    """How the share of friction that a peak uses changes, towards larger and towards smaller parameters.
+def use_rates(body: Body, events: np.ndarray, at_events: Floats, pieces: Pieces, peak: Peak) -> tuple[Floats, Floats]:
+    """Return the derivatives of the friction utilization at a peak, towards larger and towards smaller parameters.
 
     Parameters
     ----------
     body : Body
-    motion : tuple of ndarray
-        Events and segments.
-    carried : tuple of ndarray
-        Their changes.
-    changes : ndarray, shape (PARAMETERS, n)
+    events : ndarray of records.EVENT
+    at_events : ndarray, shape (events, EVENT_ROWS, n)
+    pieces : Pieces
     peak : Peak
-    room : tuple
-        Scratch and local rows.
 
     Returns
     -------
     larger, smaller : ndarray, shape (n,)
     """
-    events, segments = motion
+    parameter_tangents = pieces.parameter_tangents
     if peak.event >= 0:
         row = events[peak.event]
-        z = carried[0][peak.event][:CARRIED].copy()
+        tangents = at_events[peak.event][:STATE_ROWS].copy()
         th, om = row["theta"] + row["theta_low"], row["before_omega"] if peak.before else row["omega"]
         if peak.before:
-            z[OM] = carried[0][peak.event][BEFORE_OM]
+            tangents[OM] = at_events[peak.event][BEFORE_OM]
     else:
-        states, rates = np.empty((1, 6)), np.empty((1, *carried[1].shape[1:]))
-        still = np.zeros(changes.shape[1])
-        compiled(sample_changes)(body, segments, carried[1], changes, still, np.array([peak.t]), False, states, rates, *room)
-        z, th, om = rates[0], states[0, 2], states[0, 3]
-    larger, smaller = np.empty((2, changes.shape[1]))
-    compiled(use_changes)(body, float(th), float(om), peak.rho, z, changes, larger, smaller)
+        samples = Samples(np.empty((1, 6)), np.empty((1, *pieces.at_segments.shape[1:])))
+        still = np.zeros(parameter_tangents.shape[1])
+        workspace = Workspace(thread_scratch(), np.zeros((ROWS, ORDER)))
+        compiled(sample_tangents)(body, pieces, still, np.array([peak.t]), False, samples, workspace)
+        tangents, th, om = samples.tangents[0], samples.states[0, 2], samples.states[0, 3]
+    larger, smaller = np.empty((2, parameter_tangents.shape[1]))
+    compiled(use_changes)(body, float(th), float(om), peak.rho, tangents, parameter_tangents, larger, smaller)
     return larger, smaller
 
 
-def no_change(carried: Floats, event: int) -> Floats:
+def no_change(at_events: Floats, event: int) -> Floats:
     """Zero, or nan where an event has no derivatives.
 
     Parameters
     ----------
-    carried : ndarray, shape (events, KEPT, n)
+    at_events : ndarray, shape (events, EVENT_ROWS, n)
     event : int
 
     Returns
     -------
     rates : ndarray, shape (n,)
     """
-    result: Floats = 0.0 * carried[event, T]
+    result: Floats = 0.0 * at_events[event, T]
     return result

@@ -1,4 +1,4 @@
-"""A motion with the derivatives that its replay carries, read in SI units."""
+"""Derivatives of a motion through all its events, read in SI units."""
 
 from __future__ import annotations
 
@@ -11,20 +11,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.events.ending import go_through
+from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import (
-    CARRIED,
     IMPACT_N,
     IMPACT_T,
-    KEPT,
     OM,
     RESISTED,
+    STATE_ROWS,
     VT,
     Reason,
 )
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.pieces.energies import COLUMNS, ENERGIES, energy_rates
-from hophoop.derivatives.pieces.sampling import sample_changes
+from hophoop.derivatives.pieces.sampling import Pieces, Samples, sample_tangents
 from hophoop.derivatives.results.friction_utilization import greatest_peaks, greatest_use, no_change, settled_by, use_rates
 from hophoop.derivatives.units import (
     DIRECT,
@@ -34,7 +33,7 @@ from hophoop.derivatives.units import (
     UNITS,
     sizes_and_rates,
 )
-from hophoop.derivatives.workspace import ROWS
+from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.physics.body import Body
@@ -69,33 +68,33 @@ def unit_of(field: str) -> str:
 
 
 @dataclass(frozen=True)
-class Rated:
+class WithDerivatives:
     """A number, or some, in SI units, with its derivatives in all directions; `smaller` holds the other side, if given."""
 
     value: Any
     rates: Floats
     smaller: Floats | None = None
 
-    def __add__(self, other: Rated) -> Rated:
-        return Rated(self.value + other.value, self.rates + other.rates)
+    def __add__(self, other: WithDerivatives) -> WithDerivatives:
+        return WithDerivatives(self.value + other.value, self.rates + other.rates)
 
-    def __sub__(self, other: Rated) -> Rated:
-        return Rated(self.value - other.value, self.rates - other.rates)
+    def __sub__(self, other: WithDerivatives) -> WithDerivatives:
+        return WithDerivatives(self.value - other.value, self.rates - other.rates)
 
-    def __neg__(self) -> Rated:
-        return Rated(-self.value, -self.rates)
+    def __neg__(self) -> WithDerivatives:
+        return WithDerivatives(-self.value, -self.rates)
 
 
 @dataclass(frozen=True)
-class Carried:
-    """A motion, some directions, and what the replay says of them; made by `carry`.
+class TangentSolution:
+    """A motion and its derivatives in some directions; made by `propagate`.
 
     Attributes
     ----------
     motion : Motion
     directions : Directions
-    at_events : ndarray, shape (events, KEPT, n)
-    at_segments : ndarray, shape (segments, CARRIED, n)
+    at_events : ndarray, shape (events, EVENT_ROWS, n)
+    at_segments : ndarray, shape (segments, STATE_ROWS, n)
         In kernel units.
     reasons, failed : ndarray of int, shape (n,)
         Why there is no derivative, and from which event on.
@@ -113,13 +112,13 @@ class Carried:
         """The directions that may have another derivative towards smaller parameters."""
         return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason in (BORDER, CONTACT)]
 
-    def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
+    def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> WithDerivatives:
         """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
         size, by_units = (each[UNITS.index(exponents)] for each in self._units)
         steeper = value * by_units if np.ndim(value) == 0 else value[..., None] * by_units
-        return Rated(size * value, size * (rates + steeper))
+        return WithDerivatives(size * value, size * (rates + steeper))
 
-    def at_event(self, index: int, field: str) -> Rated:
+    def at_event(self, index: int, field: str) -> WithDerivatives:
         """A number of an event.
 
         Parameters
@@ -135,16 +134,16 @@ class Carried:
         if field in DIRECT:
             values, rates = self._at_events
             place = DIRECT[field][1]
-            return Rated(float(values[index, place]), rates[index, place])
+            return WithDerivatives(float(values[index, place]), rates[index, place])
         row = self.motion.tables["events"][index]
-        kept = self.at_events[index]
+        event_tangents = self.at_events[index]
         if field in SUMS:
-            (one, place, _), (other, beside, _) = (DIRECT[name] for name in SUMS[field])
-            return self.in_si(float(row[one] + row[other]), kept[place] + kept[beside], SPEED)
+            (one, place, _), (other, second, _) = (DIRECT[name] for name in SUMS[field])
+            return self.in_si(float(row[one] + row[other]), event_tangents[place] + event_tangents[second], SPEED)
         state = _state_of(row)
         if field == "friction":
-            return self.in_si(float(row["friction"]), self._friction(state, kept), ENERGY)
-        return self.in_si(*self._energy(field, state, kept), ENERGY)
+            return self.in_si(float(row["friction"]), self._friction(state, event_tangents), ENERGY)
+        return self.in_si(*self._energy(field, state, event_tangents), ENERGY)
 
     def at_times(self, times: Floats, fields: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
         """Numbers of the state at some times.
@@ -166,12 +165,12 @@ class Carried:
         motion = self.motion
         segments = motion.tables["segments"]
         count = self.at_segments.shape[2]
-        states = np.empty((times.size, 6))
-        out = np.empty((times.size, CARRIED, count))
+        samples = Samples(np.empty((times.size, 6)), np.empty((times.size, STATE_ROWS, count)))
+        states, out = samples
         clock = -self.directions.units[1]
-        compiled(sample_changes)(
-            motion.scenario.to_body(), segments, self.at_segments, self.directions.changes, clock,
-            motion.units.kernel_times(segments, times), left, states, out, thread_scratch(), _local(),
+        compiled(sample_tangents)(
+            motion.scenario.to_body(), Pieces(segments, self.at_segments, self.directions.parameter_tangents), clock,
+            motion.units.kernel_times(segments, times), left, samples, new_workspace(),
         )  # fmt: skip
         sample = motion.at(times, "left" if left else "right")
         result: dict[str, tuple[Floats, Floats]] = {}
@@ -189,8 +188,8 @@ class Carried:
             result[field] = (values, self.in_si(*found).rates)
         return result
 
-    def friction_use(self) -> Rated:
-        """The greatest share of friction that the motion uses.
+    def friction_utilization(self) -> WithDerivatives:
+        """The maximum friction utilization of the motion.
 
         Returns
         -------
@@ -200,17 +199,17 @@ class Carried:
         body, events, segments = self._body, self.motion.tables["events"], self.motion.tables["segments"]
         use, event = settled_by(body, events)
         if event >= 0:
-            return Rated(use, no_change(self.at_events, event) + 0.0 * use)
+            return WithDerivatives(use, no_change(self.at_events, event) + 0.0 * use)
         scratch = thread_scratch()
         peaks = greatest_peaks(body, events, segments, scratch)
-        carried, room = (self.at_events, self.at_segments), (scratch, _local())
-        rates = [use_rates(body, (events, segments), carried, self.directions.changes, peak, room) for peak in peaks]
+        pieces = Pieces(segments, self.at_segments, self.directions.parameter_tangents)
+        rates = [use_rates(body, events, self.at_events, pieces, peak) for peak in peaks]
         larger, smaller = (np.array(side) for side in zip(*rates, strict=True))
-        return Rated(greatest_use(body, events, segments), larger.max(axis=0), smaller.min(axis=0))
+        return WithDerivatives(greatest_use(body, events, segments), larger.max(axis=0), smaller.min(axis=0))
 
     @cached_property
     def _at_events(self) -> tuple[Floats, Floats]:
-        """All that is kept of all events, in SI units: values and derivatives."""
+        """Values and derivatives of all events, in SI units."""
         events = self.motion.tables["events"]
         sizes, by_units = self._units
         values = np.empty(self.at_events.shape[:2])
@@ -221,10 +220,10 @@ class Carried:
 
     def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[Any, Floats]:
         """Kinetic, potential or both, of the state at one time or many."""
-        return energy_rates(field, self._body, state, rates, self.directions.changes)
+        return energy_rates(field, self._body, state, rates, self.directions.parameter_tangents)
 
     def _friction(self, state: Floats, rates: Floats) -> Floats:
-        """Of what slip has lost: what has gone of the energy, less what impacts and rolling resistance have taken."""
+        """Of the friction loss: the energy lost less the losses of impacts and rolling resistance."""
         lost: Floats = self._begin - self._energy("total", state, rates)[1]
         return lost - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :] - rates[..., RESISTED, :]
 
@@ -251,12 +250,13 @@ def _state_of(row: np.void) -> Floats:
     return state
 
 
-def _local() -> Floats:
-    return np.zeros((ROWS, ORDER))
+def new_workspace() -> Workspace:
+    """A workspace with the scratch arrays of this thread."""
+    return Workspace(thread_scratch(), np.zeros((ROWS, ORDER)))
 
 
 def doubtful_from(motion: Motion) -> float:
-    """From which time on double precision cannot tell what follows: a graze, or the border of two classes.
+    """Return the time from which double precision does not decide what follows: a tangency, or the boundary of two classes.
 
     Parameters
     ----------
@@ -281,8 +281,8 @@ def doubtful_from(motion: Motion) -> float:
     return math.inf if math.isnan(scratch.doubt[0]) else float(scratch.doubt[0])
 
 
-def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> Carried:
-    """Go through a motion again with its derivatives with respect to some parameters.
+def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> TangentSolution:
+    """Propagate the derivatives of a motion with respect to some parameters.
 
     Parameters
     ----------
@@ -290,14 +290,14 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
         With rigid contact.
     paths : sequence of str
     sign : float, default 1
-        −1 for how it changes when the parameters become smaller, told as if they became larger [1].
+        −1 for the derivatives towards smaller parameters, in the sign convention of those towards larger ones [1].
     edges : bool, default False
         Keep also how states change with a restitution that is 0 and becomes larger, behind a landing, and with a rim that is
-        lifted or thrown from a start in contact.
+        lifted or launched from a start in contact.
 
     Returns
     -------
-    carried : Carried
+    solution : TangentSolution
 
     Raises
     ------
@@ -309,13 +309,9 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
         raise InputError("Derivatives need rigid contact: contact.model = 'compliant' has none.")
     given = directions_of(scenario, paths)
     events, segments = motion.tables["events"], motion.tables["segments"]
-    count = len(paths)
-    at_events = np.zeros((len(events), KEPT, count))
-    at_segments = np.zeros((len(segments), CARRIED, count))
-    reasons, failed = np.zeros(count, np.int64), np.full(count, -1, np.int64)
-    duration = scenario.duration / motion.units.time
-    compiled(go_through)(
-        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration, motion.kernel_doubt, edges,
-        at_events, at_segments, reasons, failed, thread_scratch(), _local(),
-    )  # fmt: skip
-    return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)
+    known = KnownMotion(events, segments, scenario.duration / motion.units.time, motion.kernel_doubt)
+    found = new_solution(len(events), len(segments), len(paths))
+    compiled(propagate_motion)(
+        scenario.to_body(), known, sign * given.parameter_tangents, sign * given.start, edges, found, new_workspace()
+    )
+    return TangentSolution(motion, given, sign * found.at_events, sign * found.at_segments, found.reasons, found.failed)

@@ -10,7 +10,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from hophoop.derivatives.results.propagation import FIELDS, Carried, Rated, unit_of
+from hophoop.derivatives.results.propagation import FIELDS, TangentSolution, WithDerivatives, unit_of
 from hophoop.kernel.numerics.elementwise import cosine, sine
 from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, Event, Mode
 from hophoop.results.records import Motion
@@ -69,8 +69,8 @@ def unit_of_quantity(name: str) -> str:
     return HOP[field][1] if name.startswith("hop") else unit_of(field)
 
 
-def quantity(motion: Motion, name: str) -> Callable[[Carried], Rated]:
-    """How a quantity is read from a motion with its derivatives.
+def quantity(motion: Motion, name: str) -> Callable[[TangentSolution], WithDerivatives]:
+    """Return the function that reads a quantity from a motion with its derivatives.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def quantity(motion: Motion, name: str) -> Callable[[Carried], Rated]:
         raise InputError(f"of = {name!r}: an event has {', '.join(FIELDS)}.", field="of", value=name)
     found = np.flatnonzero(motion.tables["events"]["kind"] == EVENT_NAMES.index(what))
     index = _chosen(name, what, found, place)
-    return lambda carried: carried.at_event(index, field)
+    return lambda solution: solution.at_event(index, field)
 
 
 @lru_cache(maxsize=256)
@@ -130,7 +130,7 @@ def _chosen(name: str, what: str, found: np.ndarray, place: int) -> int:
     return int(found[place])
 
 
-def _at_time(motion: Motion, name: str, text: str, field: str) -> Callable[[Carried], Rated]:
+def _at_time(motion: Motion, name: str, text: str, field: str) -> Callable[[TangentSolution], WithDerivatives]:
     try:
         time = float(text)
     except ValueError:
@@ -142,9 +142,9 @@ def _at_time(motion: Motion, name: str, text: str, field: str) -> Callable[[Carr
     if field not in AT_TIMES:
         raise InputError(f"of = {name!r}: a time has {', '.join(AT_TIMES)}.", field="of", value=name)
 
-    def read(carried: Carried) -> Rated:
-        values, rates = carried.at_times(np.array([time]), [field])[field]
-        return Rated(float(values[0]), rates[0])
+    def read(solution: TangentSolution) -> WithDerivatives:
+        values, rates = solution.at_times(np.array([time]), [field])[field]
+        return WithDerivatives(float(values[0]), rates[0])
 
     return read
 
@@ -187,51 +187,51 @@ def _find_hops(events: np.ndarray) -> list[tuple[int, int, int]]:
     return hops
 
 
-def _of_hop(motion: Motion, name: str, place: int, field: str) -> Callable[[Carried], Rated]:
+def _of_hop(motion: Motion, name: str, place: int, field: str) -> Callable[[TangentSolution], WithDerivatives]:
     hops = hops_of(motion)
     begin, top, end = hops[_chosen(name, "hop", np.arange(len(hops)), place)]
     if end < 0 and not field.startswith("takeoff") and not (field == "height" and top >= 0):
         raise NotInMotion(f"of = {name!r}: the motion ends before this hop does.", field="of", value=name)
 
-    def read(carried: Carried) -> Rated:
+    def read(solution: TangentSolution) -> WithDerivatives:
         if field == "height":
-            return carried.at_event(begin if top < 0 else top, "height")
+            return solution.at_event(begin if top < 0 else top, "height")
         if field.startswith("takeoff"):
-            return carried.at_event(begin, "t" if field == "takeoff_time" else "angle")
+            return solution.at_event(begin, "t" if field == "takeoff_time" else "angle")
         if field in ("landing_angle", "load_up"):
-            angle = carried.at_event(end, "angle")
-            return angle if field == "landing_angle" else Rated(cosine(angle.value), -sine(angle.value) * angle.rates)
+            angle = solution.at_event(end, "angle")
+            return angle if field == "landing_angle" else WithDerivatives(cosine(angle.value), -sine(angle.value) * angle.rates)
         if field == "loss":
-            return _impact_loss(carried, end) - _impact_loss(carried, begin)
+            return _impact_loss(solution, end) - _impact_loss(solution, begin)
         of = "x" if field == "distance" else "t"
-        return carried.at_event(end, of) - carried.at_event(begin, of)
+        return solution.at_event(end, of) - solution.at_event(begin, of)
 
     return read
 
 
-def _impact_loss(carried: Carried, index: int) -> Rated:
-    return carried.at_event(index, "impact_normal") + carried.at_event(index, "impact_tangential")
+def _impact_loss(solution: TangentSolution, index: int) -> WithDerivatives:
+    return solution.at_event(index, "impact_normal") + solution.at_event(index, "impact_tangential")
 
 
-def _last(carried: Carried) -> int:
-    return len(carried.motion.tables["events"]) - 1
+def _last(solution: TangentSolution) -> int:
+    return len(solution.motion.tables["events"]) - 1
 
 
-def _way(carried: Carried) -> Rated:
-    return carried.at_event(_last(carried), "x") - carried.at_event(0, "x")
+def _way(solution: TangentSolution) -> WithDerivatives:
+    return solution.at_event(_last(solution), "x") - solution.at_event(0, "x")
 
 
-def _lost(carried: Carried) -> Rated:
-    last = _last(carried)
-    return carried.at_event(last, "friction") + carried.at_event(last, "rolling_resistance") + _impact_loss(carried, last)
+def _lost(solution: TangentSolution) -> WithDerivatives:
+    last = _last(solution)
+    return solution.at_event(last, "friction") + solution.at_event(last, "rolling_resistance") + _impact_loss(solution, last)
 
 
-def _way_rolled(carried: Carried) -> Rated:
+def _way_rolled(solution: TangentSolution) -> WithDerivatives:
     """The lengths of what is rolled, between events; it turns round at events alone."""
-    rolled = carried.at_event(0, "x") - carried.at_event(0, "x")
-    for index, row in enumerate(carried.motion.tables["events"][:-1]):
+    rolled = solution.at_event(0, "x") - solution.at_event(0, "x")
+    for index, row in enumerate(solution.motion.tables["events"][:-1]):
         if row["after_mode"] == Mode.ROLL:
-            piece = carried.at_event(index + 1, "x") - carried.at_event(index, "x")
+            piece = solution.at_event(index + 1, "x") - solution.at_event(index, "x")
             rolled += piece if piece.value >= 0.0 else -piece
     return rolled
 
@@ -245,17 +245,17 @@ def _rolling_since(motion: Motion) -> int:
     return since
 
 
-def _revolutions(carried: Carried) -> Rated:
-    turned = carried.at_event(_rolling_since(carried.motion), "angle") - carried.at_event(0, "angle")
+def _revolutions(solution: TangentSolution) -> WithDerivatives:
+    turned = solution.at_event(_rolling_since(solution.motion), "angle") - solution.at_event(0, "angle")
     turned = turned if turned.value >= 0.0 else -turned
-    return Rated(turned.value / (2.0 * math.pi), turned.rates / (2.0 * math.pi))
+    return WithDerivatives(turned.value / (2.0 * math.pi), turned.rates / (2.0 * math.pi))
 
 
 # Of the whole motion: how they are read, and their units; in maps they are called the same.
-WHOLE: dict[str, tuple[Callable[[Carried], Rated], str]] = {
+WHOLE: dict[str, tuple[Callable[[TangentSolution], WithDerivatives], str]] = {
     "distance": (_way, "m"),
     "distance_rolled": (_way_rolled, "m"),
     "revolutions_to_rolling": (_revolutions, "1"),
     "energy_lost": (_lost, "J"),
-    "greatest_utilization": (lambda carried: carried.friction_use(), "1"),
+    "greatest_utilization": (lambda solution: solution.friction_utilization(), "1"),
 }

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.parameters import allowed_sides, value_of
-from hophoop.derivatives.results.propagation import Carried, Rated, carry
+from hophoop.derivatives.results.propagation import TangentSolution, WithDerivatives, propagate
 from hophoop.derivatives.results.quantities import quantity, unit_of_quantity
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError, Scenario
@@ -188,15 +188,15 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         If a name is unknown, the motion has no such event, or its contact is compliant.
     """
     quantities, paths = names_of(of, "of"), names_of(wrt, "wrt")
-    larger = carry(motion, paths, edges=True)
+    larger = propagate(motion, paths, edges=True)
     reads = [quantity(motion, name) for name in quantities]
-    rated = [read(larger) for read in reads]
-    values = np.array([each.value for each in rated])
-    upward = np.array([each.rates for each in rated])
-    downward = np.array([_downward(each) for each in rated])
+    derived = [read(larger) for read in reads]
+    values = np.array([each.value for each in derived])
+    upward = np.array([each.rates for each in derived])
+    downward = np.array([_downward(each) for each in derived])
     sides = larger.one_sided
     if sides:
-        smaller = carry(motion, [paths[k] for k in sides], -1.0, edges=True)
+        smaller = propagate(motion, [paths[k] for k in sides], -1.0, edges=True)
         downward[:, sides] = np.array([_downward(read(smaller)) for read in reads])
     at = [value_of(motion.scenario, path) for path in paths]
     sided = [allowed_sides(motion.scenario, path, value) for path, value in zip(paths, at, strict=True)]
@@ -222,10 +222,10 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
     )  # fmt: skip
 
 
-def _downward(rated: Rated) -> Floats:
-    return rated.rates if rated.smaller is None else rated.smaller
+def _downward(derived: WithDerivatives) -> Floats:
+    return derived.rates if derived.smaller is None else derived.smaller
 
 
-def _reason(carried: Carried, k: int) -> str:
-    reason = int(carried.reasons[k])
+def _reason(solution: TangentSolution, k: int) -> str:
+    reason = int(solution.reasons[k])
     return REASONS[Reason(reason)] if reason > 0 else SIDED

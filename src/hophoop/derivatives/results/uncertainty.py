@@ -1,4 +1,4 @@
-"""How uncertain a motion is whose parameters are: their spread, times the derivatives, to first order."""
+"""Uncertainty of a motion from that of its parameters: their spread times the derivatives, to first order."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop.derivatives.results.propagation import carry
+from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.quantities import AT_TIMES
 from hophoop.derivatives.results.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
 from hophoop.kernel.numerics.sums import matrix_product, weighted_sum
@@ -189,11 +189,11 @@ class Uncertainty:
 
 def _rates_at(motion: Motion, paths: Sequence[str], times: Floats, left: bool) -> dict[str, Floats]:
     """Derivatives at times; nan where the two sides differ."""
-    larger = carry(motion, paths)
+    larger = propagate(motion, paths)
     rates = {name: slopes for name, (_, slopes) in larger.at_times(times, AT_TIMES, left).items()}
     sides = larger.one_sided
     if sides:
-        smaller = carry(motion, [paths[k] for k in sides], -1.0).at_times(times, AT_TIMES, left)
+        smaller = propagate(motion, [paths[k] for k in sides], -1.0).at_times(times, AT_TIMES, left)
         for name, slopes in rates.items():
             up, down = slopes[:, sides], smaller[name][1]
             same = np.abs(up - down) <= AGREE * np.maximum(np.abs(up), np.abs(down))
@@ -204,7 +204,7 @@ def _rates_at(motion: Motion, paths: Sequence[str], times: Floats, left: bool) -
 def uncertainty_of(
     motion: Motion, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
 ) -> Uncertainty:
-    """How uncertain a motion is: see `Trajectory.uncertainty`.
+    """Return the uncertainty of a motion: see `Trajectory.uncertainty`.
 
     Parameters
     ----------
@@ -239,5 +239,5 @@ def uncertainty_of(
     if np.linalg.eigvalsh(matrix)[0] < -1e-12:
         raise InputError("correlations: no parameters can be correlated like that; the matrix has a negative eigenvalue.")
     sizes = np.array([spread[path] for path in paths])
-    carry(motion, paths)  # says what is wrong with them
+    propagate(motion, paths)  # refuses those that are not possible
     return Uncertainty(motion, paths, matrix * np.outer(sizes, sizes))

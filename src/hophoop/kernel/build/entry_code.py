@@ -11,7 +11,7 @@ from numba.extending import intrinsic
 
 from hophoop.kernel.build.link import joined
 from hophoop.kernel.build.numba_code import code_of, compiling, part_of, result_of
-from hophoop.kernel.entries import Array, fields_of, is_tuple, kernel_named
+from hophoop.kernel.entries import Array, class_of, fields_of, is_tuple, kernel_named
 
 
 def numba_type(kind: Any) -> Any:
@@ -19,7 +19,7 @@ def numba_type(kind: Any) -> Any:
     if isinstance(kind, Array):
         return types.Array(numba.from_dtype(kind.dtype), kind.dimensions, "C")
     if is_tuple(kind):
-        return types.BaseTuple.from_types([numba_type(each) for _, each in fields_of(kind)], kind)
+        return types.BaseTuple.from_types([numba_type(each) for _, each in fields_of(kind)], class_of(kind))
     return {float: types.float64, int: types.int64, bool: types.boolean}[kind]
 
 
@@ -55,7 +55,7 @@ class _Writer:
             return f"carray({name}(wholes[{at}]), ({shape}))"
         if is_tuple(kind):
             name = f"class{len(self.names)}"
-            self.names[name] = kind
+            self.names[name] = class_of(kind)
             return f"{name}({', '.join(self.read(each) for _, each in fields_of(kind))})"
         self.place += 1
         return {float: "reals[{}]", int: "wholes[{}]", bool: "(wholes[{}] & 255) != 0"}[kind].format(self.place - 1)

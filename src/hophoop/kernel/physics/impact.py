@@ -1,4 +1,4 @@
-"""Impact: Routh's incremental impulse with Coulomb friction and three laws of restitution.
+"""Impact (docs/model.md#impact): Routh's incremental impulse with Coulomb friction and three laws of restitution.
 
 The normal impulse p grows from 0. While the slip keeps its state, both velocities are linear in p, so an
 impact is at most two straight pieces (slip until it stops, then stick or reversed slip), and every integral
@@ -22,8 +22,8 @@ def stick_rates(body, arm, lever):
 
     Free of differences of large numbers, which 1/κ would make of W as κ → 0.
     """
-    firm = body.kap + arm * arm
-    spin = lever / firm
+    denominator = body.kap + arm * arm
+    spin = lever / denominator
     return arm * spin, spin, 1.0 + lever * spin
 
 
@@ -48,7 +48,7 @@ def impulse_ratio(body, arm, lever, vt):
 
 @apart
 def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
-    """Velocities after an impact at angle θ.
+    """Return velocities after an impact at angle θ.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
     p_t = 0.0
     work_n = 0.0
     work_t = 0.0
-    # Restitution runs until its own measure is used up; compression has goal 0.
+    # Compression ends at v_n = 0, restitution when its own measure is used up.
     compression = True
     target = 0.0
     todo = math.inf
@@ -86,7 +86,7 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
             spin += turned
             vn += lever * turned
             vt = 0.0
-            if vn > 0.0:  # the jerk along the plane alone lifts the hoop
+            if vn > 0.0:  # the tangential impulse alone lifts the hoop
                 break
             continue
         kt = 0.0
@@ -95,7 +95,7 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
         else:
             turn, kt, kn = slip_rates(body, arm, lever, r)
             if not collision and compression and kn < 1e-9:
-                kn = min(p_sigma if p_sigma == p_sigma else kn, 0.0)  # or there would be no such impact: the slip has to stop
+                kn = min(p_sigma if p_sigma == p_sigma else kn, 0.0)  # not above 0: only the end of the slip lets v_n rise
         # piece: until the slip stops ...
         step = math.inf
         if vt != 0.0 and vt * kt < 0.0:
@@ -140,16 +140,16 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
 
 
 def singular_slip(body, s, c, exact, ahead, vt, om, rho):
-    """Slip that has run into p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
+    """Follow slip that has reached p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
 
-    Along it θ̇ and v_t change linearly. It ends where the slip stops; or where θ̇ has been turned round, so that
-    the motion leaves the angle again on the curve θ̇²(θ) it came on; or it jams, where f_n → 0 first. With rolling
-    resistance it ends where θ̇ = 0, beyond which the couple, and with it p_σ, is another.
+    θ̇ and v_t change linearly with it. It ends when the slip stops; when θ̇ has reversed its sign, so that the motion leaves the
+    angle on the curve θ̇²(θ) of its arrival; or, in a jam, when f_n reaches 0 first. With rolling resistance it ends at
+    θ̇ = 0, where the couple, and with it p_σ, changes.
 
     Parameters
     ----------
     exact : bool
-        Whether it has come to p_σ = 0, `ahead` of (s, c), and not only near it with f_n → 0.
+        True if it has reached p_σ = 0, `ahead` of (s, c), and not only come near it with f_n → 0.
     ahead : float
         [rad].
     rho : float
@@ -163,7 +163,7 @@ def singular_slip(body, s, c, exact, ahead, vt, om, rho):
     """
     sigma = 1.0 if vt > 0.0 else -1.0
     if exact:
-        # p_σ = 0 makes q/κ = −1/(ε sin θ); from q, as κ → 0, rounding would be all that is left
+        # p_σ = 0 makes q/κ = −1/(ε sin θ); from q only rounding would remain as κ → 0
         arm, lever = contact_arms(body, s + ahead * c, c - ahead * s)
         turn = -1.0 / lever
         rate = arm / lever - sigma * body.mu_k
@@ -192,10 +192,10 @@ def singular_slip(body, s, c, exact, ahead, vt, om, rho):
 
 
 def singular_angle(body, s, c, u, sigma, torque, distance):
-    """(found, exact, ahead): whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam).
+    """Return (found, exact, ahead): whether κ p_σ is 0 to rounding of the angle, or nearly 0 together with f_n (the jam).
 
     `torque` and `distance` are q and κ p_σ.
-    In the first case, the exact one, `ahead` is the angle to go, some 10⁻¹⁴ rad.
+    In the first case, the exact one, `ahead` is the angle to go, about 10⁻¹⁴ rad.
     """
     slope = stiffness_slope(body, s, c, sigma, torque)
     if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):

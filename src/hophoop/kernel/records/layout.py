@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple, cast, get_type_hints
 
 import numpy as np
+
+from hophoop.kernel.physics.body import Body
 
 # Rows of the array of cells, in SI units; `allowed` is 0 if the values contradict each other.
 CELL = (
@@ -45,6 +47,9 @@ SEGMENT = np.dtype(
     + [(name, "f8") for name in _POSITION]
     + [("rolling_resistance", "f8")]
 )
+
+# A Body in a table of cases.
+BODY = np.dtype([(name, {float: "f8", int: "i8", bool: "?"}[kind]) for name, kind in get_type_hints(Body).items()])
 
 
 # Maximum of panels solved for one motion, including rejected ones: a few seconds, and 70 MB if all are kept.

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 16f44aaf210c6d5369192517839da01f */
-var c={sources:"16ee5c69d91aa3338eb623f3b32cebbb",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources eb84f109f8fd66f1c121917e85422610 */
+var c={sources:"d3b5d09f74b889132582f1808db2b1e0",module:"c9414452e8170b05",derivatives:"81f6b18d9fa1fddb",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 16f44aaf210c6d5369192517839da01f */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources eb84f109f8fd66f1c121917e85422610 */
 var Ol=Object.create;var ao=Object.defineProperty;var Cl=Object.getOwnPropertyDescriptor;var ql=Object.getOwnPropertyNames;var jl=Object.getPrototypeOf,Bl=Object.prototype.hasOwnProperty;var Fl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Wl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ql(e))!Bl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=Cl(e,i))||n.enumerable});
 return s};var $l=(s,e,t)=>(t=s!=null?Ol(jl(s)):{},Wl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var $a=Fl(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function Ba(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1762,7 +1762,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,je=s=>s==="inf"?1/0:s;var x={sources:"16ee5c69d91aa3338eb623f3b32cebbb",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=jo,je=s=>s==="inf"?1/0:s;var x={sources:"d3b5d09f74b889132582f1808db2b1e0",module:"c9414452e8170b05",derivatives:"81f6b18d9fa1fddb",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\

@@ -23,7 +23,7 @@ from hophoop.theory.kernels.painleve import regions as paradox_sides
 from hophoop.theory.kernels.phase_plane import lift_off
 from hophoop.theory.kernels.phase_plane import modes as following_modes
 from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
-from hophoop.theory.kernels.rows import row_of
+from hophoop.theory.kernels.rows import table_of
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
@@ -53,7 +53,7 @@ def thresholds(given, speed, out):
     row = carray(out, (ANSWERS,))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
-    rows = row_of(body)
+    rows = table_of(body)
     unit = scales.length / scales.time
     pair = np.empty((1, 2))
     single = np.empty(1)
@@ -94,16 +94,17 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
     sides = carray(paradox, (columns,))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
-    rows = row_of(body)
+    rows = table_of(body)
     angle = np.empty(1)
     rate = np.empty(1)
     found = np.empty(1, np.int64)
-    friction = np.full(1, body.mu_k)
     for i in range(columns):
         angle[0] = left + (i + 0.5) * ((right - left) / columns)
         sides[i] = 0
-        if body.kap > 0.0 and body.mu_k < math.inf:
-            paradox_sides(rows, angle, friction, found)
+        # with rolling resistance the side depends on the direction of rotation: a column has no single answer
+        if body.kap > 0.0 and body.mu_k < math.inf and body.resist == 0.0:
+            rate[0] = 0.0
+            paradox_sides(rows, angle, rate, found)
             sides[i] = found[0]
         for j in range(lines):
             omega = bottom + (j + 0.5) * ((top - bottom) / lines)

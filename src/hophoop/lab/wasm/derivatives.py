@@ -8,10 +8,10 @@ import numpy as np
 from numba import carray
 
 from hophoop.derivatives.directions import NUMBERS, direction
-from hophoop.derivatives.events.ending import go_through
-from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
+from hophoop.derivatives.events.ending import propagate_motion
+from hophoop.derivatives.layout import PARAMETERS, STATE_ROWS
 from hophoop.derivatives.units import UNIT_OF_ROW, sizes_and_rates
-from hophoop.derivatives.workspace import ROWS
+from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.records.cells import body_of, scales_of
 from hophoop.kernel.records.layout import CELL, DURATION
@@ -36,13 +36,13 @@ def directions_of(cells, more, sign, changes, start, units):
         of_body, of_start, of_units = direction(numbers, rates)
         for i in range(PARAMETERS):
             changes[i, k] = sign * of_body[i]
-        for i in range(CARRIED):
+        for i in range(STATE_ROWS):
             start[i, k] = sign * of_start[i]
         for i in range(3):
             units[i, k] = of_units[i]
 
 
-def write_changes(row, scales, units, sign, kept, out):
+def write_changes(row, scales, units, sign, event_tangents, out):
     """Write the derivatives of an event's quantities and their units, in SI units, in the order of `layout.CHANGE_COLUMNS`."""
     values = (
         row["t"], row["x"], row["height"], row["angle"], row["omega"], row["slip"], row["vy"],
@@ -50,12 +50,12 @@ def write_changes(row, scales, units, sign, kept, out):
     )  # fmt: skip
     sizes, by_units = sizes_and_rates(scales, units)
     for k in range(out.shape[1]):
-        for i in range(CARRIED):
+        for i in range(STATE_ROWS):
             of = UNIT_OF_ROW[i]
-            out[i, k] = sizes[of] * (sign * kept[i, k] + values[i] * by_units[of, k])
+            out[i, k] = sizes[of] * (sign * event_tangents[i, k] + values[i] * by_units[of, k])
         # ẋ = v_t + R θ̇
         of = UNIT_OF_ROW[SLIP]
-        changed = sign * kept[SLIP, k] + sign * kept[TURNING, k]
+        changed = sign * event_tangents[SLIP, k] + sign * event_tangents[TURNING, k]
         out[VX, k] = sizes[of] * (changed + (row["slip"] + row["omega"]) * by_units[of, k])
 
 
@@ -75,21 +75,17 @@ def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, 
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
     by = np.empty((PARAMETERS, n))
-    z = np.empty((CARRIED, n))
+    start = np.empty((STATE_ROWS, n))
     units = np.empty((3, n))
-    directions_of(cells, carray(rates, (FIELDS, n)), sign, by, z, units)
-    at_events = np.zeros((count, KEPT, n))
-    at_segments = np.zeros((pieces, CARRIED, n))
-    reasons, failed = np.zeros(n, np.int64), np.full(n, -1, np.int64)
+    directions_of(cells, carray(rates, (FIELDS, n)), sign, by, start, units)
+    solution = new_solution(count, pieces, n)
     when = np.full(1, math.inf)
     if pieces > 0 and not math.isnan(doubt):
         kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
-    go_through(
-        body, rows, parts, by, z, cells[DURATION, 0] / scales.time, when[0], True,
-        at_events, at_segments, reasons, failed, new_scratch(), np.zeros((ROWS, ORDER)),
-    )  # fmt: skip
+    motion = KnownMotion(rows, parts, cells[DURATION, 0] / scales.time, when[0])
+    propagate_motion(body, motion, by, start, True, solution, Workspace(new_scratch(), np.zeros((ROWS, ORDER))))
     for i in range(count):
-        write_changes(rows[i], scales, units, sign, at_events[i], table[i])
+        write_changes(rows[i], scales, units, sign, solution.at_events[i], table[i])
     for k in range(n):
-        answers[0, k] = reasons[k]
-        answers[1, k] = failed[k]
+        answers[0, k] = solution.reasons[k]
+        answers[1, k] = solution.failed[k]

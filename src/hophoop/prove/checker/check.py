@@ -16,8 +16,8 @@ from hophoop.prove.checker.conventions import CLOSING, Conventions
 from hophoop.prove.checker.equations import Equations, Refused, State
 from hophoop.prove.checker.flight import flown, gap, no_top, skims, without_apex
 from hophoop.prove.checker.intervals import positive, require, root
-from hophoop.prove.checker.panelled import panelled
-from hophoop.prove.checker.pieces import Turn
+from hophoop.prove.checker.panel_phases import verify_panels
+from hophoop.prove.checker.panels import TurnPanel
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
 from hophoop.prove.deadline import Deadline, Late
@@ -25,7 +25,7 @@ from hophoop.prove.deadline import Deadline, Late
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the checker says of a certificate.
+    """The checker's verdict on a certificate.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Verdict:
     events : int
         How many events are verified [1].
     conventions : tuple of str
-        What the statement rests on beside the equations, as sentences without a capital; empty where it is refused.
+        The conventions of the statement, as sentences without a capital; empty if it is refused.
     """
 
     accepted: bool
@@ -220,14 +220,14 @@ class Walk:
             {"R": self.rolling, "S": self.slipping, "K": self.slipping, "H": self.flying}[self.mode]()
 
     def record(self, mode: str) -> dict[str, Any]:
-        """What the certificate says of the present phase."""
+        """The certificate's record of the present phase."""
         if not self.phases and self.seen == len(self.events) and self.claim["status"] == "event_limit":
             raise Stopped
         require(bool(self.phases) and self.phases[0]["mode"] == mode, "every phase has its record")
         return self.phases.pop(0)
 
     def rolling(self) -> None:
-        """A piece of rolling, up to an event or a turning point."""
+        """Rolling, up to an event or a turning point."""
         if self._held(0):
             self.event("rest", "R", "R")
             self.state = replace(self.state, t=self.equations.t_end)
@@ -241,7 +241,7 @@ class Walk:
         self.after(one["what"])
 
     def _held(self, sigma: int) -> bool:
-        """Whether a hoop that does not turn will not begin to."""
+        """Return True if a hoop with θ̇ = 0 stays so."""
         state = self.state
         if not state.om.is_zero():
             return False
@@ -283,7 +283,7 @@ class Walk:
             limits["t_end"] = self.equations.t_end
         else:
             limits["turn_end"] = self._turn_left
-        what, state, turns = panelled(self.equations, sigma, self.state, self.zeros, one, limits)
+        what, state, turns = verify_panels(self.equations, sigma, self.state, self.zeros, one, limits)
         for turn in turns:
             self.state = turn
             self.after("turn")
@@ -297,12 +297,12 @@ class Walk:
             self.state = replace(self.state, t=self.equations.t_end)
         self.after(what)
 
-    def _turn_left(self, piece: Any, x: Ball) -> Jet:
-        slope = 2 * x if isinstance(piece, Turn) else arb(-1)
-        return [2 * pi() - piece.way * (piece.angle(x) - self.origin), slope]
+    def _turn_left(self, panel: Any, x: Ball) -> Jet:
+        slope = 2 * x if isinstance(panel, TurnPanel) else arb(-1)
+        return [2 * pi() - panel.way * (panel.angle(x) - self.origin), slope]
 
     def after(self, what: str) -> None:
-        """What follows the end of a phase of contact, or a turning point in it."""
+        """Go through the end of a phase of contact, or a turning point in it."""
         was = self.mode
         if what == "turn":
             self.turn(was)

@@ -1,4 +1,4 @@
-"""What a statement rests on beside the equations: each is bounded here, and named with the verdict."""
+"""The conventions of a statement in addition to the equations: each is bounded here and named with the verdict."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from hophoop.prove.checker.intervals import require
 from hophoop.prove.checker.scenarios import readable
 
 SCHEMA = "hophoop-proof/1"
-CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
-GAIN_FLOOR = "1e-14"  # beside the energy of an impact: a smaller gain is no event
+CLOSING = "1e-12"  # bounces are closed when their rest takes less than this part of the time so far
+GAIN_FLOOR = "1e-14"  # relative to the energy of an impact: a smaller gain is no event
 UNTIL = {"duration": "up to the end of its duration", "revolution": "up to a whole turn, a turning point or a take-off"}
 MOST_BITS = 20_000
 MOST_DIGITS = 200
@@ -32,7 +32,7 @@ EVENT_KEYS = {"kind", "from", "to", "t", "x", "height", "angle", "vx", "vy", "om
 
 @dataclass(frozen=True)
 class Conventions:
-    """What a certificate says of its statement, within its bounds.
+    """A certificate's conventions, within their bounds.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ class Conventions:
         )
 
     def encloses(self, claim: list[str], value: Ball, unit: Ball) -> bool:
-        """Whether [middle − radius, middle + radius] holds all of a ball, and is as narrow as the digits say."""
+        """Return True if [middle − radius, middle + radius] holds all of a ball, and is as narrow as the digits require."""
         require(len(claim) == 2, "an enclosure is a middle and a radius")
         middle, radius = (rational(decimal(text)) for text in claim)
         if radius.is_zero():

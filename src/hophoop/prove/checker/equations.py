@@ -13,7 +13,7 @@ from hophoop.prove.deadline import Deadline
 
 
 class Refused(Exception):
-    """A step of a certificate that could not be verified; the text says which, as a clause."""
+    """A step of a certificate that could not be verified; the text says what, as a clause."""
 
 
 @dataclass
@@ -38,7 +38,7 @@ class Contact:
     friction: Series
     slip: Series
     free: Series
-    firm: Series
+    divisor: Series
 
 
 class Equations:
@@ -97,7 +97,7 @@ class Equations:
 
     @property
     def resisted(self) -> bool:
-        """Whether there is rolling resistance."""
+        """True if there is rolling resistance."""
         return not self.resist.is_zero()
 
     def turning(self, way: int) -> Equations:
@@ -142,16 +142,16 @@ class Equations:
         w_tt, w_nn, w_tn, w_nt = self.kap + arm * arm, self.kap + lever * behind, -behind * arm, -lever * arm
         f_t, f_n = self.gt + self.eps * s * u, self.eps * c * u - self.gn
         if sigma == 0:
-            firm = self.kap + lever * behind + arm * arm  # det W · κ
-            normal = (w_nt * f_t - w_tt * f_n) / firm
-            friction = (w_tn * f_n - w_nn * f_t) / firm
+            divisor = self.kap + lever * behind + arm * arm  # det W · κ
+            normal = (w_nt * f_t - w_tt * f_n) / divisor
+            friction = (w_tn * f_n - w_nn * f_t) / divisor
         else:
-            firm = w_nn - drag * w_nt
-            normal = -self.kap * f_n / firm
+            divisor = w_nn - drag * w_nt
+            normal = -self.kap * f_n / divisor
             friction = -drag * normal
         alpha = (behind * normal - arm * friction) / self.kap
         slip = (w_tt * friction + w_tn * normal) / self.kap + f_t
-        return Contact(alpha, normal, friction, slip, f_n, firm)
+        return Contact(alpha, normal, friction, slip, f_n, divisor)
 
     def linear(self, s: Any, c: Any, sigma: int) -> tuple[Any, Any, Any]:
         """(d, a, b) of d θ̈ = a u + b, without a division: for polynomials as well as balls."""
@@ -161,8 +161,8 @@ class Equations:
         if sigma:
             torque = behind + arm * (sigma * self.mu_k)
             return lever * torque + self.kap, -(torque * c * self.eps), torque * self.gn
-        firm = lever * behind + arm * arm + self.kap
-        return firm, lever + c * (self.couple * self.eps), behind * self.gn + arm * self.gt
+        divisor = lever * behind + arm * arm + self.kap
+        return divisor, lever + c * (self.couple * self.eps), behind * self.gn + arm * self.gt
 
     def height(self, z: Series, s: Series, c: Series) -> Series:
         """What ½ D θ̇² lacks to a constant in rolling."""

@@ -25,7 +25,7 @@ def gap(equations: Equations, state: State, tau: Ball, terms: int) -> Jet:
 
 
 def flown(equations: Equations, state: State, tau: Ball) -> State:
-    """The state after a time in flight: G keeps its velocity along the plane but for gravity."""
+    """The state after a time in flight: gravity alone changes the velocity of G along the plane."""
     eps, pull = equations.eps, equations.gt
     th = state.th + state.om * tau
     along = state.vt + state.om * (1 + eps * state.th.cos())
@@ -36,7 +36,7 @@ def flown(equations: Equations, state: State, tau: Ball) -> State:
 
 
 def skims(equations: Equations, state: State) -> bool:
-    """Whether, without gravity and with G at a constant height ε above the centre or less, the rim never comes down."""
+    """Return True if, without gravity and with G at a constant height ε above the centre or less, the rim never comes down."""
     eps = equations.eps
     still = (state.vn - eps * state.om * state.th.sin()).is_zero() and equations.gn.is_zero()
     least = state.y + eps * (state.th.cos() - 1)
@@ -44,7 +44,7 @@ def skims(equations: Equations, state: State) -> bool:
 
 
 def without_apex(equations: Equations, state: State, tau: Ball, zeros: int) -> bool:
-    """Whether a flight without gravity is one of those with grazes that have no apex by their form.
+    """Return True if a flight without gravity is one of those with grazes that have no apex by their form.
 
     Lift-off with N = 0 is at cos θ = 0 there, so that ẏ = ε θ̇ (sin θ ∓ 1) keeps its sign; a hoop that
     hovers has no top; and where G stays at a constant height, all tops are equal, so that of two or more none is the highest.
@@ -87,7 +87,7 @@ def no_top(equations: Equations, state: State, begin: Ball, end: Ball, zeros: in
 
 
 def _from_rest(state: State, jet: Jet, zeros: int) -> bool:
-    """Whether a flight that begins with ẏ = 0 goes one way on a part that begins there."""
+    """Return True if a flight that begins with ẏ = 0 goes one way on a part that begins there."""
     if zeros >= 3:
         return bool(jet[3] > 0)
     return bool(state.vn.is_zero() and jet[2] < 0)

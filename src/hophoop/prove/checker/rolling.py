@@ -30,7 +30,7 @@ class Rolling:
         return 2 * (self.energy - self.equations.height(th, s, c)) / self.equations.inertia(c)
 
     def margins(self, th: Ball, terms: int) -> list[Jet]:
-        """What must stay positive, as series in the way along θ."""
+        """What must stay positive, as series in the distance along θ."""
         equations = self.equations
         with order(terms):
             z = series([th, self.way])

@@ -1,4 +1,8 @@
-"""The mode rule and Routh's impact, verified for the mode that a certificate claims."""
+"""The mode rule and Routh's impact, verified for the mode that a certificate claims.
+
+They repeat `physics.mode_rule` and `precise.impact` on purpose, derived once more in contact space: the checker shares nothing
+with what made the certificate.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +38,7 @@ def opening(equations: Equations, state: State) -> int:
 
 
 def rolls(equations: Equations, state: State) -> bool:
-    """Whether rolling is admissible."""
+    """Return True if rolling is admissible."""
     s, c = state.th.sin_cos()
     after = equations.just_after(state.th, state.om, 0)
     contact = after.contact(s, c, state.om * state.om, 0)
@@ -60,10 +64,10 @@ def rolls(equations: Equations, state: State) -> bool:
 
 
 def slips(equations: Equations, state: State, sigma: int) -> bool:
-    """Whether slip can start from v_t = 0 in a direction."""
+    """Return True if slip can start from v_t = 0 in a direction."""
     s, c = state.th.sin_cos()
     contact = equations.just_after(state.th, state.om, sigma).contact(s, c, state.om * state.om, sigma)
-    if sign(contact.firm, "p_σ") <= 0:
+    if sign(contact.divisor, "p_σ") <= 0:
         return False
     if contact.normal < 0 or sigma * contact.slip < 0:
         return False
@@ -74,7 +78,7 @@ def slips(equations: Equations, state: State, sigma: int) -> bool:
 
 
 def slip_zeros(equations: Equations, state: State, sigma: int) -> int:
-    """How many derivatives of v_t vanish where slip begins, its value included."""
+    """The number of derivatives of v_t that vanish where slip begins, its value included."""
     if not state.vt.is_zero():
         return 0
     series = equations.in_time(state.th, state.om, sigma, ORDER)["slip"]
@@ -97,14 +101,16 @@ def next_mode(equations: Equations, state: State) -> str:
     if equations.mu_k is None:
         return "H" if free >= 0 else "inconsistent"
     s, c = state.th.sin_cos()
-    firm = sign(equations.just_after(state.th, state.om, sigma).contact(s, c, arb(0), sigma).firm, "p_σ")
-    if firm > 0:
+    p_sigma = sign(equations.just_after(state.th, state.om, sigma).contact(s, c, arb(0), sigma).divisor, "p_σ")
+    if p_sigma > 0:
         return ("K" if sigma > 0 else "S") if free < 0 else "H"
-    if equations.resisted and (free < 0 or equations.strike) and sign(equations.contact(s, c, arb(0), sigma).firm, "p_σ") > 0:
-        return "undetermined"  # an impact, which knows no couple, would do nothing
+    if equations.resisted and (free < 0 or equations.strike):
+        without_couple = sign(equations.contact(s, c, arb(0), sigma).divisor, "p_σ")
+        if without_couple > 0:
+            return "undetermined"  # an impact, which is without rolling resistance, would change nothing
     if free < 0:
         return "inconsistent"
-    return "indeterminate" if firm < 0 else "H"
+    return "indeterminate" if p_sigma < 0 else "H"
 
 
 def collide(equations: Equations, state: State, rest: Ball) -> tuple[State, bool]:
@@ -113,7 +119,7 @@ def collide(equations: Equations, state: State, rest: Ball) -> tuple[State, bool
     w_tt, w_nn, w_tn = (value / equations.kap for value in equations.delassus(s, c))
     vt, vn, total_n, total_t = state.vt, state.vn, arb(0), arb(0)
     work_n = work_t = arb(0)
-    goal: Any = None  # restitution: what is left to do
+    goal: Any = None  # of restitution
     done = False
     for _ in range(8):
         way = sign(vt, "v_t in an impact")

@@ -1,4 +1,4 @@
-"""What the scenario of a certificate may hold: what is not read here is not proved, so it is refused."""
+"""The allowed fields of a certificate's scenario: a field that the checker does not read is not proved, so it is refused."""
 
 from __future__ import annotations
 

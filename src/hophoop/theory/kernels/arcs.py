@@ -25,7 +25,7 @@ MOST_PANELS = 1_000_000
 
 
 def relative_tail(series, scale):
-    """The last coefficients of a Chebyshev series beside the largest one or `scale`; nan where one is."""
+    """The last coefficients of a Chebyshev series relative to the largest one or `scale`; nan where one is."""
     end = 0.0
     for k in range(ORDER):
         size = abs(series[k])
@@ -40,10 +40,10 @@ def relative_tail(series, scale):
 # --- hills and turning points ----------------------------------------------------------------------
 
 
-def first_hilltop(body):
-    """Angle of a hilltop of the potential between −π and π, nan where the slope is too steep for one.
+def first_maximum(body):
+    """Angle of the potential's maximum between −π and π, nan if the slope is too steep for one.
 
-    Hilltops stand at ε sin(θ + β) = −sin β, once a turn, each lower than the one uphill by the same amount.
+    Maxima are at ε sin(θ + β) = −sin β, one per revolution, each lower than the one uphill by the same amount.
     """
     weight = hypotenuse(body.gn, body.gt)
     if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
@@ -52,7 +52,7 @@ def first_hilltop(body):
 
 
 def first_valley(body):
-    """Angle of the valley after `first_hilltop`."""
+    """Angle of the valley after `first_maximum`."""
     weight = hypotenuse(body.gn, body.gt)
     if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
         return math.nan
@@ -72,14 +72,14 @@ def next_of(angle, start, way):
 
 
 def blocking(body, ref, u_ref, end):
-    """The first angle between `ref` and `end`, hilltop or end, that the hoop does not reach; nan if none.
+    """The first maximum between `ref` and `end`, or the end, that the hoop does not reach; nan if none.
 
-    The highest hilltop on the way is its first or, uphill, each higher than the last.
+    The highest maximum on the way is the first one or, uphill, the last one.
     """
     way = 1.0 if end > ref else -1.0
-    hilltop = first_hilltop(body)
-    if not math.isnan(hilltop):
-        place = next_of(hilltop, ref, way)
+    maximum = first_maximum(body)
+    if not math.isnan(maximum):
+        place = next_of(maximum, ref, way)
         if way * (end - place) > 0.0:
             if rolling_u(body, ref, u_ref, place - ref) < 0.0:
                 return place
@@ -100,7 +100,7 @@ def blocking(body, ref, u_ref, end):
 
 
 def turning_point(body, ref, u_ref, blocked):
-    """Where the hoop turns back before an angle that it does not reach, by bisection to the last bit."""
+    """The turning point before an angle that the hoop does not reach, by bisection to the last bit."""
     way = 1.0 if blocked > ref else -1.0
     low = ref
     valley = first_valley(body)
@@ -205,11 +205,11 @@ def rocking_time(body, angle):
         return math.nan
     way = 1.0 if start > 0.0 else -1.0
     bottom = next_of(valley, angle, way)
-    hilltop = next_of(first_hilltop(body), bottom, way)
-    if not rolling_u(body, angle, 0.0, hilltop - angle) < 0.0:
+    maximum = next_of(first_maximum(body), bottom, way)
+    if not rolling_u(body, angle, 0.0, maximum - angle) < 0.0:
         return math.nan if body.gt != 0.0 else math.inf
     down = travel_time(body, angle, 0.0, way, abs(bottom - angle))
     if body.gt == 0.0:
         return 4.0 * down
-    far = turning_point(body, angle, 0.0, hilltop)
+    far = turning_point(body, angle, 0.0, maximum)
     return 2.0 * (down + travel_time(body, far, 0.0, -way, abs(far - bottom)))

@@ -6,21 +6,20 @@ import math
 
 from hophoop.kernel.numerics.arcs import arccosine
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.contact import slip_stiffness
+from hophoop.kernel.physics.contact import contact_arms, slip_stiffness
+from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.theory.kernels.rows import body_of
+
+BOTH = 2
 
 
 def threshold(body, th, sigma):
-    """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
+    """μ at which p_σ = 0 without rolling resistance, inf if there is none: p_σ is linear in μ."""
     s, c = sine_and_cosine(th)
-    smooth = slip_stiffness(with_friction(body, 0.0), s, c, sigma, 0.0)
-    rough = slip_stiffness(with_friction(body, 1.0), s, c, sigma, 0.0)
+    arm, lever = contact_arms(body, s, c)
+    smooth = body.kap + lever * lever
+    rough = body.kap + lever * (lever + sigma * arm)
     return smooth / (smooth - rough) if rough < smooth else math.inf
-
-
-def with_friction(body, mu):
-    return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike, body.slope, body.ideal)
 
 
 def thresholds(bodies, angles, out):
@@ -29,15 +28,16 @@ def thresholds(bodies, angles, out):
         out[k] = min(threshold(body, angles[k], 1), threshold(body, angles[k], -1))
 
 
-def regions(bodies, angles, frictions, out):
-    """σ of the direction in which p_σ ≤ 0, 0 where there is none."""
+def regions(bodies, angles, rates, out):
+    """σ of the slip with p_σ ≤ 0, 0 if there is none, BOTH if both directions have it."""
     for k in range(angles.shape[0]):
-        body = with_friction(body_of(bodies[k]), frictions[k])
+        body = body_of(bodies[k])
         s, c = sine_and_cosine(angles[k])
         out[k] = 0
-        for sigma in (-1, 1):
-            if slip_stiffness(body, s, c, sigma, 0.0) <= 0.0:
-                out[k] = sigma
+        if slip_stiffness(body, s, c, -1, resistance_arm(body, s, c, rates[k], -1)) <= 0.0:
+            out[k] = -1
+        if slip_stiffness(body, s, c, 1, resistance_arm(body, s, c, rates[k], 1)) <= 0.0:
+            out[k] = 1 if out[k] == 0 else BOTH
 
 
 def worst_angle(eps, kap):

@@ -1,36 +1,45 @@
-"""The row of numbers that stands for a Body in a table of cases."""
+"""The record of a Body in a table of cases."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from hophoop.kernel.physics.body import Body
-
-WIDTH = len(Body._fields)
+from hophoop.kernel.records.layout import BODY
 
 
 def body_of(row):
-    """The Body that a row of `Columns.body` stands for."""
+    """The Body of a record."""
     return Body(
-        row[0], row[1], row[2], row[3], row[4], row[5], row[6], int(row[7]), row[8] > 0.0, row[9], row[10] > 0.0,
-        row[11],
-    )  # fmt: skip
+        eps=row["eps"],
+        kap=row["kap"],
+        mu_s=row["mu_s"],
+        mu_k=row["mu_k"],
+        gn=row["gn"],
+        gt=row["gt"],
+        rest=row["rest"],
+        law=row["law"],
+        strike=row["strike"],
+        slope=row["slope"],
+        ideal=row["ideal"],
+        resist=row["resist"],
+    )
 
 
-def row_of(body):
-    """A table of one row that stands for a Body."""
-    rows = np.empty((1, WIDTH))
+def table_of(body):
+    """A table of one record."""
+    rows = np.empty(1, BODY)
     row = rows[0]
-    row[0] = body.eps
-    row[1] = body.kap
-    row[2] = body.mu_s
-    row[3] = body.mu_k
-    row[4] = body.gn
-    row[5] = body.gt
-    row[6] = body.rest
-    row[7] = body.law
-    row[8] = 1.0 if body.strike else 0.0
-    row[9] = body.slope
-    row[10] = 1.0 if body.ideal else 0.0
-    row[11] = body.resist
+    row["eps"] = body.eps
+    row["kap"] = body.kap
+    row["mu_s"] = body.mu_s
+    row["mu_k"] = body.mu_k
+    row["gn"] = body.gn
+    row["gt"] = body.gt
+    row["rest"] = body.rest
+    row["law"] = body.law
+    row["strike"] = body.strike
+    row["slope"] = body.slope
+    row["ideal"] = body.ideal
+    row["resist"] = body.resist
     return rows

@@ -1,8 +1,9 @@
-"""A motion that is known, gone through again with its derivatives in all directions, in nopython mode."""
+"""Propagate the derivatives of a computed motion in all directions through its pieces and events."""
 
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 from hophoop.derivatives.events.conditions import (
     fail,
@@ -17,14 +18,13 @@ from hophoop.derivatives.events.conditions import (
     meet_time,
     part_at_rest,
 )
-from hophoop.derivatives.events.impact import NONE, SIDED, impact_change, pulled_back
+from hophoop.derivatives.events.impact import NONE, SIDED, Blow, closing_impulse_change, impact_change
 from hophoop.derivatives.events.massless import follow_strike, skim_rates
 from hophoop.derivatives.events.start_in_contact import let_fall, stop_throw
 from hophoop.derivatives.layout import (
     BEFORE_OM,
     BEFORE_VN,
     BEFORE_VT,
-    CARRIED,
     END,
     EPS,
     IMPACT_N,
@@ -35,6 +35,7 @@ from hophoop.derivatives.layout import (
     P_T,
     RESISTED,
     REST,
+    STATE_ROWS,
     TH,
     VN,
     VT,
@@ -71,63 +72,68 @@ MASSLESS, FRICTIONLESS, ENDED, PLASTIC = (
 
 
 @apart
-def begin_lifted(body, mode, state, z, reasons, k):
-    """A start in contact whose rim is lifted or thrown: it flies off, or comes down again, and then has other events."""
-    if mode == FLIGHT and z[Y, k] >= 0.0 and z[VN, k] >= 0.0:
+def begin_lifted(body, mode, state, tangents, reasons, k):
+    """Propagate a start in contact whose rim is lifted or launched: it flies off, or lands again and has other events."""
+    if mode == FLIGHT and tangents[Y, k] >= 0.0 and tangents[VN, k] >= 0.0:
         reasons[k] = SIDED
         return
     sigma = slip_direction(mode)
-    contact = body.kap > 0.0 and mode != FLIGHT and mode != SKIM
-    if contact and (stop_throw(body, sigma, state, z, k) if z[VN, k] != 0.0 else let_fall(body, sigma, state, z, k)):
+    exists = False
+    if body.kap > 0.0 and mode != FLIGHT and mode != SKIM:
+        if tangents[VN, k] != 0.0:
+            exists = stop_throw(body, sigma, state, tangents, k)
+        else:
+            exists = let_fall(body, sigma, state, tangents, k)
+    if exists:
         reasons[k] = CONTACT
     else:
-        fail(z, reasons, k, CONTACT)
+        fail(tangents, reasons, k, CONTACT)
 
 
 @apart
-def begin_changes(body, row, changes, z, reasons):
-    """What a changed start does at once."""
+def begin_changes(body, row, parameter_tangents, tangents, reasons):
+    """Propagate a changed start to the begin of its first piece."""
     state = state_of(row)
     if state.y > 0.0 or state.vn != 0.0:
         return
     mode = row["after_mode"]
-    for k in range(z.shape[1]):
-        if z[Y, k] != 0.0 or z[VN, k] != 0.0:
-            begin_lifted(body, mode, state, z, reasons, k)
+    for k in range(tangents.shape[1]):
+        if tangents[Y, k] != 0.0 or tangents[VN, k] != 0.0:
+            begin_lifted(body, mode, state, tangents, reasons, k)
     if mode != FLIGHT and mode != SKIM and state.vt == 0.0:
-        lose_slip(body, state, slip_direction(mode), changes, z, reasons)
+        lose_slip(body, state, slip_direction(mode), parameter_tangents, tangents, reasons)
     if mode != FLIGHT and mode != SKIM:
-        part_at_rest(body, slip_direction(mode), state, z, reasons)
+        part_at_rest(body, slip_direction(mode), state, tangents, reasons)
     if is_on_border(body, state):
-        fail_all(z, reasons, BORDER)
+        fail_all(tangents, reasons, BORDER)
 
 
 @apart
-def end_rolling(body, row, before, rates, changes, z, reasons):
-    """Rolling that ends at the friction cone, or at N = 0."""
+def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons):
+    """Propagate all directions to the end of rolling at the friction cone, or at N = 0."""
     s, c = sine_cosine(before.th, before.th_low)
     friction = rolling_forces(body, s, c, before.om * before.om, resistance_arm(body, s, c, before.om, 0))[0]
-    meet_cone(body, before, rates, 1.0 if friction > 0.0 else -1.0, changes, z, reasons)
+    meet_cone(body, before, rates, 1.0 if friction > 0.0 else -1.0, parameter_tangents, tangents, reasons)
     if row["kind"] == SKIM_START:
-        for k in range(z.shape[1]):
-            if changes[EPS, k] != 0.0 or changes[KAP, k] != 0.0:
-                fail(z, reasons, k, MASSLESS)
+        for k in range(tangents.shape[1]):
+            if parameter_tangents[EPS, k] != 0.0 or parameter_tangents[KAP, k] != 0.0:
+                fail(tangents, reasons, k, MASSLESS)
 
 
 @apart
 def stays_with_small_bounces(row):
-    """Whether the motion behind a landing with e = 0 is the same to first order in a small e.
+    """Return True if the motion after a landing with e = 0 is the same to first order in a small e.
 
     The bounces last a time of order e, at whose end the same quantities are zero as without them, N and F having done what
     their impulses do. So the state differs by the order e², where the contact goes on and its slip keeps its direction;
-    but for the couple of rolling resistance, see `bounce_freely`.
+    except for the couple of rolling resistance, see `bounce_freely`.
     """
     mode = row["after_mode"]
     return row["collision"] == 1 and mode != FLIGHT and mode != SKIM and (mode == ROLL or row["slip"] != 0.0)
 
 
 @apart
-def bounce_freely(body, row, before, drest, z, k):
+def bounce_freely(body, row, before, drest, tangents, k):
     """The time 2 v_n/abs(f_n) of the first bounce after a landing with a small e has no rolling resistance.
 
     Returns whether that is all: a hoop that rolls must do so again after it, and a hoop at rest would begin to turn.
@@ -146,83 +152,92 @@ def bounce_freely(body, row, before, drest, z, k):
     sigma = slip_direction(row["after_mode"])
     with_couple = resisted_motion(body, sigma, after, 0.0)
     without = motion_against(body, sigma, after, 0.0)
-    z[OM, k] -= (with_couple[0] - without[0]) * time
-    z[VT, k] -= (with_couple[1] - without[1]) * time
-    z[RESISTED, k] -= with_couple[3] * time
+    tangents[OM, k] -= (with_couple[0] - without[0]) * time
+    tangents[VT, k] -= (with_couple[1] - without[1]) * time
+    tangents[RESISTED, k] -= with_couple[3] * time
     return True
 
 
 @apart
-def collide_changes(body, rest, row, before, changes, z, kept, reasons):
+def collide_changes(body, rest, row, before, parameter_tangents, tangents, event_tangents, reasons):
     """All directions through an impact."""
     s, c = sine_cosine(before.th, before.th_low)
     closes = row["kind"] == BOUNCE_LIMIT
+    blow = Blow(rest, s, c, before.vt, before.vn)
     vn = impact(body, rest, s, c, before.vt, before.vn)[1]
-    for k in range(z.shape[1]):
-        if math.isnan(z[TH, k]):
+    for k in range(tangents.shape[1]):
+        if math.isnan(tangents[TH, k]):
             continue
         dvt, dvn, dspin, dp_n, dp_t, dloss_n, dloss_t, reason = impact_change(
-            body, rest, s, c, before.vt, before.vn, z[TH, k], z[VT, k], z[VN, k], changes, k
+            body, blow, tangents[TH, k], tangents[VT, k], tangents[VN, k], parameter_tangents, k
         )
         if closes and vn > 0.0:
-            turned, pulled_n, pulled_t, lost = pulled_back(body, s, c, vn, z[TH, k], dvn, changes, k)
+            closing = Blow(rest, s, c, 0.0, vn)
+            turned, pulled_n, pulled_t, lost = closing_impulse_change(
+                body, closing, tangents[TH, k], dvn, parameter_tangents, k
+            )
             dvt = dvn = 0.0
             dspin += turned
             dp_n += pulled_n
             dp_t += pulled_t
             dloss_n += lost
-        z[VT, k] = dvt
-        z[VN, k] = dvn
-        z[OM, k] += dspin
-        kept[P_N, k] = dp_n
-        kept[P_T, k] = dp_t
-        z[IMPACT_N, k] += dloss_n
-        z[IMPACT_T, k] += dloss_t
+        tangents[VT, k] = dvt
+        tangents[VN, k] = dvn
+        tangents[OM, k] += dspin
+        event_tangents[P_N, k] = dp_n
+        event_tangents[P_T, k] = dp_t
+        tangents[IMPACT_N, k] += dloss_n
+        tangents[IMPACT_T, k] += dloss_t
         if reason == SIDED:
             if reasons[k] == NONE:
                 reasons[k] = SIDED
         elif (
             reason == PLASTIC
             and stays_with_small_bounces(row)
-            and (body.resist == 0.0 or bounce_freely(body, row, before, changes[REST, k], z, k))
+            and (body.resist == 0.0 or bounce_freely(body, row, before, parameter_tangents[REST, k], tangents, k))
         ):
             if reasons[k] <= 0:
                 reasons[k] = PLASTIC
         elif reason != NONE:
-            fail(z, reasons, k, reason)
+            fail(tangents, reasons, k, reason)
 
 
 @apart
-def keep_before(z, kept):
+def keep_before(tangents, event_tangents):
     """The velocities just before an event, and no impulse."""
-    for k in range(z.shape[1]):
-        kept[BEFORE_OM, k] = z[OM, k]
-        kept[BEFORE_VT, k] = z[VT, k]
-        kept[BEFORE_VN, k] = z[VN, k]
-        kept[P_N, k] = 0.0 * z[OM, k]
-        kept[P_T, k] = 0.0 * z[OM, k]
+    for k in range(tangents.shape[1]):
+        event_tangents[BEFORE_OM, k] = tangents[OM, k]
+        event_tangents[BEFORE_VT, k] = tangents[VT, k]
+        event_tangents[BEFORE_VN, k] = tangents[VN, k]
+        event_tangents[P_N, k] = 0.0 * tangents[OM, k]
+        event_tangents[P_T, k] = 0.0 * tangents[OM, k]
+
+
+class Past(NamedTuple):
+    """The last piece before an event."""
+
+    piece: Any
+    passed: bool  # whether it is after the event before
+    fresh: Any  # the tangents at its start
 
 
 @apart
-def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons):
-    """All directions to an event, and what they are just after it.
-
-    `passed` tells whether a piece lies between the event before and this one, `piece` is the last one that was
-    gone through. `fresh` are the directions at the begin of that piece.
-    """
+def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tangents, reasons):
+    """Propagate all directions from the end of the last piece through an event."""
+    piece, passed = past.piece, past.passed
     kind = row["kind"]
     mode = row["before_mode"]
     after = state_of(row)
     before = with_velocities(after, row["before_slip"], row["before_vy"], row["before_omega"])
     if kind == IMPACT and mode == SKIM:
-        for k in range(z.shape[1]):
-            for i in range(CARRIED):
-                z[i, k] = fresh[i, k]
-        follow_strike(body, state_of(piece), length_of(piece), changes, z, kept)
+        for k in range(tangents.shape[1]):
+            for i in range(STATE_ROWS):
+                tangents[i, k] = past.fresh[i, k]
+        follow_strike(body, state_of(piece), length_of(piece), parameter_tangents, tangents, event_tangents)
         return
     if kind == START:
-        begin_changes(body, row, changes, z, reasons)
-        keep_before(z, kept)
+        begin_changes(body, row, parameter_tangents, tangents, reasons)
+        keep_before(tangents, event_tangents)
         return
     rates = (0.0, 0.0, 0.0, 0.0)
     way = piece["way"] if passed and is_panel(piece) else 0.0
@@ -235,117 +250,111 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
     if turned and kind != END_EVENT:
         pass
     elif mode == ROLL and (kind in (SLIP_START, TAKEOFF) or (kind == SKIM_START and passed)):
-        end_rolling(body, row, before, rates, changes, z, reasons)
+        end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
     elif kind == TAKEOFF and before.vt != 0.0:
-        meet_opening(body, before, rates, changes, z, reasons)
+        meet_opening(body, before, rates, parameter_tangents, tangents, reasons)
     elif kind in (STICK, SLIP_REVERSAL, TAKEOFF):
-        meet_row(VT, rates[1], 1e-300 + body.gn + abs(body.gt) + before.om * before.om, before, rates, z, reasons)
+        meet_row(VT, rates[1], 1e-300 + body.gn + abs(body.gt) + before.om * before.om, before, rates, tangents, reasons)
     elif (kind == IMPACT and mode == FLIGHT and row["collision"] == 1) or kind == BOUNCE_LIMIT:
-        meet_row(Y, before.vn, 1e-300, before, rates, z, reasons)
+        meet_row(Y, before.vn, 1e-300, before, rates, tangents, reasons)
     elif kind == JAM:
-        meet_jam(body, slip_direction(mode), after, before, changes, z)
+        meet_jam(body, slip_direction(mode), after, before, parameter_tangents, tangents)
     elif kind == PAINLEVE_INCONSISTENT and passed:
-        fail_all(z, reasons, SINGULAR)
+        fail_all(tangents, reasons, SINGULAR)
     elif kind == REST_EVENT and body.mu_s == 0.0:
-        fail_all(z, reasons, FRICTIONLESS)
+        fail_all(tangents, reasons, FRICTIONLESS)
     elif kind == END_EVENT:
         if row["t"] == t_end:
-            meet_time(changes, END, before, rates, z)
+            meet_time(parameter_tangents, END, before, rates, tangents)
         elif mode == ROLL and math.isinf(body.mu_s):  # N = 0, but free motion would enter the plane
-            end_rolling(body, row, before, rates, changes, z, reasons)
+            end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
         elif passed:
-            fail_all(z, reasons, ENDED)
-    keep_before(z, kept)
+            fail_all(tangents, reasons, ENDED)
+    keep_before(tangents, event_tangents)
     if kind == SKIM_START and sine(before.th) == 0.0:
-        fail_all(z, reasons, MASSLESS)
+        fail_all(tangents, reasons, MASSLESS)
     if kind == IMPACT:
-        collide_changes(body, body.rest, row, before, changes, z, kept, reasons)
+        collide_changes(body, body.rest, row, before, parameter_tangents, tangents, event_tangents, reasons)
     elif kind == BOUNCE_LIMIT:
-        collide_changes(body, 0.0, row, before, changes, z, kept, reasons)
+        collide_changes(body, 0.0, row, before, parameter_tangents, tangents, event_tangents, reasons)
     settled = (kind in (IMPACT, STICK, SLIP_REVERSAL, BOUNCE_LIMIT) or turned) and row["after_mode"] != FLIGHT
     if settled and kind != END_EVENT:
         if is_on_border(body, after):
-            fail_all(z, reasons, BORDER)
-        part_at_rest(body, slip_direction(row["after_mode"]), after, z, reasons)
+            fail_all(tangents, reasons, BORDER)
+        part_at_rest(body, slip_direction(row["after_mode"]), after, tangents, reasons)
 
 
 @apart
-def keep_after(row, z, kept):
-    """What all directions are just after an event; the start keeps what was given, not what becomes of it at once."""
-    for k in range(z.shape[1]):
-        if row["kind"] != START or math.isnan(z[TH, k]):
-            for i in range(CARRIED):
-                kept[i, k] = z[i, k]
+def keep_after(row, tangents, event_tangents):
+    """Record the tangents just after an event; at the start those that were given."""
+    for k in range(tangents.shape[1]):
+        if row["kind"] != START or math.isnan(tangents[TH, k]):
+            for i in range(STATE_ROWS):
+                event_tangents[i, k] = tangents[i, k]
 
 
 @apart
-def pass_apex(body, row, piece, changes, z, kept, reasons):
+def pass_apex(body, row, piece, parameter_tangents, tangents, event_tangents, reasons):
     """All directions from the begin of a flight to its apex, which is an event inside of it."""
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
-    state = follow_without_panel(body, piece, tau, changes, z)
+    state = follow_without_panel(body, piece, tau, parameter_tangents, tangents)
     state = with_velocities(state, state.vt, 0.0, state.om)
     rates = accelerations(body, FLIGHT, state, 0.0)
-    meet_row(VN, rates[2], 1e-300 + body.gn + state.om * state.om, state, rates, z, reasons)
-    keep_before(z, kept)
+    meet_row(VN, rates[2], 1e-300 + body.gn + state.om * state.om, state, rates, tangents, reasons)
+    keep_before(tangents, event_tangents)
 
 
-def replay(body, events, segments, changes, z, t_end, at_events, at_segments, reasons, failed, scratch, local):
-    """Derivatives at all events and at the begin of all pieces of a motion.
+def propagate_tangents(body, motion, parameter_tangents, tangents, solution, workspace):
+    """Fill in the derivatives at all events and at the starts of all pieces of a motion.
+
+    After a landing with e = 0 the states go on, as they change with a larger e; the events there are others.
 
     Parameters
     ----------
     body : Body
-    events, segments : ndarray of records.EVENT, records.SEGMENT
-        The motion, in kernel units like all that follows.
-    changes : ndarray, shape (PARAMETERS, directions)
+    motion : KnownMotion
+    parameter_tangents : ndarray, shape (PARAMETERS, directions)
         How the parameters change in each direction.
-    z : ndarray, shape (CARRIED, directions)
-        How the start changes; used up.
-    t_end : float
-        Duration.
-    at_events : ndarray, shape (events, KEPT, directions)
-        Filled.
-    at_segments : ndarray, shape (segments, CARRIED, directions)
-        Filled; what is there for a segment belongs to its begin.
-    reasons : ndarray of int, shape (directions,)
-        Filled with why there is no derivative from some event on, −1 where it holds for one side only, else 0. After a
-        landing with e = 0 the states go on, as they change with larger e; the events there are others.
-    failed : ndarray of int, shape (directions,)
-        Filled with the event from which on there is none.
-    scratch : records.Scratch
-    local : ndarray, shape (panels.ROWS, ORDER)
+    tangents : ndarray, shape (STATE_ROWS, directions)
+        How the start changes; overwritten.
+    solution : Solution
+    workspace : Workspace
     """
+    events, segments = motion.events, motion.segments
+    at_events, at_segments = solution.at_events, solution.at_segments
+    reasons, failed = solution.reasons, solution.failed
     done = 0
     for i in range(events.shape[0]):
         row = events[i]
-        kept = at_events[i]
+        event_tangents = at_events[i]
         if row["kind"] == APEX:
-            kept[:CARRIED] = z
-            pass_apex(body, row, segments[done], changes, kept[:CARRIED], kept, reasons)
+            event_tangents[:STATE_ROWS] = tangents
+            pass_apex(body, row, segments[done], parameter_tangents, event_tangents[:STATE_ROWS], event_tangents, reasons)
             continue
         passed = False
         goes_along = False
         while done < segments.shape[0] and is_before(segments[done]["t"], segments[done]["t_low"], row):
             piece = segments[done]
-            at_segments[done] = z
+            at_segments[done] = tangents
             if row["kind"] == JAM:
                 if piece["kind"] == LINEAR and not goes_along:
-                    go_with_jam(body, piece["sigma"], state_of(piece), state_of(row), changes, z)
+                    go_with_jam(body, piece["sigma"], state_of(piece), state_of(row), parameter_tangents, tangents)
                 goes_along = piece["kind"] == LINEAR
             strikes = piece["kind"] == SKIMMING and row["kind"] == IMPACT
             if piece["kind"] == FLY and skims_plane(body, piece["opening"], state_of(piece), length_of(piece)):
-                fail_all(z, reasons, GRAZE)
+                fail_all(tangents, reasons, GRAZE)
             if not strikes:
-                follow_piece(body, piece, changes, z, scratch, local)
+                follow_piece(body, piece, parameter_tangents, tangents, workspace)
             done += 1
             passed = True
         last = max(done - 1, 0)
-        kept[:CARRIED] = z
-        meet_event(body, row, at_segments[last], segments[last], passed, t_end, changes, z, kept, reasons)
-        keep_after(row, z, kept)
-        for k in range(z.shape[1]):
+        event_tangents[:STATE_ROWS] = tangents
+        past = Past(segments[last], passed, at_segments[last])
+        meet_event(body, row, past, motion.t_end, parameter_tangents, tangents, event_tangents, reasons)
+        keep_after(row, tangents, event_tangents)
+        for k in range(tangents.shape[1]):
             if reasons[k] > 0 and failed[k] < 0:
                 failed[k] = i
     while done < segments.shape[0]:  # of no length, at the very end
-        at_segments[done] = z
+        at_segments[done] = tangents
         done += 1

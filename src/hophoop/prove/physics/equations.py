@@ -10,7 +10,7 @@ from fractions import Fraction
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, Series, Undecided, coefficients, order, rational, sign
 from hophoop.prove.deadline import Deadline
-from hophoop.prove.varied import at_centre, count_of, over, series
+from hophoop.prove.enclosures.mean_value_form import at_centre, count_of, over, series
 
 # Parameters that may be balls instead of the scenario's numbers, in SI units.
 FREE = ("hoop.load_fraction", "plane.mu", "plane.mu_static", "plane.mu_kinetic", "plane.slope", "start.speed", "start.omega")
@@ -31,14 +31,13 @@ class State:
 
 @dataclass(frozen=True)
 class Forces:
-    """At an angle, in roll or slip: θ̈, N, F, v̇_t and, in slip, κ p_σ and −f_n."""
+    """At an angle, in roll or slip: θ̈, N, F, v̇_t and −f_n."""
 
     alpha: Series
     normal: Series
     friction: Series
     slip: Series
-    firm: Series
-    load: Series
+    free_normal: Series
 
 
 class Model:
@@ -66,7 +65,7 @@ class Model:
         self.equal_friction = problem.mu_s == problem.mu_k and not {"plane.mu_static", "plane.mu_kinetic"} & set(self.free)
         self.rest = rational(problem.rest)
         self.resist = rational(problem.resist)
-        self.rho = rational(0)  # the couple over N, in the direction that `toward` says
+        self.rho = rational(0)  # the couple over N, in the direction given to `toward`
         slope: Ball = self.free.get("plane.slope", rational(problem.slope))
         weight = 1 if problem.gravity else 0
         self.gn, self.gt = slope.cos() * weight, slope.sin() * weight
@@ -106,7 +105,7 @@ class Model:
 
     @property
     def resisted(self) -> bool:
-        """Whether there is rolling resistance."""
+        """True if there is rolling resistance."""
         return not self.resist.is_zero()
 
     def toward(self, way: int) -> Model:
@@ -182,21 +181,20 @@ class Model:
             alpha = (torque - self.rho * (self.gn - eps * c * u)) / self.divisor(s, c, 0)
         friction = alpha * (1 + eps * c) - eps * s * u - self.gt
         normal = self.gn - eps * s * alpha - eps * c * u
-        return Forces(alpha, normal, friction, s * 0, s * 0, self.gn - eps * c * u)
+        return Forces(alpha, normal, friction, s * 0, self.gn - eps * c * u)
 
     def slipping(self, s: Series, c: Series, u: Series, sigma: int) -> Forces:
         """Slip in the direction σ with θ̇² = u."""
         eps, drag = self.eps, sigma * self.mu_k
         q = self.torque(s, c, sigma)
-        firm = self.stiffness(s, c, sigma)
-        load = self.gn - eps * c * u
-        part = load / firm
+        free_normal = self.gn - eps * c * u
+        part = free_normal / self.stiffness(s, c, sigma)
         normal = self.kap * part
         slip = self.gt + eps * s * u - part * (drag * self.kap + (1 + eps * c) * q)
-        return Forces(q * part, normal, -drag * normal, slip, firm, load)
+        return Forces(q * part, normal, -drag * normal, slip, free_normal)
 
     def divisor(self, s: Series, c: Series, sigma: int) -> Series:
-        """What θ̈ is divided by: D − ρ ε sin θ in rolling, κ p_σ in slip."""
+        """The divisor of θ̈: D − ρ ε sin θ in rolling, κ p_σ in slip."""
         return self.stiffness(s, c, sigma) if sigma else self.inertia(c) - self.rho * self.eps * s
 
     def rates(self, s: Series, c: Series, sigma: int) -> tuple[Series, Series]:
@@ -254,10 +252,10 @@ class Still(Model):
     def rolling(self, s: Series, c: Series, u: Series) -> Forces:
         """Rest."""
         zero = s * 0
-        return Forces(zero, zero + self.gn, zero - self.gt, zero, zero, zero + self.gn)
+        return Forces(zero, zero + self.gn, zero - self.gt, zero, zero + self.gn)
 
     def slipping(self, s: Series, c: Series, u: Series, sigma: int) -> Forces:
         """Slip without rotation."""
         zero, drag = s * 0, sigma * self.mu_k
         normal = zero + self.gn
-        return Forces(zero, normal, -drag * normal, self.gt - drag * normal, zero + self.kap, normal)
+        return Forces(zero, normal, -drag * normal, self.gt - drag * normal, normal)

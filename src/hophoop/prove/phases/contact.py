@@ -1,4 +1,4 @@
-"""Phases of contact: rolling and slip up to their next event, piece by piece."""
+"""Phases of contact: rolling and slip up to their next event, panel by panel."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from hophoop.prove._flint import (
     sign,
     symmetric,
 )
-from hophoop.prove.carriers import STOP, Carrier, Slip, begin_at, carrier_of, disc, square_at
-from hophoop.prove.model import Model, State
-from hophoop.prove.panels import LARGEST, SHARE, SMALLEST, Panel, TurnPanel, terms_for
-from hophoop.prove.rolling import TURN, Rolling, still
-from hophoop.prove.search import Root, exact, first_root
-from hophoop.prove.varied import located, ranges
-from hophoop.prove.witness import Trail, Unrecorded, bracket
+from hophoop.prove.enclosures.mean_value_form import located, ranges
+from hophoop.prove.enclosures.roots import Root, exact, first_root
+from hophoop.prove.phases.panels import LARGEST, SHARE, SMALLEST, Panel, TurnPanel, terms_for
+from hophoop.prove.phases.phase_equations import STOP, PhaseEquations, Slip, begin_at, disc, phase_equations, square_at
+from hophoop.prove.phases.rolling import TURN, Rolling, still
+from hophoop.prove.phases.trail_recorder import Trail, Unrecorded, bracket
+from hophoop.prove.physics.equations import Model, State
 
 LIMIT, SPAN, REST = "limit", "span", "rest"
 MOST_PIECES = 20_000
@@ -34,7 +34,7 @@ MOST_PIECES = 20_000
 
 @dataclass(frozen=True)
 class Ended:
-    """What ends a phase, or a turning point in it, the state there, and what a certificate keeps of the way to it."""
+    """The end of a phase or a turning point in it: what it is, the state there, and the phase's record in the certificate."""
 
     what: str
     state: State
@@ -44,7 +44,7 @@ class Ended:
 
 @dataclass(frozen=True)
 class Limits:
-    """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter).
+    """The latest end of a motion: a time, and a revolution from an angle; None if it does not matter.
 
     Without `timed` the time that rolling takes is left out, where nothing depends on it.
     """
@@ -60,15 +60,15 @@ class Limits:
 
 @dataclass(frozen=True)
 class Found:
-    """The first event on a piece, its root, and the place as it varies over a box."""
+    """The first event on a panel, its root, and the place as it varies over a box."""
 
     what: str
     root: Root
     x: Ball
 
 
-class Phase(Protocol):
-    """What a phase needs of the run."""
+class PhaseInput(Protocol):
+    """The run's attributes that a phase reads."""
 
     model: Model
     state: State
@@ -80,7 +80,7 @@ class Phase(Protocol):
 # --- rolling -------------------------------------------------------------------------------------
 
 
-def roll(run: Phase) -> Iterator[Ended]:
+def roll(run: PhaseInput) -> Iterator[Ended]:
     """Rolling up to the event that ends it; turning points are given on the way."""
     model, state, limits, energy = run.model, run.state, run.limits, run.energy
     while True:
@@ -167,87 +167,94 @@ def _angle_at(rolling: Rolling, base: Ball, last: Ball, wanted: Ball, at_turn: b
 # --- panels --------------------------------------------------------------------------------------
 
 
-def travel(run: Phase, sigma: int) -> Iterator[Ended]:
+def travel(run: PhaseInput, sigma: int) -> Iterator[Ended]:
     """Slip, or rolling with resistance, up to the event that ends it; turning points are given on the way."""
-    state, limits = run.state, run.limits
-    model = run.model.after(state.th, state.om, sigma)
-    carrier = carrier_of(model, sigma, state)
-    zeros = [0, run.zeros] if sigma else [0] * len(carrier.names)
-    way = sign(state.om, "θ̇")
+    limits = run.limits
+    model = run.model.after(run.state.th, run.state.om, sigma)
+    phase: PhaseEquations = phase_equations(model, sigma, run.state)
+    zeros = [0, run.zeros] if sigma else [0] * len(phase.names)
+    way = sign(run.state.om, "θ̇") or sign(phase.slope(run.state.th, arb(0)), "θ̈ of the hoop at rest")
     if way == 0:
-        way = sign(carrier.slope(state.th, arb(0)), "θ̈ of the hoop at rest")
-        if way == 0:
-            yield slide(carrier, limits) if isinstance(carrier, Slip) else Ended(REST, state, {})
-            return
-        piece: Any = TurnPanel(carrier, state.th, -way)
-        piece.t = state.t
-        x, begun = arb(0), True
-    else:
-        centre = exact(state.th)
-        u, _ = square_at(carrier, state.th, state.om * state.om, centre, run.energy)
-        begin = begin_at(carrier, centre, u, way)
-        carrier = carrier_of(model, sigma, begin)
-        piece = panel(carrier, centre, way, u, begin.t)
-        turning = isinstance(piece, TurnPanel)
-        x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
-        begun = False
-    trail = Trail(carrier, state.th) if limits.timed else Unrecorded()
+        yield slide(phase, limits) if isinstance(phase, Slip) else Ended(REST, run.state, {})
+        return
+    panel, x = _first_panel(run, phase, way)
+    phase = panel.phase
+    trail = Trail(phase, run.state.th) if limits.timed else Unrecorded()
+    turned = bool(run.state.om.is_zero())  # the turning point of the panel is behind
     for _ in range(MOST_PIECES):
-        if isinstance(piece, TurnPanel):
-            if not begun:
-                root = search(piece, zeros, x.lower(), arb(0), limits)
-                trail.turn(piece)
-                if root is not None:
-                    yield ended(piece, root, trail)
+        if isinstance(panel, TurnPanel):
+            if not turned:
+                found = search(panel, zeros, x.lower(), arb(0), limits)
+                trail.turn(panel)
+                if found is not None:
+                    yield ended(panel, found, trail)
                     return
-                last_turn = limits.origin is not None or carrier.ends_at_turn
-                found = trail.record(TURN, None) if last_turn else {}
-                yield Ended(TURN, replace(piece.state(arb(0)), om=arb(0)), found)
+                last_turn = limits.origin is not None or phase.ends_at_turn
+                record = trail.record(TURN, None) if last_turn else {}
+                yield Ended(TURN, replace(panel.state(arb(0)), om=arb(0)), record)
                 if last_turn:
                     return
-                zeros, x, way = [-1, -1], arb(0), -way
+                zeros, way = [-1, -1], -way
             else:
-                trail.turn(piece)
-            root = search(piece, zeros, arb(0), exact(piece.reach.sqrt().lower() * 15 / 16), limits)
-            last = arb(float(piece.reach.sqrt().lower() * 7 / 8))
-            if root is not None:
-                yield ended(piece, root, trail)
-                return
-            trail.leave(last)
-            centre = exact(piece.angle(last))
-            w = (way * (centre - piece.turn)).sqrt()
-            u, t = w * w * piece.over(w), piece.time(w)
+                trail.turn(panel)
+            found = search(panel, zeros, arb(0), exact(panel.reach.sqrt().lower() * 15 / 16), limits)
         else:
-            root = search(piece, zeros, x.lower(), piece.reach, limits)
-            trail.panel(piece)
-            if root is not None:
-                yield ended(piece, root, trail)
-                return
-            centre = exact(piece.angle(piece.reach))
-            x = way * (centre - piece.centre)
-            u, t = piece.square(x), piece.time(x)
-        zeros, begun, x = [-1, -1], False, arb(0)
-        piece = panel(carrier, centre, way, u, t)
-        if isinstance(piece, TurnPanel):
-            x = -(way * (piece.turn - centre)).sqrt()
+            found = search(panel, zeros, x.lower(), panel.reach, limits)
+            trail.panel(panel)
+        if found is not None:
+            yield ended(panel, found, trail)
+            return
+        centre, u, t = _end_of(panel, way, trail)
+        zeros, turned = [-1, -1], False
+        panel = panel_at(phase, centre, way, u, t)
+        x = -(way * (panel.turn - centre)).sqrt() if isinstance(panel, TurnPanel) else arb(0)
     raise Undecided(f"a phase takes more than {MOST_PIECES} panels")
 
 
-def panel(carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
+def _first_panel(run: PhaseInput, phase: PhaseEquations, way: int) -> tuple[Panel | TurnPanel, Ball]:
+    """(the panel that a phase begins on, its variable there)."""
+    state = run.state
+    panel: Panel | TurnPanel
+    if state.om.is_zero():
+        panel = TurnPanel(phase, state.th, -way)
+        panel.t = state.t
+        return panel, arb(0)
+    centre = exact(state.th)
+    u, _ = square_at(phase, state.th, state.om * state.om, centre, run.energy)
+    begin = begin_at(phase, centre, u, way)
+    panel = panel_at(phase_equations(phase.model, phase.sigma, begin), centre, way, u, begin.t)
+    x = -(way * (panel.turn - state.th)).sqrt() if isinstance(panel, TurnPanel) else way * (state.th - centre)
+    return panel, x
+
+
+def _end_of(panel: Panel | TurnPanel, way: int, trail: Trail | Unrecorded) -> tuple[Ball, Ball, Ball]:
+    """(exact angle, θ̇², t) where the next panel begins."""
+    if isinstance(panel, TurnPanel):
+        last = arb(float(panel.reach.sqrt().lower() * 7 / 8))
+        trail.leave(last)
+        centre = exact(panel.angle(last))
+        w = (way * (centre - panel.turn)).sqrt()
+        return centre, w * w * panel.over(w), panel.time(w)
+    centre = exact(panel.angle(panel.reach))
+    x = way * (centre - panel.centre)
+    return centre, panel.square(x), panel.time(x)
+
+
+def panel_at(phase: PhaseEquations, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
     """The panel that begins at an exact angle: one about a turning point where that is near."""
-    slope = way * carrier.slope(centre, u)
+    slope = way * phase.slope(centre, u)
     if slope < 0 and u / -slope < LARGEST / SHARE:
-        found = turn_ahead(carrier, centre, way, u)
+        found = turn_ahead(phase, centre, way, u)
         if found is not None:
             found.t = t - (found.time(-(way * (found.turn - centre)).sqrt()) - found.t)
             return found
-    return Panel(carrier, centre, way, u, t)
+    return Panel(phase, centre, way, u, t)
 
 
-def turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
+def turn_ahead(phase: PhaseEquations, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
     """A panel about the turning point ahead, None where it does not reach back to the centre."""
     radius = arb(LARGEST)
-    while (found := disc(carrier, centre, radius)) is None or not found.grow * radius < 1:
+    while (found := disc(phase, centre, radius)) is None or not found.grow * radius < 1:
         radius = radius / 2
         if radius < SMALLEST:
             raise Undecided("slip comes too close to p_σ = 0")
@@ -256,41 +263,41 @@ def turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel |
     most = (abs(u).abs_upper() + radius * found.push) * (found.grow * radius).exp()
     rest = symmetric(most * ratio**terms / (1 - ratio))
     with order(terms):
-        squares = coefficients(carrier.square(centre, u, way, terms), terms)
+        squares = coefficients(phase.square(centre, u, way, terms), terms)
 
     def evaluate(x: Ball, wanted: int) -> list[Jet]:
         value = polynomial(squares, x) + rest
-        return [[value, way * carrier.slope(centre + way * x, value)][:wanted]]
+        return [[value, way * phase.slope(centre + way * x, value)][:wanted]]
 
     try:
         root = first_root(evaluate, [0], arb(0), exact(radius / SHARE))
         if root is None:
             return None
-        panel = TurnPanel(carrier, centre + way * root.x, way)
+        panel = TurnPanel(phase, centre + way * root.x, way)
     except Undecided:  # not yet: from nearer by it may
         return None
     return panel if root.x < panel.reach else None
 
 
 def search(
-    piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits, begun: bool = False
+    panel: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits, begun: bool = False
 ) -> Found | None:
-    """(what, where) of the first event on a piece."""
-    names, known = piece.carrier.names, list(zeros)
+    """(what, where) of the first event on a panel."""
+    names, known = panel.phase.names, list(zeros)
     if limits.t_end is not None:
         names, known = [*names, LIMIT], [*known, 0]
     if limits.origin is not None:
         names, known = [*names, SPAN], [*known, 0]
 
     def evaluate(x: Ball, terms: int) -> list[Jet]:
-        piece.carrier.model.deadline.ask()
-        found = piece.watch(x, terms)
+        panel.phase.model.deadline.ask()
+        found = panel.watch(x, terms)
         if limits.t_end is not None:
-            found.append([limits.t_end - piece.time(x), -piece.slowness(x)][:terms])
+            found.append([limits.t_end - panel.time(x), -panel.slowness(x)][:terms])
         if limits.origin is not None:
-            way = piece.way_at(x)
-            left = limits.left(piece.angle(x), way)
-            left_jet = [left, -way * piece.angle_rate(x)]
+            way = panel.way_at(x)
+            left = limits.left(panel.angle(x), way)
+            left_jet = [left, -way * panel.angle_rate(x)]
             found.append(left_jet[:terms] + [arb(0)] * (terms - 2))  # more than two are asked for in panels alone
         return found
 
@@ -299,23 +306,23 @@ def search(
 
     if not begin < end:
         return None
-    wide = piece.carrier.model.varying > 0
+    wide = panel.phase.model.varying > 0
     root = first_root(values, known, exact(begin), exact(end), exact((end - begin) / 2), wide, begun)
     return None if root is None else Found(names[root.index], root, located(evaluate, root))
 
 
-def ended(piece: Panel | TurnPanel, found: Found, trail: Trail | Unrecorded) -> Ended:
+def ended(panel: Panel | TurnPanel, found: Found, trail: Trail | Unrecorded) -> Ended:
     what, x = found.what, found.x
     energy = None
-    if what == STOP and isinstance(piece, Panel) and not piece.carrier.ends_at_turn:
-        energy = piece.energy(x)
-    return Ended(what, piece.state(x, what == STOP), trail.record(what, found.root), energy)
+    if what == STOP and isinstance(panel, Panel) and not panel.phase.ends_at_turn:
+        energy = panel.energy(x)
+    return Ended(what, panel.state(x, what == STOP), trail.record(what, found.root), energy)
 
 
-def slide(carrier: Slip, limits: Limits) -> Ended:
+def slide(phase: Slip, limits: Limits) -> Ended:
     """Slip at a constant angle."""
-    begin, steady, still = carrier.begin, carrier.steady, carrier.begin.vt.is_zero()
-    way = sign(steady, "v̇_t") * carrier.sigma
+    begin, steady, still = phase.begin, phase.steady, phase.begin.vt.is_zero()
+    way = sign(steady, "v̇_t") * phase.sigma
     ends = way < 0 and not still  # slip that begins gets faster
     if limits.t_end is None:
         if not ends:
@@ -329,7 +336,7 @@ def slide(carrier: Slip, limits: Limits) -> Ended:
     vt = arb(0) if stops else begin.vt + steady * tau
     state = replace(begin, t=begin.t + tau if stops or limits.t_end is None else limits.t_end, x=x, vt=vt)
     what = STOP if stops else LIMIT
-    return Ended(what, state, {"mode": "RKS"[carrier.sigma], "what": what, "slides": True})
+    return Ended(what, state, {"mode": "RKS"[phase.sigma], "what": what, "slides": True})
 
 
 def _before(a: Ball, b: Ball) -> bool:

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, order, series, sign
 from hophoop.prove.deadline import Deadline
-from hophoop.prove.model import Forces, Model, State
-from hophoop.prove.search import exact, first_root
-from hophoop.prove.varied import common, located, ranges
+from hophoop.prove.enclosures.mean_value_form import common, located, ranges
+from hophoop.prove.enclosures.roots import exact, first_root
+from hophoop.prove.physics.equations import Forces, Model, State
 
 AHEAD, BACK, OPEN, TURN, SPAN = "ahead", "back", "open", "turn", "span"
 FIRST_STEP = 0.15
@@ -18,7 +18,7 @@ FIRST_STEP = 0.15
 
 @dataclass(frozen=True)
 class Rolled:
-    """How a piece of rolling ends: at an event, or without one at the end of the angle that was looked at."""
+    """The end of a piece of rolling: an event, or the end of the searched angle without one."""
 
     what: str | None
     th: Ball
@@ -38,7 +38,7 @@ class Rolling:
     at_turn : bool
         Whether θ̇ = 0 at the state.
     energy : Ball, optional
-        E, where more is known of it than the state tells.
+        E, if it is known more narrowly than from the state.
     """
 
     def __init__(self, model: Model, state: State, way: int, at_turn: bool, energy: Ball | None = None) -> None:

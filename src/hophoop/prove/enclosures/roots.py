@@ -11,14 +11,14 @@ from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, intersection
 Evaluate = Callable[[Ball, int], Sequence[Jet]]
 
 
-LEAST_WIDE = 11  # bits: what is not told on so short an interval of a box is told in none
+LEAST_WIDE = 11  # bits: a shorter interval of a box would not decide either
 LONGER = 4  # times an interval is doubled
 ORDER = 5  # of Taylor's theorem, where the mean value theorem leaves an interval open
-SMEARED = [-1]  # a root may lie on both sides of the end of an interval
+SPREAD = [-1]  # a root may lie on both sides of the end of an interval
 
 
 class Close(Undecided):
-    """A root could not be told; `at` is how far there is none.
+    """A root could not be decided; there is none up to `at`.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def first_root(
     step : Ball, optional
         First width that is tried.
     wide : bool, optional
-        Whether a root may be smeared, by a box of parameters, over much of what is looked at: second derivatives then tell
+        True if a box of parameters may spread a root over much of the interval: second derivatives then tell
         the signs of slopes on wider intervals, and what grows from a zero is known to be positive as long as it does so.
     begun : bool, optional
         Whether the zeros were further back.
@@ -86,12 +86,12 @@ def first_root(
             to = end
         try:
             verdict = _judge(evaluate, known, at, to, wide, begun)
-            if verdict is SMEARED and looked is not at:
+            if verdict is SPREAD and looked is not at:
                 looked = at
                 verdict, to = _longer(evaluate, known, at, to, end, begun)
         except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
             verdict = None
-        if verdict is None or verdict is SMEARED:
+        if verdict is None or verdict is SPREAD:
             width = exact((to - at) / 2)
             if not width > least:
                 raise Close(at)
@@ -107,16 +107,16 @@ def first_root(
 def _longer(
     evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, end: Ball, begun: bool
 ) -> tuple[list[int] | None, Ball]:
-    """The same on longer intervals, in which all of a smeared root may lie."""
+    """The same on longer intervals, which may hold all of a spread root."""
     further = to
     for _ in range(LONGER):
         further = exact(at + 2 * (further - at))
         if not further < end:
             further = end
         verdict = _judge(evaluate, known, at, further, True, begun)
-        if verdict is not SMEARED or not further < end:
+        if verdict is not SPREAD or not further < end:
             break
-    return (verdict, further) if verdict and verdict is not SMEARED else (None, to)
+    return (verdict, further) if verdict and verdict is not SPREAD else (None, to)
 
 
 def _expanded(evaluate: Evaluate, k: int, whole: Ball, most: int = ORDER) -> tuple[Ball, Ball]:
@@ -135,7 +135,7 @@ def _expanded(evaluate: Evaluate, k: int, whole: Ball, most: int = ORDER) -> tup
 
 
 def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, wide: bool, begun: bool) -> list[int] | None:
-    """Indices of the functions with a root in (at, to]; None where that cannot be told, SMEARED where further on it may be.
+    """Indices of the functions with a root in (at, to]; None if undecided, SPREAD if it may be decided further on.
 
     `known` is −1 where the function is already shown to be positive at `at`.
     """
@@ -178,7 +178,7 @@ def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, wide: b
         if last[k][0] > 0:
             continue
         if not last[k][0] < 0:
-            return SMEARED if wide else None
+            return SPREAD if wide else None
         roots.append(k)
     return roots
 

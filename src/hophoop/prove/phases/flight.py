@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import partial
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
-from hophoop.prove.model import Model, State
-from hophoop.prove.search import Root, exact, first_root
+from hophoop.prove.enclosures.roots import Root, exact, first_root
+from hophoop.prove.physics.equations import Model, State
 
 
 @dataclass(frozen=True)
@@ -55,12 +55,12 @@ class Flight:
         return State(begin.t + tau, x, y, th, vt, vn, begin.om)
 
     def hovers(self) -> bool:
-        """Whether the rim stays on the plane without force."""
+        """Return True if the rim stays on the plane without force."""
         bare = self.begin.y.is_zero() and self.begin.vn.is_zero() and self.model.gn.is_zero()
         return bool(bare and (self.begin.om.is_zero() or self.model.eps.is_zero()))
 
     def skims(self) -> bool:
-        """Whether the gap never falls below zero, though it may touch it: without gravity, G at a constant height."""
+        """Return True if the gap never falls below zero, though it may touch it: without gravity, G at a constant height."""
         model, begin = self.model, self.begin
         s, c = begin.th.sin_cos()
         rise, least = begin.vn - model.eps * begin.om * s, begin.y + model.eps * (c - 1)

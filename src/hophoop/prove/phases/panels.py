@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from hophoop.prove import _flint, varied
+from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, polynomial, series, symmetric
-from hophoop.prove.carriers import Carrier, Disc, disc
-from hophoop.prove.model import State
-from hophoop.prove.search import exact
-from hophoop.prove.varied import Varied, common, derivatives, moving
+from hophoop.prove.enclosures import mean_value_form
+from hophoop.prove.enclosures.mean_value_form import Varied, common, derivatives, moving
+from hophoop.prove.enclosures.roots import exact
+from hophoop.prove.phases.phase_equations import Disc, PhaseEquations, disc
+from hophoop.prove.physics.equations import State
 
 LARGEST = 0.5  # rad, of a disc
 SMALLEST = 1e-9  # a smaller disc means p_σ → 0 or an endless approach
@@ -25,7 +26,7 @@ class Panel:
 
     Parameters
     ----------
-    carrier : Carrier
+    phase : PhaseEquations
     centre : Ball
         Exact angle.
     way : int
@@ -33,13 +34,13 @@ class Panel:
         θ̇² and the time at the centre.
     """
 
-    def __init__(self, carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> None:
-        self.carrier, self.centre, self.way = carrier, centre, way
+    def __init__(self, phase: PhaseEquations, centre: Ball, way: int, u: Ball, t: Ball) -> None:
+        self.phase, self.centre, self.way = phase, centre, way
         self.t = t
-        terms = terms_for(bits()) * (2 if carrier.model.varying else 1)
+        terms = terms_for(bits()) * (2 if phase.model.varying else 1)
         radius = arb(LARGEST)
         while True:
-            found = disc(carrier, centre, radius)
+            found = disc(phase, centre, radius)
             if found is not None:
                 grown = (found.grow * radius).exp()
                 moved = (grown - 1) * u.abs_upper() + radius * found.push * grown
@@ -49,12 +50,12 @@ class Panel:
             if radius < SMALLEST:
                 raise Undecided(
                     "slip comes too close to p_σ = 0 or to θ̇ = 0"
-                    if carrier.sigma
+                    if phase.sigma
                     else "rolling comes too close to an equilibrium"
                 )
         least = u.abs_lower() - moved
         # a box of parameters smears an event: its panels hold farther than they are gone along, with fewer bits a term
-        boxed = carrier.model.varying > 0
+        boxed = phase.model.varying > 0
         self.radius, self.reach = radius, exact(radius * (WIDE_STEP if boxed else arb(1) / SHARE))
         ratio = arb(WIDE_REACH) if boxed else arb(1) / SHARE
         self.farthest = exact(radius * ratio)
@@ -69,21 +70,21 @@ class Panel:
         self.rest_u = _rest(most * tail, [one * tail for one in drives])
         self.rest_t = _rest(radius * slow * tail, [radius * slow / least * one / 2 * tail for one in drives])
         with order(terms):
-            squares = carrier.square(centre, u, way, terms)
+            squares = phase.square(centre, u, way, terms)
             self.u_terms = coefficients(squares, terms)
             self.t_terms = coefficients(squares.rsqrt().integral(), terms)
-        self.u_of, self.t_of = varied.polynomial(self.u_terms), varied.polynomial(self.t_terms)
+        self.u_of, self.t_of = mean_value_form.polynomial(self.u_terms), mean_value_form.polynomial(self.t_terms)
 
     def square(self, x: Ball) -> Ball:
         """u; on an interval by the mean value theorem."""
-        return moving(self._square, x, lambda at: self.way * self.carrier.slope(self.angle(at), self._square(at)))
+        return moving(self._square, x, lambda at: self.way * self.phase.slope(self.angle(at), self._square(at)))
 
     def _square(self, x: Ball) -> Ball:
         rough = self.u_of(x) + self.rest_u
         if x.is_exact():
             return rough
         middle = exact(x)
-        slope = self.way * self.carrier.slope(self.angle(x), rough)
+        slope = self.way * self.phase.slope(self.angle(x), rough)
         return common(self.u_of(middle) + self.rest_u + slope * (x - middle), rough)
 
     def angle(self, x: Ball) -> Ball:
@@ -107,7 +108,7 @@ class Panel:
 
     def state(self, x: Ball, stops: bool = False) -> State:
         """The state at x."""
-        return self.carrier.state(self.time(x), self.angle(x), self.spin(x), stops)
+        return self.phase.state(self.time(x), self.angle(x), self.spin(x), stops)
 
     def slowness(self, x: Ball) -> Ball:
         """dt/dx."""
@@ -126,8 +127,8 @@ class Panel:
         return moving(self._energy, x, self._power)
 
     def _energy(self, x: Ball) -> Ball:
-        model, middle = self.carrier.model, exact(x)
-        th, om, vt = self.angle(middle), self.spin(middle), self.carrier.slides(self, middle)
+        model, middle = self.phase.model, exact(x)
+        th, om, vt = self.angle(middle), self.spin(middle), self.phase.slides(self, middle)
         s, c = th.sin_cos()
         moving_along = vt * (om * (1 + model.eps * c) + vt / 2)
         found = model.inertia(c) * om * om / 2 + moving_along + model.height(th, s, c)
@@ -136,11 +137,11 @@ class Panel:
     def _power(self, x: Ball) -> Ball:
         """Of friction, over the rate of x."""
         u = self.square(x)
-        return self.carrier.forces(self.angle(x), u).friction * self.carrier.slides(self, x) * u.rsqrt()
+        return self.phase.forces(self.angle(x), u).friction * self.phase.slides(self, x) * u.rsqrt()
 
     def watch(self, x: Ball, terms: int) -> list[Jet]:
         """What must stay positive, as series in x."""
-        return self.carrier.along(self, x, terms)
+        return self.phase.along(self, x, terms)
 
 
 def _rest(bound: Ball, by: list[Ball]) -> Ball:
@@ -154,20 +155,20 @@ class TurnPanel:
 
     Parameters
     ----------
-    carrier : Carrier
+    phase : PhaseEquations
     turn : Ball
         θ*.
     way : int
         Direction of rotation before it.
     """
 
-    def __init__(self, carrier: Carrier, turn: Ball, way: int) -> None:
-        self.carrier, self.turn, self.way = carrier, turn, way
+    def __init__(self, phase: PhaseEquations, turn: Ball, way: int) -> None:
+        self.phase, self.turn, self.way = phase, turn, way
         self.t = arb(0)
         terms = terms_for(bits())
         radius = arb(LARGEST)
         while True:
-            found = disc(carrier, turn, radius)
+            found = disc(phase, turn, radius)
             if found is not None and self._bounded(found):
                 break
             radius = radius * 5 / 8
@@ -177,7 +178,7 @@ class TurnPanel:
         ratio = arb(1) / SHARE
         tail = ratio**terms / (1 - ratio)
         with order(terms + 1):
-            squares = coefficients(carrier.square(turn, arb(0), -way, terms + 1), terms + 1)
+            squares = coefficients(phase.square(turn, arb(0), -way, terms + 1), terms + 1)
         with order(terms):
             over = series(squares[1:])
             self.g_terms = coefficients(over, terms)
@@ -188,12 +189,12 @@ class TurnPanel:
 
     def _bounded(self, found: Disc) -> bool:
         """u(s)/s is a mean of du/ds, whose box on the disc must stay to the right of zero."""
-        model = self.carrier.model
+        model = self.phase.model
         grown = (found.grow * found.radius).exp()
         most = found.radius * found.push * grown
         s, c = found.angle.sin_cos()
         box = _flint.acb(symmetric(most), symmetric(most))
-        slope = -2 * self.way * _flint.acb(model.forces(s, c, box, self.carrier.sigma).alpha)
+        slope = -2 * self.way * _flint.acb(model.forces(s, c, box, self.phase.sigma).alpha)
         self.least, self.most = slope.real.lower(), abs(slope).abs_upper()
         return bool(self.least > 0)
 
@@ -223,7 +224,7 @@ class TurnPanel:
 
     def state(self, w: Ball, stops: bool = False) -> State:
         """The state at w."""
-        return self.carrier.state(self.time(w), self.angle(w), self.spin(w), stops)
+        return self.phase.state(self.time(w), self.angle(w), self.spin(w), stops)
 
     def slowness(self, w: Ball) -> Ball:
         """dt/dw."""
@@ -239,4 +240,4 @@ class TurnPanel:
 
     def watch(self, w: Ball, terms: int) -> list[Jet]:
         """What must stay positive, with its slopes in w."""
-        return self.carrier.about(self, w, terms)
+        return self.phase.about(self, w, terms)

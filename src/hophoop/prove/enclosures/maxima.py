@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits
-from hophoop.prove.search import exact, refined
+from hophoop.prove.enclosures.roots import exact, refined
 
 Function = Callable[[Ball, int], Jet]  # (x, terms) → Taylor coefficients, valid on the ball x
 PARTS = 64
@@ -32,7 +32,7 @@ def highest(function: Function, low: Ball, high: Ball) -> Highest:
     Raises
     ------
     Undecided
-        Where a top is too flat to be told.
+        If a maximum is too flat to be located.
     """
     width = (high - low) / PARTS
     marks = [low, *(exact(low + width * k) for k in range(1, PARTS)), high]

@@ -1,4 +1,4 @@
-"""Pieces of a phase that a certificate names: their polynomials, put into the equations, leave so little over.
+"""Panels of a phase that a certificate names: their polynomials satisfy the equations up to a small residual.
 
 With u' = b − a u and a polynomial U for which Π U' − … is at most η Π in size, abs(u − U) grows from what it is at the
 begin by at most e^(αL) L η on a way L (Grönwall).
@@ -12,7 +12,7 @@ from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, polynomial, series, symmetric
 from hophoop.prove.checker.equations import Equations
 from hophoop.prove.checker.intervals import require
-from hophoop.prove.checker.kept import Kept, Rolled
+from hophoop.prove.checker.phase_equations import Roll, Slip
 
 
 def poly(text: str, reach: Ball, bits: int) -> list[Ball]:
@@ -32,11 +32,11 @@ def largest(values: list[Ball], reach: Ball) -> Ball:
     return polynomial([abs(value).abs_upper() for value in values], reach).abs_upper()
 
 
-class Piece:
+class Panel:
     """θ̇² = U ± e and t = T ± … on a stretch about a centre; `way` is the direction of growing x."""
 
-    def __init__(self, kept: Kept | Rolled, record: dict[str, Any], way: int, bits: int) -> None:
-        self.kept, self.way = kept, way
+    def __init__(self, phase: Slip | Roll, record: dict[str, Any], way: int, bits: int) -> None:
+        self.phase, self.way = phase, way
         self.centre, self.reach = number(record["centre"]), number(record["reach"])
         self.value_terms = poly(record["u"], self.reach, bits)
         self.time_terms = poly(record["t"], self.reach, bits) if record.get("t") else None
@@ -46,8 +46,8 @@ class Piece:
         return self.centre + self.way * x
 
     def starts(self, th: Ball, u: Ball, t: Ball, end: Ball) -> None:
-        """Bound the errors on the way from an angle to another, from what is left over of the equations."""
-        model, sigma, reach = self.kept.equations, self.kept.sigma, self.reach
+        """Bound the errors on the way from an angle to another, from the residual of the equations."""
+        model, sigma, reach = self.phase.equations, self.phase.sigma, self.reach
         x = self.way * (th - self.centre)
         length = (end - x).abs_upper()
         require(bool(abs(x).abs_upper() <= reach) and bool(abs(end).abs_upper() <= reach), "a panel reaches far enough")
@@ -84,7 +84,7 @@ class Piece:
             return rough
         middle = x.mid()
         s, c = self.angle(x).sin_cos()
-        slope = 2 * self.way * self.kept.equations.contact(s, c, rough, self.kept.sigma).alpha
+        slope = 2 * self.way * self.phase.equations.contact(s, c, rough, self.phase.sigma).alpha
         better = polynomial(self.value_terms, middle) + self.error_u + slope * (x - middle)
         return rough.intersection(better)
 
@@ -101,27 +101,27 @@ class Piece:
 
     def watch(self, x: Ball, terms: int) -> list[Jet]:
         """What must stay positive, as series in x."""
-        return self.kept.along(self, x, terms)
+        return self.phase.along(self, x, terms)
 
     def limits(self, x: Ball, t_end: Ball) -> Jet:
-        """What is left of the time."""
+        """The time that remains."""
         return [t_end - self.time(x), -self.square(x).rsqrt()]
 
 
-class Turn(Piece):
+class TurnPanel(Panel):
     """About a turning point: θ = θ* − way w², θ̇² = w² G(w²), t = t* + w H(w²); polynomials in s = w²."""
 
-    def __init__(self, kept: Kept | Rolled, record: dict[str, Any], way: int, bits: int, turn: Ball) -> None:
-        self.kept, self.way, self.centre = kept, way, turn
+    def __init__(self, phase: Slip | Roll, record: dict[str, Any], way: int, bits: int, turn: Ball) -> None:
+        self.phase, self.way, self.centre = phase, way, turn
         self.reach = number(record["reach"])  # of s
         self.value_terms, self.time_terms = (poly(record[name], self.reach, bits) for name in ("g", "h"))
-        flint, model, sigma = _flint, kept.equations, kept.sigma
+        flint, model, sigma = _flint, phase.equations, phase.sigma
         ratio = flint.arb_poly(self.value_terms)
         along = flint.arb_poly([0, 1])
         value = along * ratio
-        left, firm = left_over(model, sigma, turn, -way, self.reach, value, value.derivative())
+        left, divisor = left_over(model, sigma, turn, -way, self.reach, value, value.derivative())
         grown = growth(model, sigma, turn, -way, arb(0).union(self.reach)).exp()
-        self.error_g = symmetric(left / firm.abs_lower() * grown)
+        self.error_g = symmetric(left / divisor.abs_lower() * grown)
         timing = flint.arb_poly(self.time_terms)
         slow = timing + 2 * along * timing.derivative()
         rest = largest(coefficients_of(slow * slow * ratio - 4), self.reach)
@@ -159,10 +159,10 @@ class Turn(Piece):
 
     def watch(self, w: Ball, terms: int) -> list[Jet]:
         """What must stay positive, with its slopes in w."""
-        return self.kept.about(self, w, terms)
+        return self.phase.about(self, w, terms)
 
     def limits(self, w: Ball, t_end: Ball) -> Jet:
-        """What is left of the time."""
+        """The time that remains."""
         return [t_end - self.time(w), -2 * self.over(w).rsqrt()]
 
 
@@ -186,8 +186,8 @@ def growth(model: Equations, sigma: int, centre: Ball, way: int, whole: Ball) ->
     total, stretch = arb(0), parts(whole)
     for part in stretch:
         s, c = (centre + way * part).sin_cos()
-        firm, grow, _ = model.linear(s, c, sigma)
-        total += (2 * way * grow / firm).upper().max(arb(0))
+        divisor, grow, _ = model.linear(s, c, sigma)
+        total += (2 * way * grow / divisor).upper().max(arb(0))
     width = (whole.upper() - whole.lower()) / len(stretch)
     return (total * width).upper()
 
@@ -200,8 +200,8 @@ def left_over(model: Equations, sigma: int, centre: Ball, way: int, reach: Ball,
     with order(terms):
         sine, cosine = (coefficients(one, terms) for one in series([centre, way]).sin_cos())
     sine[0], cosine[0] = sine[0] + symmetric(tail), cosine[0] + symmetric(tail)
-    firm, grow, push = model.linear(flint.arb_poly(sine), flint.arb_poly(cosine), sigma)
-    left = firm * rate - (grow * value + push) * (2 * way)
+    divisor, grow, push = model.linear(flint.arb_poly(sine), flint.arb_poly(cosine), sigma)
+    left = divisor * rate - (grow * value + push) * (2 * way)
     sine_all, cosine_all = (centre + symmetric(reach)).sin_cos()
     stiff = model.linear(sine_all, cosine_all, sigma)[0]
     require(bool(stiff > 0), "what θ̈ is divided by stays positive")

@@ -1,4 +1,4 @@
-"""What is carried along a phase of contact: a linear equation of θ̇² over θ, and what follows from it.
+"""The equations of one phase of contact: a linear one of θ̇² over θ, and what follows from it.
 
 In slip du/dθ = 2 q (g cos β − ε cos θ u)/(κ p_σ) for u = θ̇², in rolling with resistance it is as linear; the time is
 ∫ dθ/√u.
@@ -23,16 +23,16 @@ from hophoop.prove._flint import (
     order,
     symmetric,
 )
-from hophoop.prove.model import Forces, Model, State
-from hophoop.prove.search import exact
-from hophoop.prove.varied import at_centre, derivatives, over, series
+from hophoop.prove.enclosures.mean_value_form import at_centre, derivatives, over, series
+from hophoop.prove.enclosures.roots import exact
+from hophoop.prove.physics.equations import Forces, Model, State
 
 LIFT, STOP = "lift", "stop"
 AHEAD, BACK, OPEN = "ahead", "back", "open"
 
 
 class Place(Protocol):
-    """A piece of a phase, as far as its carrier has to know it: functions of its own variable."""
+    """What the equations read of a panel: functions of its own variable."""
 
     way: int
 
@@ -50,7 +50,7 @@ class Place(Protocol):
 
 
 @dataclass(frozen=True)
-class Carrier(ABC):
+class PhaseEquations(ABC):
     """A phase of contact: its equations for the direction in which the hoop turns, σ, and the state it began in."""
 
     model: Model
@@ -64,16 +64,16 @@ class Carrier(ABC):
 
     @property
     def ends_at_turn(self) -> bool:
-        """Whether the equations are others after a turning point."""
+        """True if the equations change at a turning point."""
         return self.model.resisted
 
-    def plain(self) -> Carrier:
+    def plain(self) -> PhaseEquations:
         """The same as balls, which do not keep how they depend on the parameters of a box."""
-        return carrier_of(self.model.plain(), self.sigma, _each(self.begin, over))
+        return phase_equations(self.model.plain(), self.sigma, _each(self.begin, over))
 
-    def central(self) -> Carrier:
+    def central(self) -> PhaseEquations:
         """At the centre of a box."""
-        return carrier_of(self.model.central(), self.sigma, _each(self.begin, at_centre))
+        return phase_equations(self.model.central(), self.sigma, _each(self.begin, at_centre))
 
     def forces(self, th: Ball, u: Ball) -> Forces:
         """Forces at an angle."""
@@ -102,21 +102,21 @@ class Carrier(ABC):
         """The state at a time and angle."""
 
     @abstractmethod
-    def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
+    def along(self, panel: Place, x: Ball, terms: int) -> list[Jet]:
         """What must stay positive, as series in x, where x is an angle."""
 
     @abstractmethod
-    def about(self, piece: Place, w: Ball, terms: int) -> list[Jet]:
+    def about(self, panel: Place, w: Ball, terms: int) -> list[Jet]:
         """The same with slopes in w, where θ = θ* − way w²."""
 
-    def slides(self, piece: Place, x: Ball) -> Ball:
+    def slides(self, panel: Place, x: Ball) -> Ball:
         """v_t, where x is an angle."""
-        return self.sigma * self.along(piece, x, 1)[1][0] if self.sigma else arb(0)
+        return self.sigma * self.along(panel, x, 1)[1][0] if self.sigma else arb(0)
 
 
 @dataclass(frozen=True)
-class Slip(Carrier):
-    """A slip phase, which keeps v_t + θ̇ (1 + ε cos θ − σ μ ε sin θ) but for gravity."""
+class Slip(PhaseEquations):
+    """A slip phase, in which gravity alone changes v_t + θ̇ (1 + ε cos θ − σ μ ε sin θ)."""
 
     kept: Ball
 
@@ -133,7 +133,7 @@ class Slip(Carrier):
 
     @property
     def steady(self) -> Ball:
-        """How fast gravity changes what is kept."""
+        """The rate at which gravity changes `kept`."""
         return self.model.gt - self.sigma * self.model.mu_k * self.model.gn
 
     def velocity(self, t: Ball, th: Ball, om: Ball) -> Ball:
@@ -152,39 +152,39 @@ class Slip(Carrier):
         vt = arb(0) if stops else self.sigma * self.velocity(t, th, om)
         return State(t, x, arb(0), th, vt, arb(0), om)
 
-    def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
+    def along(self, panel: Place, x: Ball, terms: int) -> list[Jet]:
         """(−f_n, σ v_t): N → 0, and the end of slip."""
-        model, way = self.model, piece.way
-        th, u = piece.angle(x), piece.square(x)
+        model, way = self.model, panel.way
+        th, u = panel.angle(x), panel.square(x)
         middle = exact(x)
-        here = self.velocity(piece.time(middle), piece.angle(middle), piece.spin(middle))
+        here = self.velocity(panel.time(middle), panel.angle(middle), panel.spin(middle))
         with order(terms):
             z = series([th, way])
             s, c = z.sin_cos()
             squares = self.square(th, u, way, terms) if terms > 1 else series([u])
-            load = coefficients(series([0]) + (model.gn - model.eps * c * squares), terms)
+            free_normal = coefficients(series([0]) + (model.gn - model.eps * c * squares), terms)
             rate = coefficients(self.sigma * model.slipping(s, c, squares, self.sigma).slip * squares.rsqrt(), terms)
         velocity = [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]
-        return [load, velocity]
+        return [free_normal, velocity]
 
-    def about(self, piece: Any, w: Ball, terms: int) -> list[Jet]:
+    def about(self, panel: Any, w: Ball, terms: int) -> list[Jet]:
         """(−f_n, σ v_t) with their slopes in w."""
         model = self.model
         if terms > 2:
             raise Undecided("slip begins with θ̇ = 0 and no acceleration")
         middle = exact(w)
-        here = self.velocity(piece.time(middle), piece.angle(middle), piece.spin(middle))
-        th, over = piece.angle(w), piece.over(w)
+        here = self.velocity(panel.time(middle), panel.angle(middle), panel.spin(middle))
+        th, over = panel.angle(w), panel.over(w)
         u = w * w * over
         s, c = th.sin_cos()
         forces = model.slipping(s, c, u, self.sigma)
         rate = self.sigma * forces.slip * 2 * over.rsqrt()
-        fall = -2 * piece.way * w * (model.eps * s * u - 2 * model.eps * c * forces.alpha)
-        return [[forces.load, fall][:terms], [here + rate * (w - middle), rate][:terms]]
+        fall = -2 * panel.way * w * (model.eps * s * u - 2 * model.eps * c * forces.alpha)
+        return [[forces.free_normal, fall][:terms], [here + rate * (w - middle), rate][:terms]]
 
 
 @dataclass(frozen=True)
-class Roll(Carrier):
+class Roll(PhaseEquations):
     """Rolling with resistance, which keeps nothing: its margins are those of the friction cone."""
 
     @property
@@ -205,26 +205,26 @@ class Roll(Carrier):
         hold = self.model.mu_s * forces.normal
         return [coefficients(zero + hold - forces.friction, terms), coefficients(zero + hold + forces.friction, terms)]
 
-    def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
+    def along(self, panel: Place, x: Ball, terms: int) -> list[Jet]:
         """The margins as series in x."""
-        th = piece.angle(x)
+        th = panel.angle(x)
         with order(terms):
-            s, c = series([th, piece.way]).sin_cos()
-            return self.margins(s, c, self.square(th, piece.square(x), piece.way, terms), terms)
+            s, c = series([th, panel.way]).sin_cos()
+            return self.margins(s, c, self.square(th, panel.square(x), panel.way, terms), terms)
 
-    def about(self, piece: Any, w: Ball, terms: int) -> list[Jet]:
+    def about(self, panel: Any, w: Ball, terms: int) -> list[Jet]:
         """The margins with their slopes in w."""
-        th, u = piece.angle(w), piece.square(w)
+        th, u = panel.angle(w), panel.square(w)
         if terms > 2:
             raise Undecided("rolling begins with θ̇ = 0 in a tie")
         with order(terms):
-            turned = -2 * piece.way * w
+            turned = -2 * panel.way * w
             s, c = series([th, turned]).sin_cos()
             return self.margins(s, c, series([u, self.slope(th, u) * turned]), terms)
 
 
-def carrier_of(model: Model, sigma: int, state: State) -> Slip | Roll:
-    """What is carried from a state; `model` has the equations for the direction in which the hoop turns."""
+def phase_equations(model: Model, sigma: int, state: State) -> Slip | Roll:
+    """Return the equations from a state; `model` has those for the direction in which the hoop turns."""
     return Slip.of(model, sigma, state) if sigma else Roll(model, 0, state)
 
 
@@ -244,15 +244,15 @@ class Disc:
     push_by: list[Ball]
 
 
-def disc(carrier: Carrier, th: Ball, radius: Ball) -> Disc | None:
+def disc(phase: PhaseEquations, th: Ball, radius: Ball) -> Disc | None:
     """Bounds on the disc about θ; None where what θ̈ is divided by may vanish in it."""
-    model, flint = carrier.model, _flint
+    model, flint = phase.model, _flint
     model.deadline.ask()
     square = flint.acb(arb(th) + symmetric(radius), symmetric(radius))
     s, c = square.sin_cos()
-    if model.divisor(s, c, carrier.sigma).contains(flint.acb(0)):
+    if model.divisor(s, c, phase.sigma).contains(flint.acb(0)):
         return None
-    grow, push = model.rates(s, c, carrier.sigma)
+    grow, push = model.rates(s, c, phase.sigma)
     count = model.varying
 
     def size(value: Ball) -> Ball:
@@ -262,7 +262,7 @@ def disc(carrier: Carrier, th: Ball, radius: Ball) -> Disc | None:
     return Disc(radius, size(over(grow)), size(over(push)), square, *by)
 
 
-def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | None = None) -> tuple[Ball, Ball]:
+def square_at(phase: PhaseEquations, th: Ball, u: Ball, centre: Ball, energy: Ball | None = None) -> tuple[Ball, Ball]:
     """u at an exact angle inside the ball of the angle where it is known, and on the way there.
 
     Where slip begins out of rolling of this energy, both have the same slope there, or nearly so: u is that of
@@ -273,7 +273,7 @@ def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | 
         return u, u
     box = u
     for _ in range(20):
-        slope = carrier.slope(th.union(centre), box)
+        slope = phase.slope(th.union(centre), box)
         found = u + slope * spread
         if box.contains(found.union(u)):
             break
@@ -283,22 +283,22 @@ def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | 
     if energy is None:
         return found, box
     # d/dθ* of u(centre), for slip that begins in θ*: what the slopes differ by, carried on by exp(∫ A)
-    model = carrier.model
+    model = phase.model
     s, c = th.union(centre).sin_cos()
     rolled = 2 * model.rolling(s, c, box).alpha
-    carried = (model.rates(s, c, carrier.sigma)[0] * symmetric(spread)).exp()
+    carried = (model.rates(s, c, phase.sigma)[0] * symmetric(spread)).exp()
     s, c = centre.sin_cos()
     there = 2 * (energy - model.height(centre, s, c)) / model.inertia(c)
     return intersection(found, there + (rolled - slope) * carried * symmetric(spread)), box
 
 
-def begin_at(carrier: Carrier, centre: Ball, u: Ball, way: int) -> State:
-    """The state that the phase has, or would have had, at an exact angle beside the one where it began."""
-    begin, spread = carrier.begin, centre - carrier.begin.th
+def begin_at(phase: PhaseEquations, centre: Ball, u: Ball, way: int) -> State:
+    """The state that the phase has, or would have had, at an exact angle next to the one where it began."""
+    begin, spread = phase.begin, centre - phase.begin.th
     th, square = begin.th.union(centre), u.union(begin.om * begin.om)
     slowness = square.rsqrt()
     vt = begin.vt
-    if carrier.sigma:
-        vt = vt + carrier.forces(th, square).slip * slowness * way * spread
+    if phase.sigma:
+        vt = vt + phase.forces(th, square).slip * slowness * way * spread
     moved = (1 + way * begin.vt.union(vt) * slowness) * spread
     return State(begin.t + way * spread * slowness, begin.x + moved, begin.y, centre, vt, begin.vn, way * u.sqrt())

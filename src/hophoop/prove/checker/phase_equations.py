@@ -1,4 +1,4 @@
-"""What a phase keeps, and what follows from θ, θ̇ and t in it: slip, and rolling with resistance."""
+"""The equations of slip and of rolling with resistance: margins and state from θ, θ̇ and t."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ LIFT, STOP, AHEAD, BACK, OPEN = "lift", "stop", "ahead", "back", "open"
 
 
 @dataclass
-class Kept:
-    """What slip keeps, and the state it began in."""
+class Slip:
+    """Slip and the state it began in: gravity alone changes its momentum."""
 
     equations: Equations
     sigma: int
@@ -48,36 +48,36 @@ class Kept:
         x = begin.x + moved - eps * (th.sin() - begin.th.sin()) - drag * eps * (th.cos() - begin.th.cos())
         return State(t, x, arb(0), th, self.velocity(t, th, om), arb(0), om)
 
-    def along(self, piece: Any, x: Ball, terms: int) -> list[Jet]:
+    def along(self, panel: Any, x: Ball, terms: int) -> list[Jet]:
         """(N, σ v_t) as series in x."""
         model, sigma, middle = self.equations, self.sigma, x.mid()
-        here = sigma * self.velocity(piece.time(middle), piece.angle(middle), piece.spin(middle))
-        th = piece.angle(x)
+        here = sigma * self.velocity(panel.time(middle), panel.angle(middle), panel.spin(middle))
+        th = panel.angle(x)
         with order(terms):
-            z = series([th, piece.way])
+            z = series([th, panel.way])
             s, c = z.sin_cos()
-            u = model.square(th, piece.square(x), piece.way, sigma, terms - 1)
+            u = model.square(th, panel.square(x), panel.way, sigma, terms - 1)
             contact = model.contact(s, c, u, sigma)
-            load = coefficients(series([0]) - contact.free, terms)
+            free_normal = coefficients(series([0]) - contact.free, terms)
             rate = coefficients(sigma * contact.slip * (series([0]) + u).rsqrt(), terms)
-        return [load, [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]]
+        return [free_normal, [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]]
 
-    def about(self, piece: Any, w: Ball, terms: int) -> list[Jet]:
+    def about(self, panel: Any, w: Ball, terms: int) -> list[Jet]:
         """(N, σ v_t) with their slopes in w."""
         require(terms <= 2, "slip from θ̇ = 0 begins with an acceleration")
         model, sigma, middle = self.equations, self.sigma, w.mid()
-        here = sigma * self.velocity(piece.time(middle), piece.angle(middle), piece.spin(middle))
-        over = piece.over(w)
-        s, c = piece.angle(w).sin_cos()
+        here = sigma * self.velocity(panel.time(middle), panel.angle(middle), panel.spin(middle))
+        over = panel.over(w)
+        s, c = panel.angle(w).sin_cos()
         contact = model.contact(s, c, w * w * over, sigma)
         rate = 2 * sigma * contact.slip * over.rsqrt()
-        # load = g − ε cos θ u, with dθ/dw = −2 way w
-        fall = -2 * piece.way * w * model.eps * (s * w * w * over - 2 * c * contact.alpha)
+        # free_normal = g − ε cos θ u, with dθ/dw = −2 way w
+        fall = -2 * panel.way * w * model.eps * (s * w * w * over - 2 * c * contact.alpha)
         return [[-contact.free, fall][:terms], [here + rate * (w - middle), rate][:terms]]
 
 
 @dataclass
-class Rolled:
+class Roll:
     """Rolling with resistance: v_t = 0, and the state it began in."""
 
     equations: Equations
@@ -93,17 +93,17 @@ class Rolled:
         """The state at a time and angle."""
         return State(t, self.begin.x + (th - self.begin.th), arb(0), th, arb(0), arb(0), om)
 
-    def along(self, piece: Any, x: Ball, terms: int) -> list[Jet]:
+    def along(self, panel: Any, x: Ball, terms: int) -> list[Jet]:
         """μ N − F and μ N + F, or N, as series in x."""
-        th = piece.angle(x)
+        th = panel.angle(x)
         with order(terms):
-            u = self.equations.square(th, piece.square(x), piece.way, 0, terms - 1)
-            return self._margins(series([th, piece.way]), u, terms)
+            u = self.equations.square(th, panel.square(x), panel.way, 0, terms - 1)
+            return self._margins(series([th, panel.way]), u, terms)
 
-    def about(self, piece: Any, w: Ball, terms: int) -> list[Jet]:
+    def about(self, panel: Any, w: Ball, terms: int) -> list[Jet]:
         """The same with slopes in w."""
         require(terms <= 2, "rolling from θ̇ = 0 begins with certain margins")
-        th, u, turned = piece.angle(w), piece.square(w), -2 * piece.way * w
+        th, u, turned = panel.angle(w), panel.square(w), -2 * panel.way * w
         s, c = th.sin_cos()
         rate = 2 * turned * self.equations.contact(s, c, u, 0).alpha
         with order(terms):

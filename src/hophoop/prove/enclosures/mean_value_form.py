@@ -1,8 +1,8 @@
 """Quantities over a box of parameters to first order: a ball alone does not keep how its parts depend on the parameters.
 
 A `Varied` has its value at the centre of the box, all its values over the box, and its derivatives over the box. By the
-mean value theorem the second lies in the first plus the third times the way from the centre, which is narrower than what
-balls alone give by one order of the width of the box. A plain ball beside it stands for a number that is unknown within it
+mean value theorem the second lies in the first plus the third times the distance from the centre, which is narrower than what
+balls alone give by one order of the width of the box. A plain ball next to it is a number that is unknown within it
 but is the same for all parameters, or for one that is treated so: the statements hold for each such number.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, ball_type, intersection, symmetric
-from hophoop.prove.search import Root, exact, refined
+from hophoop.prove.enclosures.roots import Root, exact, refined
 
 
 class Varied:
@@ -144,7 +144,7 @@ class Varied:
         return bool((self - other).over >= 0)
 
     def is_zero(self) -> bool:
-        """Whether it is zero exactly for all parameters."""
+        """Return True if it is exactly 0 for all parameters."""
         return bool(self.over.is_zero())
 
     def mid(self) -> Ball:
@@ -156,7 +156,7 @@ class Varied:
         return self.over.lower()
 
     def upper(self) -> Ball:
-        """The greatest value over the box."""
+        """The maximum over the box."""
         return self.over.upper()
 
     def abs_lower(self) -> Ball:
@@ -168,7 +168,7 @@ class Varied:
         return self.over.abs_upper()
 
     def contains(self, other: Any) -> bool:
-        """Whether a number may be its value."""
+        """Return True if a number may be its value."""
         return bool(self.over.contains(other))
 
 
@@ -198,7 +198,7 @@ def derivatives(value: Any, count: int) -> tuple[Any, ...]:
 
 
 def count_of(*values: Any) -> int:
-    """How many parameters vary in any of these: 0 where all are plain."""
+    """The number of parameters that vary in any of these: 0 if all are plain."""
     return next((len(value.by) for value in values if isinstance(value, Varied)), 0)
 
 
@@ -233,7 +233,7 @@ def moving(function: Callable[[Ball], Any], x: Any, rate: Callable[[Ball], Ball]
 
 
 def common(a: Any, b: Any) -> Any:
-    """What two enclosures of one number have in common."""
+    """The intersection of two enclosures of one number."""
     if isinstance(a, Varied) and isinstance(b, Varied):
         by = tuple(intersection(one, other) for one, other in zip(a.by, b.by, strict=True))
         return Varied(intersection(a.at, b.at), intersection(a.over, b.over), by)

@@ -1,20 +1,22 @@
-"""Where a phase begins, over a box of parameters: moved from the angle θ*, which varies, to an exact one beside it."""
+"""The start of a phase over a box of parameters, moved from its angle θ*, which varies, to an exact angle nearby."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from hophoop.prove._flint import Ball, arb, symmetric
-from hophoop.prove.carriers import Carrier, carrier_of, square_at
-from hophoop.prove.varied import Varied, at_centre, derivatives, over
+from hophoop.prove.enclosures.mean_value_form import Varied, at_centre, derivatives, over
+from hophoop.prove.phases.phase_equations import PhaseEquations, phase_equations, square_at
 
 
-def entered(carrier: Carrier, centre: Ball, way: int, energy: Ball | None, smoothly: bool) -> tuple[Carrier, Ball, Ball]:
-    """(carrier, θ̇² and t at an exact angle inside those where a phase begins).
+def move_start(
+    phase: PhaseEquations, centre: Ball, way: int, energy: Ball | None, smoothly: bool
+) -> tuple[PhaseEquations, Ball, Ball]:
+    """Return (phase, θ̇², t) at an exact angle inside those where the phase begins.
 
     Parameters
     ----------
-    carrier : Carrier
+    phase : PhaseEquations
         Of the phase from where it begins.
     centre : Ball
         The exact angle.
@@ -25,23 +27,23 @@ def entered(carrier: Carrier, centre: Ball, way: int, energy: Ball | None, smoot
         Whether slip begins with v̇_t = 0, as after rolling for μs = μk.
     """
     if energy is None:
-        return carrier, *_along(carrier, centre, way)
-    return _from_rolling(carrier, centre, way, energy, smoothly)
+        return phase, *_along(phase, centre, way)
+    return _from_rolling(phase, centre, way, energy, smoothly)
 
 
-def _along(carrier: Carrier, centre: Ball, way: int) -> tuple[Ball, Ball]:
+def _along(phase: PhaseEquations, centre: Ball, way: int) -> tuple[Ball, Ball]:
     """(θ̇², t) there, along the phase itself.
 
     With the begin (θ*, u*, t*) and C = exp(∫ A): ∂u/∂p = C (∂u*/∂p − 2 θ̈ ∂θ*/∂p) + ∫ C (∂A/∂p u + ∂B/∂p) dθ.
     """
-    begin, count = carrier.begin, carrier.model.varying
+    begin, count = phase.begin, phase.model.varying
     first = begin.om * begin.om
-    plain, central = carrier.plain(), carrier.central()
+    plain, central = phase.plain(), phase.central()
     u, box = square_at(plain, over(begin.th), over(first), centre)
     middle, near = square_at(central, at_centre(begin.th), at_centre(first), centre)
     spread = centre - over(begin.th)
     s, c = over(begin.th).union(centre).sin_cos()
-    grow, push = carrier.model.rates(s, c, carrier.sigma)
+    grow, push = phase.model.rates(s, c, phase.sigma)
     carried = (over(grow) * symmetric(spread)).exp()
     slope, start = plain.slope(over(begin.th), over(first)), over(first).rsqrt()
     u_by, t_by = [], []
@@ -56,13 +58,15 @@ def _along(carrier: Carrier, centre: Ball, way: int) -> tuple[Ball, Ball]:
     return Varied(middle, u, tuple(u_by)), Varied(times[0], times[1], tuple(t_by))
 
 
-def _from_rolling(carrier: Carrier, centre: Ball, way: int, energy: Ball, smoothly: bool) -> tuple[Carrier, Ball, Ball]:
-    """The same beside rolling, which is known at a fixed angle: there nothing depends on θ* to first order.
+def _from_rolling(
+    phase: PhaseEquations, centre: Ball, way: int, energy: Ball, smoothly: bool
+) -> tuple[PhaseEquations, Ball, Ball]:
+    """The same next to rolling, which is known at a fixed angle: there nothing depends on θ* to first order.
 
     With u_r of rolling D = u − u_r obeys D′ = A D + R with R = 2 (θ̈ in slip − θ̈ in rolling), both at u_r, and D = 0 at θ*.
     Where slip begins with v̇_t = 0 both forces are the same, so that R = 0 at θ* and ∂θ*/∂p drops out. The same is true of v_t.
     """
-    model, sigma, begin = carrier.model, carrier.sigma, carrier.begin
+    model, sigma, begin = phase.model, phase.sigma, phase.begin
     count = model.varying
     spread, spread_at = centre - over(begin.th), centre - at_centre(begin.th)
     shift = derivatives(0 if smoothly else begin.th, count)
@@ -86,4 +90,4 @@ def _from_rolling(carrier: Carrier, centre: Ball, way: int, energy: Ball, smooth
     # the time is counted from this angle, and x is a ball: nothing in a box asks for more
     x = over(begin.x) + (1 + way * over(vt) * over(square).rsqrt()).union(arb(1)) * symmetric(spread)
     moved = replace(begin, t=over(begin.t), x=x, th=centre, vt=vt, om=way * there.sqrt())
-    return carrier_of(model, sigma, moved), there, moved.t
+    return phase_equations(model, sigma, moved), there, moved.t

@@ -1,7 +1,7 @@
-"""What a certificate keeps of a phase: brackets of the events, and polynomials for θ̇² and t in slip.
+"""The record of a phase in a certificate: brackets of the events, and polynomials for θ̇² and t in slip.
 
-None of it has to be trusted: the checker puts it into the equations. So it is made with middles of balls, in wider
-panels than the proof's own.
+None of it has to be trusted: the checker puts it into the equations. So it is made with midpoints of balls, in wider
+panels than those of the proof.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ import math
 from typing import Any
 
 from hophoop.prove._flint import Ball, arb, bits, coefficients, order, polynomial, precision
-from hophoop.prove.carriers import Carrier
-from hophoop.prove.panels import Panel, TurnPanel
-from hophoop.prove.search import Root
+from hophoop.prove.enclosures.roots import Root
+from hophoop.prove.phases.panels import Panel, TurnPanel
+from hophoop.prove.phases.phase_equations import PhaseEquations
 
 WIDE = 1e-8  # half width of a bracket, where nothing else is near
 BITS_A_TERM = 1.5
@@ -59,7 +59,7 @@ def packed(values: list[Ball], reach: float, precise: int) -> str:
 
 
 def extent(values: list[Ball], precise: int) -> float:
-    """How far the last terms of a series stay below 2^−precise."""
+    """The distance up to which the last terms of a series stay below 2^−precise."""
     found = WIDEST
     size = len(values) - 1
     for k in range(size - 3, size + 1):
@@ -73,10 +73,10 @@ def extent(values: list[Ball], precise: int) -> float:
 class Unrecorded:
     """No record, where no certificate is wanted."""
 
-    def panel(self, piece: Panel) -> None:
+    def panel(self, panel: Panel) -> None:
         """A panel in the angle."""
 
-    def turn(self, piece: TurnPanel) -> None:
+    def turn(self, panel: TurnPanel) -> None:
         """A panel about a turning point."""
 
     def leave(self, w: Ball) -> None:
@@ -88,35 +88,35 @@ class Unrecorded:
 
 
 class Trail:
-    """The pieces of a phase as they are proved, made into the record of a certificate."""
+    """The panels of a phase as they are proved, made into the record of a certificate."""
 
-    def __init__(self, carrier: Carrier, th: Ball) -> None:
-        self.carrier, self.precise = carrier, bits()
+    def __init__(self, phase: PhaseEquations, th: Ball) -> None:
+        self.phase, self.precise = phase, bits()
         self.at = float(th.mid())  # where the record has come to
         self.panels: list[dict[str, Any]] = []
-        self.pieces: list[Panel] = []
+        self.proved: list[Panel] = []
         self.about: TurnPanel | None = None
 
-    def panel(self, piece: Panel) -> None:
+    def panel(self, panel: Panel) -> None:
         """A panel in the angle."""
         self.about = None
-        self.pieces.append(piece)
+        self.proved.append(panel)
 
-    def turn(self, piece: TurnPanel) -> None:
+    def turn(self, panel: TurnPanel) -> None:
         """A panel about a turning point: the way to it is recorded first."""
-        way, at_begin = piece.way, not self.pieces and not self.panels
+        way, at_begin = panel.way, not self.proved and not self.panels
         self._record_way()
-        reach = float(piece.reach.lower())
+        reach = float(panel.reach.lower())
         one: dict[str, Any] = {
             "reach": reach,
-            "g": packed(piece.g_terms, reach, self.precise),
-            "h": packed(piece.t_terms, reach, self.precise),
+            "g": packed(panel.g_terms, reach, self.precise),
+            "h": packed(panel.t_terms, reach, self.precise),
         }
-        distance = way * (piece.turn - arb(self.at))
-        if not (at_begin and self.carrier.begin.om.is_zero()):
+        distance = way * (panel.turn - arb(self.at))
+        if not (at_begin and self.phase.begin.om.is_zero()):
             one["link"] = self._link(way, distance, self._begin_square())
         self.panels.append(one)
-        self.about, self.pieces = piece, []
+        self.about, self.proved = panel, []
 
     def leave(self, w: Ball) -> None:
         """The turning point is left at w."""
@@ -126,7 +126,7 @@ class Trail:
 
     def record(self, what: str, root: Root | None) -> dict[str, Any]:
         """The record of the phase."""
-        mode = "RKS"[self.carrier.sigma]
+        mode = "RKS"[self.phase.sigma]
         found = {"mode": mode, "what": what, "bits": self.precise, "panels": self.panels}
         if root is None:
             self.panels[-1]["ends"] = "turn"
@@ -135,7 +135,7 @@ class Trail:
             self.panels[-1]["ends"] = "before" if root.x < 0 else "after"
             self.panels[-1]["bracket"] = bracket(root.x, root.low, root.high)
             return found
-        last = self.pieces[-1]
+        last = self.proved[-1]
         centre, way = last.centre, last.way
         self._record_way(float(last.angle(root.x).mid()))
         shift = way * (centre - arb(self.panels[-1]["centre"]))
@@ -144,11 +144,11 @@ class Trail:
         return found
 
     def _record_way(self, end: float | None = None) -> None:
-        """Panels over what the pieces cover, up to an angle or to the end of the last piece."""
-        if not self.pieces:
+        """Record panels over the proved ones, up to an angle or to the end of the last one."""
+        if not self.proved:
             return
-        way = self.pieces[0].way
-        last = self.pieces[-1]
+        way = self.proved[0].way
+        last = self.proved[-1]
         goal = float(last.angle(last.reach).mid()) if end is None else end
         past = 4 * WIDE if end is not None else 0.0
         while way * (goal - self.at) > 0 or not self.panels or past:
@@ -169,7 +169,7 @@ class Trail:
     def _best(self, way: int, at: float) -> dict[str, Any]:
         """The widest panel that reaches back to an angle."""
         first = self._series(way, at)
-        last = self.pieces[-1]
+        last = self.proved[-1]
         farthest = way * (float(last.angle(last.reach).mid()) - at)
         for share in (0.9, 0.6):
             ahead = min(share * first["reach"], farthest)
@@ -181,17 +181,17 @@ class Trail:
         return first
 
     def _square(self, th: float) -> Ball:
-        """θ̇² at an angle that the pieces cover."""
-        found = self.pieces[-1]
-        for piece in self.pieces:
-            if not piece.way * (arb(th) - piece.centre) > piece.reach:
-                found = piece
+        """θ̇² at an angle that the proved panels cover."""
+        found = self.proved[-1]
+        for panel in self.proved:
+            if not panel.way * (arb(th) - panel.centre) > panel.reach:
+                found = panel
                 break
         return found.square((found.way * (arb(th) - found.centre)).mid()).mid()
 
     def _series(self, way: int, centre: float) -> dict[str, Any]:
         """Polynomials about an angle, as far as they go."""
-        precise, ask = self.precise, self.carrier.model.deadline.ask
+        precise, ask = self.precise, self.phase.model.deadline.ask
         with precision(precise + 40):
             u, t = self._terms(way, centre, self._square(centre))
             ask()
@@ -203,21 +203,21 @@ class Trail:
     def _terms(self, way: int, centre: float, square: Ball) -> tuple[list[Ball], list[Ball]]:
         terms = int(self.precise / BITS_A_TERM) + 8
         with order(terms):
-            found = self.carrier.square(arb(centre), square, way, terms)
+            found = self.phase.square(arb(centre), square, way, terms)
             middles = [value.mid() for value in coefficients(found, terms)]
             times = coefficients(found.rsqrt().integral(), terms) if square > 0 else middles
         return middles, [value.mid() for value in times]
 
     def _begin_square(self) -> Ball:
         """θ̇² where the record has come to."""
-        if self.pieces:
+        if self.proved:
             return self._square(self.at)
         if self.about is not None:
             w = arb(self.panels[-1]["to"])
             return (w * w * self.about.over(w)).mid()
-        begin = self.carrier.begin
-        with order(8):  # the record goes on from a double beside the angle of the begin
-            near = coefficients(self.carrier.square(begin.th.mid(), (begin.om * begin.om).mid(), 1, 8), 8)
+        begin = self.phase.begin
+        with order(8):  # the record goes on from a double next to the angle of the start
+            near = coefficients(self.phase.square(begin.th.mid(), (begin.om * begin.om).mid(), 1, 8), 8)
         return polynomial(near, arb(self.at) - begin.th.mid()).mid()
 
     def _link(self, way: int, distance: Ball, square: Ball) -> dict[str, Any]:

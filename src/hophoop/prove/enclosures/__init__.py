@@ -1,0 +1,1 @@
+"""Roots, maxima and first-order dependence on parameters, all enclosed in balls."""

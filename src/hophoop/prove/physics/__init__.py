@@ -1,0 +1,1 @@
+"""The equations, the mode rule and impacts of docs/model.md on balls."""
