@@ -11,7 +11,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 from hophoop.derivatives.results.propagation import carry
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.margins import MARGINS
@@ -26,6 +26,7 @@ from hophoop.maps.grid.kernel import WORDS as MAP_WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.scenario.parts import combine
 from hophoop.simulation.phases import margins
+from hophoop.vocabulary.modes import MODE_LETTERS
 
 pytest.importorskip("wasmtime")
 

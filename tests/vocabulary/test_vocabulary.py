@@ -21,7 +21,7 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem
 from hophoop.results.poses import poses_of
-from hophoop.vocabulary import classes, colors, events, laws, statuses, words
+from hophoop.vocabulary import classes, colors, events, laws, modes, statuses
 
 ROOT = Path(__file__).parents[2]
 
@@ -52,11 +52,11 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
     assert state.omega == pytest.approx(-0.791, abs=1e-3)
     assert state.mode == "S"  # v_t < 0: the letter is its sign
     assert expected_word(state) == "skid"
-    assert words.mode_word(state.mode, state.omega) == "skid"
+    assert modes.mode_word(state.mode, state.omega) == "skid"
     assert poses_of(rocking, [7.5]).words[0] == "skid"
     assert next(piece.word for piece in phases(rocking) if piece.t < 7.5 < piece.end_t) == "skid"
     columns = film.columns(rocking)
-    assert words.MODES[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
+    assert modes.MODE_WORDS[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
     slip = [one for one in told.story(rocking) if one["t"] < 7.5][-1]
     assert "skids" in slip["text"]
     assert slip["mode"] == "K"  # the letter by which the page colours it
@@ -66,13 +66,13 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
 def test_each_word_shown_is_that_of_v_t_and_rotation(rocking, t):
     state = rocking.at(t)
     if state.mode in ("S", "K"):
-        assert words.mode_word(state.mode, state.omega) == expected_word(state)
+        assert modes.mode_word(state.mode, state.omega) == expected_word(state)
 
 
 def test_many_words_are_the_single_ones(rocking):
     sample = rocking.at(rocking.times(500))
-    many = words.mode_words(sample.mode, sample.omega)
-    assert list(many) == [words.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
+    many = modes.mode_words(sample.mode, sample.omega)
+    assert list(many) == [modes.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
     assert {"roll", "spin", "skid"} <= set(many)
 
 
@@ -88,12 +88,12 @@ def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
         assert before.mode == after.mode
         assert {before.word, after.word} == {"spin", "skid"}
         number = motion.events.index(turn)
-        assert f"and {words.VERBS[after.word]} now" in next(one["text"] for one in told.story(motion) if one["event"] == number)
+        assert f"and {modes.VERBS[after.word]} now" in next(one["text"] for one in told.story(motion) if one["event"] == number)
 
 
 def test_a_direction_is_that_of_the_coming_rotation():
-    np.testing.assert_array_equal(words.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
-    np.testing.assert_array_equal(words.coming_rotation([0.0, 0.0]), [0, 0])
+    np.testing.assert_array_equal(modes.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
+    np.testing.assert_array_equal(modes.coming_rotation([0.0, 0.0]), [0, 0])
 
 
 def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
@@ -101,28 +101,31 @@ def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
     codes = regions.regions(scenario, (-3.0, 3.0, -8.0, 8.0), 60, 40)["modes"]
     np.testing.assert_array_equal(codes, codes[::-1, ::-1])
     letters = theory.mode_of(1.0, np.array([2.0, -2.0]), scenario.hoop, scenario.plane)
-    assert set(words.mode_words(letters, [2.0, -2.0])) <= set(words.MODES)
+    assert set(modes.mode_words(letters, [2.0, -2.0])) <= set(modes.MODE_WORDS)
 
 
 def test_an_unknown_letter_is_refused():
     with pytest.raises(ValueError, match=r"letter = 'X' must be one of R, S, K, H, M\."):
-        words.mode_word("X", 1.0)
+        modes.mode_word("X", 1.0)
     with pytest.raises(ValueError, match="word = 'S' must be one of roll, spin"):
         colors.mode_color("S")
 
 
 def test_a_phase_has_one_word_in_motions_and_maps():
     for letter in "RHM":
-        assert words.LETTERS[letter] == words.mode_word(letter, 1.0)
+        assert modes.LETTERS[letter] == modes.mode_word(letter, 1.0)
     assert classes.class_text("RSH") == "roll → slip − → flight"
     # 'hop' is a flight from take-off to landing, as the glossary has it; nothing that is shown says airborne
     shown = (ROOT / "web" / "words" / "de.json").read_text(encoding="utf-8")
     assert "airborne" not in shown
 
 
-def test_every_kind_of_event_and_status_has_its_words():
-    from hophoop.kernel.physics.body import EVENT_NAMES, Status
+def test_every_kind_of_mode_event_and_status_has_its_words():
+    from hophoop.kernel.physics.body import EVENT_NAMES, Mode, Status
 
+    assert tuple(modes.MODES) == tuple(Mode)
+    assert set(modes.MODE_WORDS) == set(modes.WORDS)
+    assert modes.MODE_LETTERS == tuple(modes.ModeLetter)
     assert tuple(events.EVENTS) == EVENT_NAMES
     assert tuple(statuses.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 

@@ -124,7 +124,8 @@ def _rounded(number: float) -> str:
 def _summary(motion: Trajectory) -> Table:
     from rich.table import Table
 
-    from hophoop.vocabulary.words import LETTERS_SENTENCE, plain
+    from hophoop.vocabulary.modes import LETTERS_SENTENCE
+    from hophoop.vocabulary.words import plain
 
     ledger = motion.ledger
     impacts = ledger.impact_normal + ledger.impact_tangential

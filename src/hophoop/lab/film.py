@@ -11,8 +11,8 @@ from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
 from hophoop.simulation.trajectory import Floats, Trajectory
+from hophoop.vocabulary.modes import MODE_WORDS, coming_rotation, mode_words
 from hophoop.vocabulary.statuses import STATUSES
-from hophoop.vocabulary.words import MODES, coming_rotation, mode_words
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
@@ -74,7 +74,7 @@ def columns(
 
 
 def codes_of(words: np.ndarray) -> Floats:
-    """The code of each mode's word: its place in `vocabulary.words.MODES`, or their number for another word.
+    """The code of each mode's word: its place in `vocabulary.modes.MODE_WORDS`, or their number for another word.
 
     Parameters
     ----------
@@ -85,8 +85,8 @@ def codes_of(words: np.ndarray) -> Floats:
     codes : ndarray
         [1].
     """
-    codes = np.full(words.shape, float(len(MODES)))
-    for code, word in enumerate(MODES):
+    codes = np.full(words.shape, float(len(MODE_WORDS)))
+    for code, word in enumerate(MODE_WORDS):
         codes[words == word] = code
     return codes
 

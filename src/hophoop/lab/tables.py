@@ -17,7 +17,6 @@ from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.records.layout import CELL
 from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
@@ -36,7 +35,7 @@ from hophoop.scenario.paths import ENDS
 from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside, Range
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
-from hophoop.vocabulary import classes, colors, words
+from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
 from hophoop.vocabulary.laws import LAWS
 from hophoop.vocabulary.quantities import COLUMNS
@@ -68,15 +67,15 @@ def tables() -> dict[str, Any]:
         "scenario": _scenario(),
         "texts": TEXTS,
         "words": {
-            "letters": MODE_LETTERS,
-            "modes": words.MODES,
-            "verbs": words.VERBS,
+            "letters": "".join(modes.MODE_LETTERS),
+            "modes": modes.MODE_WORDS,
+            "verbs": modes.VERBS,
             "events": {
                 kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
             },
             "signs": SIGNS,
             "statuses": {status: facts.sentence for status, facts in STATUSES.items()},
-            "sequence": words.LETTERS,
+            "sequence": modes.LETTERS,
             "story": STORY,
             "summary": SUMMARY,
             "theory": THEORY,

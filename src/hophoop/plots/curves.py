@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.words import coming_rotation, mode_word, mode_words
+from hophoop.vocabulary.modes import coming_rotation, mode_word, mode_words
 
 # Samples a unit of time √(R/g); at the reference hoop some 470 a second.
 DENSITY = 150

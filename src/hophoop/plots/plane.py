@@ -18,7 +18,7 @@ from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as labels_of
 from hophoop.vocabulary.events import MARKS
-from hophoop.vocabulary.words import FLIGHT, MODES, ROLL, SKID, SKIM, SPIN, mode_words
+from hophoop.vocabulary.modes import FLIGHT, MODE_WORDS, ROLL, SKID, SKIM, SPIN, mode_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,7 @@ GRID = (900, 560)
 TINT = 0.30  # opacity of a region's colour: motions are drawn over it in the full colour
 NO_ANSWER = "?"
 MARKED = ("takeoff", "impact", "jam")
-SHOWN = (*MODES, NO_ANSWER)
+SHOWN = (*MODE_WORDS, NO_ANSWER)
 
 
 def phase_plane(

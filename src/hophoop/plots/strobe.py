@@ -15,7 +15,7 @@ from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
-from hophoop.vocabulary.words import FLIGHT
+from hophoop.vocabulary.modes import FLIGHT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,29 +9,16 @@ from __future__ import annotations
 from typing import Final
 
 from hophoop._support.errors import InputError
-from hophoop.vocabulary import words
+from hophoop.vocabulary.modes import WORDS
 
-# Okabe and Ito's eight
-BLACK: Final = "#000000"
-ORANGE: Final = "#E69F00"
-SKY: Final = "#56B4E9"
-GREEN: Final = "#009E73"
-YELLOW: Final = "#F0E442"
-BLUE: Final = "#0072B2"
-VERMILION: Final = "#D55E00"
-PURPLE: Final = "#CC79A7"
+# others use these as well, as `colors.GRAY`
+from hophoop.vocabulary.palette import (  # isort: skip
+    BLACK as BLACK, BLUE as BLUE, GRAY as GRAY, GREEN as GREEN, LIGHT_GRAY as LIGHT_GRAY, ORANGE as ORANGE,
+    PURPLE as PURPLE, SKY as SKY, VERMILION as VERMILION, YELLOW as YELLOW,
+)  # fmt: skip
 
-GRAY: Final = "#6E6E6E"
-LIGHT_GRAY: Final = "#D9D9D9"
-
-MODES: Final[dict[str, str]] = {
-    words.ROLL: BLUE,
-    words.SPIN: ORANGE,
-    words.SKID: PURPLE,
-    words.FLIGHT: VERMILION,
-    words.SKIM: YELLOW,  # of the massless hoop
-}
-"""Colour of each mode, by its word: what spins is orange whichever way the hoop rolls."""
+MODES: Final = {word: facts.color for word, facts in WORDS.items()}
+"""Colour of each mode, by its word: what spins is orange in both directions of rolling."""
 
 LOAD: Final = BLACK  # trace of the load, and the load itself
 GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
@@ -105,13 +92,12 @@ def on_dark(color: str) -> str:
 
 
 def mode_color(word: str) -> str:
-    """Colour of a mode.
+    """Return the colour of a mode.
 
     Parameters
     ----------
     word : str
-        roll, spin, skid, flight or skim, as `words.mode_word` gives it: the colour follows the word, not the
-        letter.
+        roll, spin, skid, flight or skim, as `modes.mode_word` returns it: the colour follows the word, not the letter.
 
     Returns
     -------
@@ -123,7 +109,6 @@ def mode_color(word: str) -> str:
     ValueError
         If there is no such mode.
     """
-    try:
-        return MODES[word]
-    except KeyError:
-        raise InputError.of_field("word", word, f"one of {', '.join(MODES)}") from None
+    if word not in MODES:
+        raise InputError.of_field("word", word, f"one of {', '.join(MODES)}")
+    return MODES[word]

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, Final, NamedTuple
 
-from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Mode
-from hophoop.vocabulary import colors
+from hophoop.kernel.physics.body import PASSING
+from hophoop.vocabulary import palette
+from hophoop.vocabulary.modes import ModeLetter, letter_of
 from hophoop.vocabulary.words import Word
 
 
@@ -55,12 +56,12 @@ class EventFacts(NamedTuple):
 
 EVENTS: Final[dict[str, EventFacts]] = {
     EventKind.START: EventFacts("start", "starts", "start"),
-    EventKind.SLIP_START: EventFacts("slip starts", "slips", "slip begins", colors.ORANGE),
-    EventKind.STICK: EventFacts("slip ends", "rolls", "slip ends", colors.BLUE),
-    EventKind.SLIP_REVERSAL: EventFacts("slip reverses", "slips the other way", "slip turns round", colors.PURPLE),
-    EventKind.TAKEOFF: EventFacts("take-off", "hops", "take-off", colors.VERMILION, (4, "^"), (7, "▲"), filmed=True),
-    EventKind.IMPACT: EventFacts("landing", "lands", "landing", colors.YELLOW, (3, "v"), (8, "▼"), filmed=True),
-    EventKind.TURN: EventFacts("turns back", "turns back", "turns back", colors.GREEN, (5, "<"), (9, "↺"), summed_up=False),
+    EventKind.SLIP_START: EventFacts("slip starts", "slips", "slip begins", palette.ORANGE),
+    EventKind.STICK: EventFacts("slip ends", "rolls", "slip ends", palette.BLUE),
+    EventKind.SLIP_REVERSAL: EventFacts("slip reverses", "slips the other way", "slip turns round", palette.PURPLE),
+    EventKind.TAKEOFF: EventFacts("take-off", "hops", "take-off", palette.VERMILION, (4, "^"), (7, "▲"), filmed=True),
+    EventKind.IMPACT: EventFacts("landing", "lands", "landing", palette.YELLOW, (3, "v"), (8, "▼"), filmed=True),
+    EventKind.TURN: EventFacts("turns back", "turns back", "turns back", palette.GREEN, (5, "<"), (9, "↺"), summed_up=False),
     EventKind.APEX: EventFacts("apex", "is highest", "highest point", None, (7, "d"), (10, "•"), summed_up=False),
     EventKind.BOUNCE_LIMIT: EventFacts("end of the bounces", "has bounced out", "bounces end", sign=(4, "≋")),
     EventKind.PAINLEVE_INCONSISTENT: EventFacts(
@@ -69,11 +70,11 @@ EVENTS: Final[dict[str, EventFacts]] = {
     EventKind.PAINLEVE_INDETERMINATE: EventFacts(
         "Painlevé", "meets Painlevé's indeterminacy", "Painlevé: several solutions", None, (2, "X"), (2, "◇"), filmed=True
     ),
-    EventKind.JAM: EventFacts("jam", "jams", "jam", colors.BLACK, (0, "X"), (0, "✖"), filmed=True),
+    EventKind.JAM: EventFacts("jam", "jams", "jam", palette.BLACK, (0, "X"), (0, "✖"), filmed=True),
     EventKind.KANE_GAIN: EventFacts("gain of energy", "gains energy (Kane)", "energy gain (Kane)", sign=(3, "✚")),
     EventKind.SKIM: EventFacts("skims", "skims", "skimming begins", None, (6, "s"), (5, "◗")),
-    EventKind.REST: EventFacts("rest", "rests", "at rest", colors.LIGHT_GRAY, None, (6, "■")),
-    EventKind.END: EventFacts("end", "ends", "end", colors.SKY, summed_up=False),
+    EventKind.REST: EventFacts("rest", "rests", "at rest", palette.LIGHT_GRAY, None, (6, "■")),
+    EventKind.END: EventFacts("end", "ends", "end", palette.SKY, summed_up=False),
 }
 
 
@@ -135,20 +136,15 @@ def sequence_of(kinds: Sequence[int], modes: Sequence[int], times: Sequence[Any]
 
     Examples
     --------
-    >>> from hophoop.kernel.physics.body import Event
+    >>> from hophoop.kernel.physics.body import Event, Mode
     >>> kinds = [Event.START, Event.TURN, Event.SLIP_START, Event.END]
     >>> sequence_of(kinds, [Mode.ROLL, Mode.ROLL, Mode.SKID, Mode.SKID], [0.0, 1.0, 2.0, 3.0])
     'RK'
     """
     if not kinds:
-        return MODE_LETTERS[Mode.FLIGHT] if takes_off else ""
+        return ModeLetter.FLIGHT if takes_off else ""
     marks = [*phase_starts(kinds[:-1]), len(kinds) - 1]
-    letters = "".join(_letter(modes[a]) for a, b in pairwise(marks) if times[a] < times[b])
+    letters = "".join(letter_of(modes[a]) for a, b in pairwise(marks) if times[a] < times[b])
     if takes_off:
-        return letters + MODE_LETTERS[Mode.FLIGHT]
-    return letters or _letter(modes[-1])
-
-
-def _letter(mode: int) -> str:
-    # modes beyond skimming are those of a massless hoop's solver
-    return MODE_LETTERS[min(mode, int(Mode.SKIM))]
+        return letters + ModeLetter.FLIGHT
+    return letters or letter_of(modes[-1])

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import palette
 from hophoop.vocabulary.words import Word
 
 
@@ -39,15 +39,17 @@ class StatusFacts(NamedTuple):
 
 
 STATUSES: Final[dict[str, StatusFacts]] = {
-    MotionStatus.COMPLETED: StatusFacts("", colors.BLUE),
-    MotionStatus.AT_REST: StatusFacts("It has come to rest.", colors.SKY),
+    MotionStatus.COMPLETED: StatusFacts("", palette.BLUE),
+    MotionStatus.AT_REST: StatusFacts("It has come to rest.", palette.SKY),
     MotionStatus.JAMMED: StatusFacts(
-        "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.", colors.BLACK, "jammed"
+        "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",
+        palette.BLACK,
+        "jammed",
     ),
-    MotionStatus.UNDETERMINED: StatusFacts("The model does not determine the motion beyond.", colors.YELLOW, "no answer"),
+    MotionStatus.UNDETERMINED: StatusFacts("The model does not determine the motion beyond.", palette.YELLOW, "no answer"),
     MotionStatus.EVENT_LIMIT: StatusFacts(
         "The limit of events (contact.max_events), or of work for one motion, was reached before the end.",
-        colors.PURPLE,
+        palette.PURPLE,
         "stopped",
     ),
 }

@@ -9,10 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.maps.grid import kernel
 from hophoop.scenario import InputError
+from hophoop.vocabulary.modes import MODE_LETTERS
 from hophoop.vocabulary.statuses import MOTION_STATUSES
 
 NOT_ALLOWED = "not_allowed"
