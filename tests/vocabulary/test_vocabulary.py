@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
-from hophoop.kernel.records.layout import LAW
+from hophoop.kernel.records.layout import CELL, LAW
 from hophoop.lab import film, motion_map, regions
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
@@ -21,7 +21,8 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem
 from hophoop.results.poses import poses_of
-from hophoop.vocabulary import classes, colors, events, laws, modes, statuses
+from hophoop.scenario import cell_of, paths
+from hophoop.vocabulary import classes, colors, events, laws, modes, parameters, statuses
 
 ROOT = Path(__file__).parents[2]
 
@@ -125,7 +126,7 @@ def test_every_kind_of_mode_event_and_status_has_its_words():
 
     assert tuple(modes.MODES) == tuple(Mode)
     assert set(modes.MODE_WORDS) == set(modes.WORDS)
-    assert modes.MODE_LETTERS == tuple(modes.ModeLetter)
+    assert tuple(modes.ModeLetter) == modes.MODE_LETTERS
     assert tuple(events.EVENTS) == EVENT_NAMES
     assert tuple(statuses.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 
@@ -286,3 +287,44 @@ def test_shown_words_change_where_the_mode_or_the_direction_does(rocking):
     clear = slip & (np.abs(product) > 1e-9)
     assert clear.sum() > 100
     np.testing.assert_array_equal(shown[clear] == "spin", product[clear] < 0.0)
+
+
+# Parameters
+
+
+def test_every_parameter_of_a_scenario_is_a_row():
+    fields = {path for path in paths() if path != "hoop.parts"}
+    assert set(parameters.PARAMETERS) == fields
+    assert {row.column for row in parameters.TABLE if row.column} <= set(CELL)
+    for row in parameters.TABLE:
+        assert (row.unit == parameters.WORD) == (row.range is None), row.path
+
+
+def test_choices_are_the_words_of_the_models():
+    models = {"plane": (hh.Plane,), "contact": (hh.Rigid, hh.Compliant)}
+    for row in parameters.TABLE:
+        if row.choices:
+            section, _, name = row.path.partition(".")
+            annotations = [model.model_fields[name].annotation for model in models[section] if name in model.model_fields]
+            words_of_it = {word for annotation in annotations for word in typing.get_args(annotation)}
+            assert {value for value, _ in row.choices} == words_of_it
+            assert row.default in words_of_it
+
+
+@pytest.mark.parametrize("row", [row for row in parameters.TABLE if row.slider], ids=lambda row: row.path)
+def test_sliders_and_axes_stay_in_the_range(row):
+    unit = np.pi / 180.0 if row.degrees else 1.0
+    ends = [row.slider.low * unit, row.slider.high * unit, *(row.axis[:2] if row.axis else ())]
+    assert all(row.range.holds(end) for end in ends)
+
+
+def test_a_cell_has_the_numbers_of_its_scenario():
+    plane = hh.Plane(gravity=1.6, slope=0.1, mu_static=0.5, mu_kinetic=0.4, restitution=0.3, rolling_resistance=0.02)
+    hoop = hh.Hoop(radius=0.3, mass=2.0, eccentricity=0.4, inertia_ratio=0.8)
+    start = hh.Start(x=1.0, height=0.2, angle=0.5, vx=1.5, vy=-0.5, omega=2.5)
+    scenario = hh.Scenario(hoop=hoop, plane=plane, start=start, duration=7.0, contact=hh.Rigid(max_events=9))
+    cell = dict(zip(CELL, cell_of(scenario), strict=True))
+    for row in parameters.TABLE:
+        if row.column:
+            section, _, name = row.path.rpartition(".")
+            assert cell[row.column] == getattr(getattr(scenario, section) if section else scenario, name), row.path

@@ -12,6 +12,7 @@ from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
 from hophoop.simulation.trajectory import Floats, Trajectory
 from hophoop.vocabulary.modes import MODE_WORDS, coming_rotation, mode_words
+from hophoop.vocabulary.parameters import TABLE, section_of
 from hophoop.vocabulary.statuses import STATUSES
 
 DRAWN = (
@@ -19,12 +20,8 @@ DRAWN = (
     "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
 
-SHOWN = (
-    "hoop.radius", "hoop.mass", "hoop.load_fraction", "hoop.eccentricity", "hoop.inertia_ratio",
-    "plane.mu", "plane.rolling_resistance", "plane.mu_static", "plane.mu_kinetic",
-    "start.speed", "start.height", "start.vx", "start.vy", "start.omega",
-)  # fmt: skip
-"""Paths of what a slider shows that need not stand in the scenario itself."""
+SHOWN = tuple(row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start"))
+"""Paths of the sliders whose values may follow from the scenario instead of being in it."""
 
 
 def columns(

@@ -21,21 +21,22 @@ from hophoop.scenario.base import (
     refuse,
 )
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
-from hophoop.scenario.ranges import RANGES, inside, schema_of
+from hophoop.scenario.ranges import RANGES, field_of, inside, schema_of
 from hophoop.scenario.texts import say
+from hophoop.vocabulary.parameters import TABLE
 
-Radius = Annotated[Positive, inside("hoop.radius", "m"), schema_of("hoop.radius")]
-Mass = Annotated[Positive, inside("hoop.mass", "kg"), schema_of("hoop.mass")]
+Radius = Annotated[Positive, inside("hoop.radius"), schema_of("hoop.radius")]
+Mass = Annotated[Positive, inside("hoop.mass"), schema_of("hoop.mass")]
 InertiaRatio = Annotated[NonNegative, inside("hoop.inertia_ratio"), schema_of("hoop.inertia_ratio")]
-Gravity = Annotated[NonNegative, inside("plane.gravity", "m/s²"), schema_of("plane.gravity")]
-Height = Annotated[NonNegative, inside("start.height", "m"), schema_of("start.height")]
-Place = Annotated[Number, inside("start.x", "m"), schema_of("start.x")]
-Angle = Annotated[Number, inside("start.angle", "rad"), schema_of("start.angle")]
-Speed = Annotated[Number, inside("start.speed", "m/s"), schema_of("start.speed")]
-Rate = Annotated[Number, inside("start.omega", "rad/s"), schema_of("start.omega")]
-Stiffness = Annotated[Positive, inside("contact.stiffness", "N/m"), schema_of("contact.stiffness")]
-Damping = Annotated[NonNegative, inside("contact.damping"), schema_of("contact.damping")]
-SlipSpeed = Annotated[Positive, inside("contact.slip_speed", "m/s"), schema_of("contact.slip_speed")]
+Gravity = Annotated[NonNegative, inside("plane.gravity"), schema_of("plane.gravity")]
+Height = Annotated[NonNegative, inside("start.height"), schema_of("start.height")]
+Place = Annotated[Number, inside("start.x"), schema_of("start.x")]
+Angle = Annotated[Number, inside("start.angle"), schema_of("start.angle")]
+Speed = Annotated[Number, inside("start.speed"), schema_of("start.speed")]
+Rate = Annotated[Number, inside("start.omega"), schema_of("start.omega")]
+Stiffness = Annotated[Positive, inside("contact.stiffness"), schema_of("contact.stiffness")]
+Damping = Annotated[NonNegative, inside("contact.damping", ""), schema_of("contact.damping")]
+SlipSpeed = Annotated[Positive, inside("contact.slip_speed"), schema_of("contact.slip_speed")]
 Tolerance = Annotated[Positive, inside("contact.rtol"), schema_of("contact.rtol")]
 RangedFriction = Annotated[Friction, inside("plane.mu")]
 
@@ -77,11 +78,11 @@ class Hoop(Frozen):
 
     place: ClassVar[str] = "hoop."
 
-    radius: Radius = quantity(1.0, "Rim radius", "m")
-    mass: Mass = quantity(1.0, "Total mass", "kg")
-    load_fraction: Fraction | None = quantity(None, "Share of the mass in the load of an ideal hoop")
-    eccentricity: Fraction = quantity(0.75, "Distance of the centre of gravity from the centre, over the radius")
-    inertia_ratio: InertiaRatio = quantity(0.4375, "Moment of inertia about the centre of gravity over m R²")
+    radius: Radius = field_of("hoop.radius")
+    mass: Mass = field_of("hoop.mass")
+    load_fraction: Fraction | None = field_of("hoop.load_fraction")
+    eccentricity: Fraction = field_of("hoop.eccentricity")
+    inertia_ratio: InertiaRatio = field_of("hoop.inertia_ratio")
     parts: tuple[Part, ...] | None = quantity(None, "What the hoop is made of", "")
 
     @model_validator(mode="after")
@@ -234,15 +235,15 @@ class Plane(Frozen):
 
     place: ClassVar[str] = "plane."
 
-    gravity: Gravity = quantity(9.81, "Gravity", "m/s²")
-    slope: Number = quantity(0.0, "Slope of the plane, downhill along +x", "rad")
-    mu: RangedFriction | None = quantity(None, "Friction, static and kinetic")
-    mu_static: RangedFriction = quantity(1.0, "Static friction")
-    mu_kinetic: RangedFriction = quantity(1.0, "Kinetic friction")
-    restitution: Fraction = quantity(0.0, "Restitution of an impact")
-    impact_law: Literal["stronge", "newton", "poisson"] = quantity("stronge", "Law of restitution", "")
-    painleve: Literal["flight", "impact"] = quantity("flight", "What follows an indeterminate contact", "")
-    rolling_resistance: Fraction = quantity(0.0, "Rolling resistance: couple against the rotation over R N")
+    gravity: Gravity = field_of("plane.gravity")
+    slope: Number = field_of("plane.slope")
+    mu: RangedFriction | None = field_of("plane.mu")
+    mu_static: RangedFriction = field_of("plane.mu_static")
+    mu_kinetic: RangedFriction = field_of("plane.mu_kinetic")
+    restitution: Fraction = field_of("plane.restitution")
+    impact_law: Literal["stronge", "newton", "poisson"] = field_of("plane.impact_law")
+    painleve: Literal["flight", "impact"] = field_of("plane.painleve")
+    rolling_resistance: Fraction = field_of("plane.rolling_resistance")
 
     @model_validator(mode="after")
     def _complete(self) -> Plane:
@@ -263,12 +264,12 @@ class Plane(Frozen):
     def _written(self) -> Iterable[str]:
         apart = any(name in self.model_fields_set for name in _FRICTIONS)
         left_out = {"mu"} if apart else set(_FRICTIONS)
-        if self.rolling_resistance == 0.0:  # as in files of before there was one
-            left_out.add("rolling_resistance")
+        left_out |= {name for name, usual in LEFT_OUT.items() if getattr(self, name) == usual}
         return [name for name in type(self).model_fields if name not in left_out]
 
 
 _FRICTIONS = ("mu_static", "mu_kinetic")
+LEFT_OUT = {row.path.removeprefix("plane."): row.default for row in TABLE if row.left_out}
 
 
 class StartState(NamedTuple):
@@ -327,13 +328,13 @@ class Start(Frozen):
 
     place: ClassVar[str] = "start."
 
-    x: Place = quantity(0.0, "Place of the centre along the plane", "m")
-    height: Height = quantity(0.0, "Gap between rim and plane", "m")
-    angle: Angle = quantity(0.0, "Angle from the plane's normal to the centre of gravity", "rad")
-    speed: Speed | None = quantity(None, "Velocity of the centre in a rolling start", "m/s")
-    vx: Speed = quantity(0.0, "Velocity of the centre along the plane", "m/s")
-    vy: Speed = quantity(0.0, "Velocity of the centre away from the plane", "m/s")
-    omega: Rate | None = quantity(0.0, "Angular velocity", "rad/s")
+    x: Place = field_of("start.x")
+    height: Height = field_of("start.height")
+    angle: Angle = field_of("start.angle")
+    speed: Speed | None = field_of("start.speed")
+    vx: Speed = field_of("start.vx")
+    vy: Speed = field_of("start.vy")
+    omega: Rate | None = field_of("start.omega")
 
     @model_validator(mode="after")
     def _complete(self) -> Start:
@@ -414,8 +415,8 @@ class Rigid(Frozen):
 
     place: ClassVar[str] = "contact."
 
-    model: Literal["rigid"] = quantity("rigid", "Contact model", "")
-    max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
+    model: Literal["rigid"] = field_of("contact.model")
+    max_events: Count = field_of("contact.max_events", ge=1, le=int(RANGES["contact.max_events"].most))
 
 
 class Compliant(Frozen):
@@ -456,15 +457,15 @@ class Compliant(Frozen):
     place: ClassVar[str] = "contact."
 
     model: Literal["compliant"] = quantity("compliant", "Contact model", "")
-    stiffness: Stiffness | None = quantity(None, "Stiffness of the contact", "N/m")
-    damping: Damping | None = quantity(None, "Damping of the contact", "N s/m or s/m")
-    restitution: Fraction | None = quantity(None, "Restitution that the damping is chosen for")
-    law: Literal["kelvin-voigt", "hunt-crossley"] = quantity("kelvin-voigt", "Normal force", "")
-    friction: Literal["tanh", "linear", "bristle"] = quantity("tanh", "Regularised friction", "")
-    slip_speed: SlipSpeed | None = quantity(None, "Slip velocity over which friction builds up", "m/s")
-    tangential_stiffness: Stiffness | None = quantity(None, "Stiffness of the bristle along the plane", "N/m")
-    rtol: Tolerance | None = quantity(None, "Relative tolerance")
-    max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
+    stiffness: Stiffness | None = field_of("contact.stiffness")
+    damping: Damping | None = field_of("contact.damping")
+    restitution: Fraction | None = field_of("contact.restitution")
+    law: Literal["kelvin-voigt", "hunt-crossley"] = field_of("contact.law")
+    friction: Literal["tanh", "linear", "bristle"] = field_of("contact.friction")
+    slip_speed: SlipSpeed | None = field_of("contact.slip_speed")
+    tangential_stiffness: Stiffness | None = field_of("contact.tangential_stiffness")
+    rtol: Tolerance | None = field_of("contact.rtol")
+    max_events: Count = field_of("contact.max_events", ge=1, le=int(RANGES["contact.max_events"].most))
 
     @model_validator(mode="after")
     def _one_damping(self) -> Compliant:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from hophoop.vocabulary.parameters import TABLE
+
 TIME: Final = "Time (s)"
 ANGLE: Final = "Rotation angle θ (°)"
 ROTATION: Final = r"Angular velocity $\dot\theta$ (rad/s)"
@@ -17,19 +19,7 @@ DISTANCE: Final = "Level distance (m)"  # where a slope is drawn as a slope
 HEIGHT: Final = "Height (m)"
 POINT_SPEED: Final = "Speed of the ring's points (m/s)"
 
-PARAMETERS: Final = {
-    "plane.mu": "Friction μ",
-    "plane.mu_static": r"Static friction $\mu_s$",
-    "plane.mu_kinetic": r"Kinetic friction $\mu_k$",
-    "plane.slope": "Slope β",
-    "plane.restitution": "Restitution e",
-    "hoop.load_fraction": "Load fraction γ",
-    "hoop.eccentricity": "Eccentricity ε",
-    "hoop.inertia_ratio": "Inertia ratio κ",
-    "start.speed": r"Speed at the start $v_0$",
-    "start.angle": "Angle at the start θ",
-    "start.omega": r"Angular velocity at the start $\dot\theta$",
-}
+PARAMETERS: Final = {row.path: row.figure for row in TABLE if row.figure}
 """Short names of parameters, by path, as axes of maps show them."""
 
 

@@ -12,50 +12,36 @@ from hophoop.kernel.physics.mass import ideal_inertia
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.kernel.records.layout import (
     ALLOWED,
-    ANGLE,
-    DURATION,
+    CELL,
     ECCENTRICITY,
-    GRAVITY,
     HEIGHT,
     IDEAL,
     INERTIA_RATIO,
     LAW,
     MASS,
-    MAX_EVENTS,
     MU_KINETIC,
     MU_STATIC,
     OMEGA,
     RADIUS,
-    RESTITUTION,
     ROLLING_RESISTANCE,
     SLIP,
     SLOPE,
     STRIKE,
     VY,
-    X,
 )
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.parameters import TABLE, section_of
 
 Array = NDArray[Any]
 
+_FREE = ("height", "vx", "vy", "omega")  # of a start that does not roll
 # Parameters whose value is one number of the cell.
 _PLAIN = {
-    "duration": DURATION,
-    "hoop.radius": RADIUS,
-    "hoop.mass": MASS,
-    "hoop.eccentricity": ECCENTRICITY,
-    "hoop.inertia_ratio": INERTIA_RATIO,
-    "plane.gravity": GRAVITY,
-    "plane.slope": SLOPE,
-    "plane.mu_static": MU_STATIC,
-    "plane.mu_kinetic": MU_KINETIC,
-    "plane.restitution": RESTITUTION,
-    "plane.rolling_resistance": ROLLING_RESISTANCE,
-    "start.x": X,
-    "start.angle": ANGLE,
-    "contact.max_events": MAX_EVENTS,
+    row.path: CELL.index(row.column)
+    for row in TABLE
+    if row.column and not (section_of(row) == "start" and row.path.removeprefix("start.") in _FREE)
 }
 
 
@@ -84,7 +70,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         paths = [path for path in paths if path not in hoop]
     start = base.start
     rolling = start.speed is not None
-    free: dict[str, Any] = {name: getattr(start, name) for name in ("height", "vx", "vy", "omega")}
+    free: dict[str, Any] = {name: getattr(start, name) for name in _FREE}
     for path in paths:
         array = values[path]
         if path in _PLAIN:
