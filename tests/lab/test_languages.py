@@ -22,7 +22,7 @@ from hophoop.vocabulary.statuses import STATUSES
 from strategies import scenarios
 
 WEB = Path(__file__).parents[2] / "web"
-LANGUAGES = ("de", "es", "fr", "zh")
+LANGUAGES = sorted(path.stem for path in (WEB / "words").glob("*.json"))
 TABLES = {code: json.loads((WEB / "words" / f"{code}.json").read_text(encoding="utf-8")) for code in LANGUAGES}
 ENGLISH = TABLES["de"].keys()
 PLACE = re.compile(r"\{(\w+)\}")

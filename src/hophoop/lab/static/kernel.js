@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 6402e98b4d13bfb597d5994299a750f2 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources b69124870cfb72bd44289a261ec32b26 */
 var c={sources:"16ee5c69d91aa3338eb623f3b32cebbb",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
