@@ -44,9 +44,8 @@ RangedFriction = Annotated[Friction, inside("plane.mu")]
 class Hoop(Frozen):
     """A rigid body with a circular rim: its radius, mass, eccentricity and moment of inertia.
 
-    Given in one of three ways, which it remembers: by `load_fraction` (the ideal hoop), by `eccentricity`
-    and `inertia_ratio`, or by `parts`. Without any of them it is the ideal hoop with three quarters of its
-    mass in the load.
+    Given in one of three ways, which it keeps: by `load_fraction` (the ideal hoop), by `eccentricity` and
+    `inertia_ratio`, or by `parts`. By default it is the ideal hoop with 75 % of its mass in the load.
 
     Parameters
     ----------
@@ -57,7 +56,7 @@ class Hoop(Frozen):
     load_fraction : float, optional
         γ from 0 to 1, the share of the mass in a point load on a thin ring [1]; then ε = γ and κ = 1 − γ².
     parts : sequence of Ring, Disk, PointMass or Rod, optional
-        What the hoop is made of; all of it lies within the rim.
+        Its parts, all within the rim.
     eccentricity : float, optional
         ε from 0 to 1, the distance of the centre of gravity G from the rim's centre C over R [1].
     inertia_ratio : float, optional
@@ -98,7 +97,7 @@ class Hoop(Frozen):
         elif self.load_fraction is not None or not given:
             _alone("hoop", "load_fraction", given)
             gamma = 0.75 if self.load_fraction is None else self.load_fraction
-            # As a product: 1 − γ² would lose half its digits near γ = 1.
+            # a product, since 1 − γ² loses half its digits near γ = 1
             self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=ideal_inertia(gamma))
         elif len(given) == 1:
             missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
@@ -149,8 +148,8 @@ class Hoop(Frozen):
         radius : float
             Rim radius R [m].
         parts : sequence of Ring, Disk, PointMass or Rod
-            Each stands at a signed distance from C on the line towards the load. Should the centre of gravity
-            come out on the negative side, the line is taken the other way round: θ is the angle to G.
+            Each at a signed distance from C on the line towards the load. If the centre of gravity is on the
+            negative side, the line is reversed: θ is the angle to G.
 
         Returns
         -------
@@ -187,7 +186,7 @@ class Hoop(Frozen):
 
 
 def _check_derived(hoop: Hoop) -> None:
-    # what was not given itself: the mass of the parts, the inertia of an ideal hoop
+    # values that were not given themselves: the mass of the parts, the inertia of an ideal hoop
     if not RANGES["hoop.mass"].holds(hoop.mass):
         raise refuse(say("hoop_mass", mass=hoop.mass, words=RANGES["hoop.mass"].words("kg")))
     if not RANGES["hoop.inertia_ratio"].holds(hoop.inertia_ratio):
@@ -206,7 +205,7 @@ def _alone(section: str, way: str, given: Sequence[str]) -> None:
 
 
 class Plane(Frozen):
-    """The plane that the hoop moves on, gravity, friction and what an impact does.
+    """The plane of the motion: gravity, slope, friction and impacts.
 
     Parameters
     ----------
@@ -221,9 +220,9 @@ class Plane(Frozen):
     restitution : float, default 0
         e from 0 (plastic) to 1 [1].
     impact_law : {'stronge', 'newton', 'poisson'}, default 'stronge'
-        What ends the restitution of an impact.
+        Criterion that ends the restitution of an impact.
     painleve : {'flight', 'impact'}, default 'flight'
-        What follows where Painlevé's paradox leaves the motion indeterminate.
+        What follows if Painlevé's paradox leaves the motion indeterminate.
     rolling_resistance : float, default 0
         f from 0 to 1: in contact the couple f R N acts against the rotation [1].
 
@@ -247,7 +246,7 @@ class Plane(Frozen):
 
     @model_validator(mode="after")
     def _complete(self) -> Plane:
-        # What was settled is not given: pydantic runs this again where a plane joins a scenario.
+        # derived values were not given: pydantic runs this again when a plane becomes part of a scenario
         if self.mu is not None and "mu" in self.model_fields_set:
             _alone("plane", "mu", [name for name in _FRICTIONS if name in self.model_fields_set])
             self._settle(mu_static=self.mu, mu_kinetic=self.mu)
@@ -278,7 +277,7 @@ class StartState(NamedTuple):
     Attributes
     ----------
     x, height : float
-        Place of the centre along the plane, and gap between rim and plane [m].
+        Position of the centre along the plane, and gap between rim and plane [m].
     angle : float
         θ [rad].
     vx, vy : float
@@ -286,7 +285,7 @@ class StartState(NamedTuple):
     omega : float
         Angular velocity [rad/s].
     slip : float
-        Slip velocity [m/s]. It is kept apart, since a rolling start has exactly 0 and not v − R (v/R).
+        Slip velocity [m/s], stored because a rolling start has exactly 0, not v − R (v/R).
     """
 
     x: float
@@ -299,14 +298,14 @@ class StartState(NamedTuple):
 
 
 class Start(Frozen):
-    """Where the hoop starts and how fast.
+    """Position and velocity of the hoop at the start.
 
     Either a rolling start, with `speed`, or any state; `Start()` is at rest with the load at the top.
 
     Parameters
     ----------
     x : float, default 0
-        Place of the centre along the plane [m].
+        Position of the centre along the plane [m].
     height : float, default 0
         Gap between rim and plane, at least 0 [m].
     angle : float, default 0
@@ -361,7 +360,7 @@ class Start(Frozen):
         angle : float, default 0
             θ [rad].
         x : float, default 0
-            Place of the centre along the plane [m].
+            Position of the centre along the plane [m].
 
         Returns
         -------
@@ -405,12 +404,12 @@ class Rigid(Frozen):
     Parameters
     ----------
     max_events : int, default 100000
-        After so many events the motion ends, at the last of them, with status 'event_limit'; from 1 to ten million [1].
+        Maximum number of events; the motion ends at the last one with status 'event_limit'. From 1 to 10 million [1].
 
     Raises
     ------
     ValueError
-        If max_events is not a whole number in that range.
+        If max_events is not an integer in that range.
     """
 
     place: ClassVar[str] = "contact."
@@ -422,7 +421,7 @@ class Rigid(Frozen):
 class Compliant(Frozen):
     """Compliant contact: a unilateral spring and damper with regularised friction.
 
-    What is None follows from radius, mass and gravity (without gravity, 1 m/s² stands for it).
+    Values that are None follow from radius, mass and gravity (1 m/s² without gravity).
 
     Parameters
     ----------
@@ -433,7 +432,7 @@ class Compliant(Frozen):
     restitution : float, optional
         e from 0 to 1 that the damping is chosen for, in place of damping; by default the plane's. It is that
         of the whole mass on the contact, for Hunt and Crossley's law landing at √(g R). No finite damping
-        gives 0, so that √(m g/(k R)), at most 0.1, stands for all below it [1].
+        gives 0, so that smaller values count as √(m g/(k R)), at most 0.1 [1].
     law : {'kelvin-voigt', 'hunt-crossley'}, default 'kelvin-voigt'
         Normal force at the depth δ: N = kδ + cδ̇ or N = kδ(1 + dδ̇), never below 0.
     friction : {'tanh', 'linear', 'bristle'}, default 'tanh'
@@ -446,7 +445,7 @@ class Compliant(Frozen):
     rtol : float, optional
         Relative tolerance of the integration, above 0 and at most 0.1; by default 10⁻⁹ [1].
     max_events : int, default 100000
-        After so many events the motion ends, at the last of them, with status 'event_limit'; from 1 to ten million [1].
+        Maximum number of events; the motion ends at the last one with status 'event_limit'. From 1 to 10 million [1].
 
     Raises
     ------
@@ -475,7 +474,7 @@ class Compliant(Frozen):
 
 
 def _model_of(value: Any) -> Any:
-    # A table without the key `model` is rigid; what is not a table has no model at all.
+    # a table without the key `model` is rigid; other values have no model
     if isinstance(value, dict):
         return value.get("model", "rigid")
     return getattr(value, "model", None)

@@ -1,7 +1,7 @@
-"""The range of every number of a scenario: within it a motion is computed, or ends with a status that says why not.
+"""Ranges of a scenario's numbers, within which a motion is computed or ends with a status that gives the reason.
 
-The units of a motion are R, m and √(R/g). Outside these ranges its numbers leave what doubles can hold or what a body, a
-plane and a clock can be; a value there is refused in one sentence.
+The units of a motion are R, m and √(R/g). Outside these ranges its numbers exceed doubles or physical sense; such a value is
+refused in one sentence.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ RANGES: dict[str, Range] = {
 }
 """By path in a scenario."""
 
-# What a compliant contact must be beside its hoop: stiffness in m g/R, slip speed in √(g R), and the depth in radii that the
-# speeds of the start and the weight give. What sinks deeper is no contact between a rim and a plane.
+# Ranges of a compliant contact relative to its hoop: stiffness in m g/R, slip speed in √(g R), and the depth in radii from the
+# weight and the speeds of the start. A rim that sinks deeper has no contact with a plane in any physical sense.
 RELATIVE_STIFFNESS = Range(1e-2, 1e15)
 RELATIVE_SLIP_SPEED = Range(1e-12, 1e6)
 MOST_DEPTH = 100.0

@@ -1,4 +1,4 @@
-"""One motion to be: hoop, plane, start, duration and contact, with its files and links."""
+"""A scenario: hoop, plane, start, duration and contact, with its files and links."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from hophoop.vocabulary.parameters import TABLE, section_of
 
 
 class Scenario(Frozen):
-    """Everything that a motion needs, validated, frozen and written to files and links.
+    """Everything that defines a motion: validated, frozen, and serialized to files and links.
 
     Without arguments it is the reference case: three quarters of the mass in the load, R = 1 m, m = 1 kg,
     μ = 1, plastic landings, rolling at 3.1 m/s with the load at the top, for 6 s.
@@ -137,7 +137,7 @@ class Scenario(Frozen):
         Parameters
         ----------
         keys : dict
-            As `to_dict` gives them; what is left out has its default.
+            As `to_dict` gives them; missing keys have their defaults.
 
         Returns
         -------
@@ -234,7 +234,7 @@ class Scenario(Frozen):
         return cls.from_dict(read_query(query))
 
     def replace(self, path: str, value: Any) -> Scenario:
-        """The same scenario but for one parameter.
+        """Return the same scenario with one parameter replaced.
 
         Parameters
         ----------
@@ -258,7 +258,7 @@ class Scenario(Frozen):
         return self.with_values({path: value})
 
     def with_values(self, values: Mapping[str, Any]) -> Scenario:
-        """The same scenario but for some parameters, which only together must be allowed.
+        """Return the same scenario with several parameters replaced and validated together.
 
         Parameters
         ----------
@@ -307,7 +307,7 @@ def _check_resistance(hoop: Hoop, plane: Plane) -> None:
 
 
 def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
-    """Refuse a spring that is no contact any more: too soft or too stiff for this hoop, or for its start."""
+    """Refuse a spring that is too soft or too stiff for this hoop or its start."""
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
     second = time_unit(hoop, plane)
     stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED

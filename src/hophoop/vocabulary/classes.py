@@ -37,9 +37,9 @@ ROLLS: Final = palette.BLUE
 
 
 def class_color(name: str, quantity: str = SEQUENCE) -> str:
-    """The colour of a class of motion, the same in every map.
+    """Return the colour of a class of motion, the same in every map.
 
-    A class is known by letters alone, so that its colour follows them; it is no mode's colour.
+    A class is given by letters alone, which determine its colour; it is no mode's colour.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
     middle = sum(base) / 3.0
     depth = min(len(name) - 1, 9) / 9.0
-    # classes of one length and family still differ a little, by their names
+    # classes of equal length and family differ slightly, by their names
     drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
     light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
     shades = []
@@ -83,7 +83,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
 
 
 def class_text(name: str, quantity: str = SEQUENCE) -> str:
-    """A class in words.
+    """Return a class in words.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def class_text(name: str, quantity: str = SEQUENCE) -> str:
     Returns
     -------
     text : str
-        Slip in a sequence is named by the sign of v_t, since its letters do not tell which way the hoop rolls.
+        Slip in a sequence is named by the sign of v_t, since its letters do not give the direction of rolling.
 
     Examples
     --------

@@ -1,5 +1,4 @@
-"""One meaning for each colour, in plots, films, maps and the lab. The set is that of Okabe and Ito (2008),
-told apart with every kind of colour blindness; modes also differ in lightness.
+"""One meaning for each colour, in plots, films, maps and the lab. Modes also differ in lightness.
 
 Plain strings and numbers, without Matplotlib, so that any front end can use them.
 """
@@ -11,7 +10,7 @@ from typing import Final
 from hophoop._support.errors import InputError
 from hophoop.vocabulary.modes import WORDS
 
-# others use these as well, as `colors.GRAY`
+# other packages use these as `colors.GRAY`
 from hophoop.vocabulary.palette import (  # isort: skip
     BLACK as BLACK, BLUE as BLUE, GRAY as GRAY, GREEN as GREEN, LIGHT_GRAY as LIGHT_GRAY, ORANGE as ORANGE,
     PURPLE as PURPLE, SKY as SKY, VERMILION as VERMILION, YELLOW as YELLOW,
@@ -24,8 +23,8 @@ LOAD: Final = BLACK  # trace of the load, and the load itself
 GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
 GRAVITY_CENTER_AIRBORNE: Final = "#CC1F1A"  # the same while airborne: red, as in the article
 
-# Quantities in plots against time or angle: dark inks that are no mode's colour, told apart by dashes as well. Brown is
-# friction, as a force and as what it takes; black is the ink of what needs no colour.
+# Quantities in plots against time or angle: dark colours that no mode has, with different dashes. Brown is friction, both force
+# and loss; black needs no colour.
 CENTER_SPEED: Final = BLACK  # v, velocity of the centre
 ROTATION_SPEED: Final = "#00857A"  # Rθ̇
 KINETIC: Final = "#1B3A78"
@@ -35,13 +34,13 @@ FRICTION_LOSS: Final = "#8F3B0A"
 IMPACT_LOSS: Final = "#8E1B5F"
 NORMAL_FORCE: Final = "#5B3FA8"
 FRICTION_FORCE: Final = FRICTION_LOSS
-LIMIT: Final = GRAY  # a limit that is not to be crossed, such as full use of friction
+LIMIT: Final = GRAY  # a limit, such as a friction utilization of 1
 
 SERIES: Final = (BLACK, "#4A7A8C", "#A0522D", "#6A5A8C", "#5A7A3A", "#9A4A6A", GRAY)
-"""Lines that are told apart and mean no mode or quantity, such as several motions; markers and dashes differ too."""
+"""Lines without a meaning of their own, such as several motions; markers and dashes differ too."""
 
 RING_SPEED_MAP: Final = "viridis"
-"""Matplotlib's name of the colour map by which the ring's points show their speed."""
+"""Matplotlib's colour map for the speed of the ring's points."""
 
 SHADE: Final = 0.18
 """Opacity of a mode's colour as a background."""
@@ -51,7 +50,7 @@ LEAST_LIGHTNESS: Final = 0.48
 
 
 def lightness(color: str) -> float:
-    """How light a colour looks.
+    """Return the perceived lightness of a colour.
 
     Parameters
     ----------
@@ -68,7 +67,7 @@ def lightness(color: str) -> float:
 
 
 def on_dark(color: str) -> str:
-    """A colour light enough for a dark background: the same hue, with more white.
+    """Return a colour light enough for a dark background: the same hue, with more white.
 
     Parameters
     ----------

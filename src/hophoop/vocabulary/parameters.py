@@ -194,8 +194,8 @@ TABLE: Final = (
         derivative=True, degrees=True,
     ),
     Parameter(
-        "start.x", "Place of the centre along the plane", "m", 0.0, Range(-1e9, 1e9),
-        options=(Option("--x", "Place of the centre along the plane, m."),), column="x", derivative=True,
+        "start.x", "Position of the centre along the plane", "m", 0.0, Range(-1e9, 1e9),
+        options=(Option("--x", "Position of the centre along the plane, m."),), column="x", derivative=True,
     ),
     Parameter(
         "start.height", "Gap between rim and plane", "m", 0.0, Range(0.0, 1e6),

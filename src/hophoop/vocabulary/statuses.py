@@ -26,11 +26,11 @@ MOTION_STATUSES: Final = tuple(MotionStatus)
 
 
 class StatusFacts(NamedTuple):
-    """What is known of a status."""
+    """Facts about a status."""
 
-    sentence: str  # empty where the motion just went on for as long as was asked
+    sentence: str  # empty if the motion reached its duration
     color: str  # in maps
-    stopped: str = ""  # in films, where the motion has no further answer: then the command line ends with status 1
+    stopped: str = ""  # in films, if the motion has no answer beyond; the command line then exits with status 1
 
     @property
     def ok(self) -> bool:

@@ -14,5 +14,5 @@ class Word(StrEnum):
 
 
 def plain(word: Any) -> str:
-    """An identifier of the file format as words, such as 'slip start' for slip_start."""
+    """Return an identifier of the file format as words, such as 'slip start' for slip_start."""
     return str(word).replace("_", " ")

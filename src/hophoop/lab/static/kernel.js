@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources b69124870cfb72bd44289a261ec32b26 */
-var c={sources:"16ee5c69d91aa3338eb623f3b32cebbb",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources f189cd31938870923120b4ea0ffb27d3 */
+var c={sources:"2a9a863f363675a2ba763f336d0023eb",module:"dcc695fd6dec3e9d",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\

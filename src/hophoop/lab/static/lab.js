@@ -1,6 +1,6 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources b69124870cfb72bd44289a261ec32b26 */
-var ql=Object.create;var ao=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Bl=Object.getOwnPropertyNames;var Wl=Object.getPrototypeOf,Fl=Object.prototype.hasOwnProperty;var $l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Hl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Bl(e))!Fl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
-return s};var Gl=(s,e,t)=>(t=s!=null?ql(Wl(s)):{},Hl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var Ha=$l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function Wa(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
+/* Built from web/lab/main.js by esbuild 0.28.2; sources f189cd31938870923120b4ea0ffb27d3 */
+var ql=Object.create;var ao=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Bl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,Wl=Object.prototype.hasOwnProperty;var $l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Hl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Bl(e))!Wl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
+return s};var Gl=(s,e,t)=>(t=s!=null?ql(Fl(s)):{},Hl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var Ha=$l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function Fa(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
 "2d").drawImage(i,0,0),o}toDataURL(e,t,n,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
@@ -8,7 +8,7 @@ r);if(i==="image/svg+xml"||!i)return a.async?Promise.resolve(u):u;if(i==="image/
 st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(u,t,n),d=h.toDataURL(i,o);return h.remove(),d})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,i,o,a,r,l){if(l||(l={}),!l.async)throw new Error(
 "svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let u=await this.svg2canvas(c,t,n),
-d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Fa=new Kn;var $a=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
+d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Wa=new Kn;var $a=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
 p.length;g++)h=h.replace(new RegExp("\\{"+p[g]+"\\}","gi"),d[p[g]]);return h}function a(h){var d,p,g;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",g=0;g<12;g++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
 return p}function r(h,d){var p,g,f={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)g="&"+h[p+1]+";",b=parseInt(h[p],d),f[g]="&#"+b+";";return f["\\xa0"]="&#\
@@ -33,8 +33,8 @@ stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"s
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
 abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
-var p=this.__ctx.__createElement("stop"),g,f;p.setAttribute("offset",h),Wa(d).indexOf("rgba")!==-1?(g=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-f=g.exec(d),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:f[1],g:f[2],b:f[3]})),p.setAttribute("stop-opacity",f[4])):p.setAttribute("stop-color",Wa(d)),this.
+var p=this.__ctx.__createElement("stop"),g,f;p.setAttribute("offset",h),Fa(d).indexOf("rgba")!==-1?(g=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+f=g.exec(d),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:f[1],g:f[2],b:f[3]})),p.setAttribute("stop-opacity",f[4])):p.setAttribute("stop-color",Fa(d)),this.
 __root.appendChild(p)},n=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
 width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
 p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
@@ -55,8 +55,8 @@ w=this[g[f]],b.apply){if(w instanceof n){if(w.__ctx)for(M=0;M<w.__ctx.__defs.chi
 T,this.__defs.appendChild(A);d.setAttribute(b.apply,o("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,o("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
 v=y.exec(w),d.setAttribute(b.svgAttr,o("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var R=v[4],N=this.globalAlpha;N!=null&&(R*=N),d.setAttribute(b.svgAttr+"-opac\
-ity",R)}else{var B=b.svgAttr;if(g[f]==="globalAlpha"){if(B=h+"-"+b.svgAttr,d.getAttribute(B))continue}else if(g[f]==="lineWidth"){var W=this.__getTransformScale();
-w=w*Math.max(W.x,W.y)}d.setAttribute(B,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
+ity",R)}else{var B=b.svgAttr;if(g[f]==="globalAlpha"){if(B=h+"-"+b.svgAttr,d.getAttribute(B))continue}else if(g[f]==="lineWidth"){var F=this.__getTransformScale();
+w=w*Math.max(F.x,F.y)}d.setAttribute(B,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
 h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var d=new XMLSerializer().serializeToString(this.__root),p,g,f,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
 y.test(d)&&(d=d.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(i),g=0;g<p.length;g++)f=p[g],b=i[f],
 w=new RegExp(f,"gi"),w.test(d)&&(d=d.replace(w,b));return d},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
@@ -78,8 +78,8 @@ x,y:this.__matrixTransform(f,b).y}))},e.prototype.quadraticCurveTo=function(h,d,
 var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,g,f){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(f<0)throw new Error("IndexSizeError: The radius provided ("+f+") is nega\
 tive.");if(b===h&&w===d||h===p&&d===g||f===0){this.lineTo(h,d);return}var y=u([b-h,w-d]),v=u([p-h,g-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var T=y[0]*
-v[0]+y[1]*v[1],M=Math.acos(Math.abs(T)),A=u([y[0]+v[0],y[1]+v[1]]),R=f/Math.sin(M/2),N=h+R*A[0],B=d+R*A[1],W=[-y[1],y[0]],X=[v[1],-v[0]],re=function(io){var oo=io[0],
-Cl=io[1];return Cl>=0?Math.acos(oo):-Math.acos(oo)},Ut=re(W),Ol=re(X);this.lineTo(N+W[0]*f,B+W[1]*f),this.arc(N,B,f,Ut,Ol)}},e.prototype.stroke=function(){this.
+v[0]+y[1]*v[1],M=Math.acos(Math.abs(T)),A=u([y[0]+v[0],y[1]+v[1]]),R=f/Math.sin(M/2),N=h+R*A[0],B=d+R*A[1],F=[-y[1],y[0]],X=[v[1],-v[0]],re=function(io){var oo=io[0],
+Cl=io[1];return Cl>=0?Math.acos(oo):-Math.acos(oo)},Ut=re(F),Ol=re(X);this.lineTo(N+F[0]*f,B+F[1]*f),this.arc(N,B,f,Ut,Ol)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,g){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
@@ -109,19 +109,19 @@ this.lineTo(v,T),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcF
 endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,g,f,b,w,y){if(b!==w){
 var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var T=this.__getTransformScale();p=p*T.x,g=g*T.y,f=f+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
 b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var M=h+Math.cos(-f)*p*Math.cos(w)+Math.sin(-f)*g*Math.sin(w),A=d-Math.sin(-f)*p*Math.cos(w)+Math.cos(-f)*g*Math.
-sin(w),R=h+Math.cos(-f)*p*Math.cos(b)+Math.sin(-f)*g*Math.sin(b),N=d-Math.sin(-f)*p*Math.cos(b)+Math.cos(-f)*g*Math.sin(b),B=y?0:1,W=0,X=w-b;X<0&&(X+=2*Math.PI),
-y?W=X>Math.PI?0:1:W=X>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(R,N),this.__transformMatrix=re,this.__addPathCommand(o("A {rx}\
- {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:g,xAxisRotation:f*(180/Math.PI),largeArcFlag:W,sweepFlag:B,endX:M,endY:A})),this.__currentPosition=
+sin(w),R=h+Math.cos(-f)*p*Math.cos(b)+Math.sin(-f)*g*Math.sin(b),N=d-Math.sin(-f)*p*Math.cos(b)+Math.cos(-f)*g*Math.sin(b),B=y?0:1,F=0,X=w-b;X<0&&(X+=2*Math.PI),
+y?F=X>Math.PI?0:1:F=X>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(R,N),this.__transformMatrix=re,this.__addPathCommand(o("A {rx}\
+ {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:g,xAxisRotation:f*(180/Math.PI),largeArcFlag:F,sweepFlag:B,endX:M,endY:A})),this.__currentPosition=
 {x:M,y:A}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),g=this.__createElement("g");this.__applyCurrentDefaultPath(),
 h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),h.setAttribute("clip-path",o("url(#{\
 id})",{id:p})),h.appendChild(g),this.__currentElement=g},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,g,f,b,w=0,y=0,v,T,
-M,A,R,N,B,W,X,re;if(h.length===3)p=h[1],g=h[2],v=d.width,T=d.height,f=v,b=T;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],v=d.width,T=d.height;else if(h.length===
+M,A,R,N,B,F,X,re;if(h.length===3)p=h[1],g=h[2],v=d.width,T=d.height,f=v,b=T;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],v=d.width,T=d.height;else if(h.length===
 9)w=h[1],y=h[2],v=h[3],T=h[4],p=h[5],g=h[6],f=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);M=this.__closestGroupOrSvg(),
 this.__currentElement;let Ut=this.getTransform().translate(p,g);if(d instanceof e){if(A=d.getSvg().cloneNode(!0),A.childNodes&&A.childNodes.length>1){for(R=A.childNodes[0];R.
 childNodes.length;)re=R.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(R.childNodes[0]);N=A.childNodes[1],N&&(this.__applyTransformation(
 N,Ut),M.appendChild(N))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(B=this.__createElement("image"),B.setAttribute("width",f),B.setAttribute("height",b),
-B.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||T!==d.height)&&(W=this.__document.createElement("canvas"),W.width=f,W.height=b,X=W.getContext("\
-2d"),X.drawImage(d,w,y,v,T,0,0,f,b),d=W),this.__applyTransformation(B,Ut),B.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
+B.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||T!==d.height)&&(F=this.__document.createElement("canvas"),F.width=f,F.height=b,X=F.getContext("\
+2d"),X.drawImage(d,w,y,v,T,0,0,f,b),d=F),this.__applyTransformation(B,Ut),B.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
 d.getAttribute("src")),M.appendChild(B))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 g=a(this.__ids),f;return p.setAttribute("id",g),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(f=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),f.setAttribute("width",h.width),f.setAttribute(
@@ -135,7 +135,7 @@ multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));
 translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,g,f,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,g,f,b]));this.setTransform(
 w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){return Fa.getImageData(this.getSvg(),
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){return Wa.getImageData(this.getSvg(),
 this.width,this.height,h,d,p,g,f)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
 globalCompositeOperation=function(){},e})();function Ne(s){this.ctx=new $a(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
 display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute("class")||""},set:function(i){
@@ -144,7 +144,7 @@ Object.defineProperty(t,i,{get:function(){return e.getAttribute(i)|0},set:functi
 ["style","id"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return n[i]},set:function(o){if(typeof o<"u")return n[i]=o}})}),["getBoundingClient\
 Rect"].forEach(function(i){t[i]=function(){return e[i]()}})}Ne.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupported type of context for SVG\
 Canvas");return this.ctx};Ne.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Fa.toDataURL(this.svg,this.width,this.height,s,e,t)};Ne.prototype.addEventListener=
+utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Wa.toDataURL(this.svg,this.width,this.height,s,e,t)};Ne.prototype.addEventListener=
 function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.prototype.getAttribute=function(s){
 return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Is.Context=$a;Is.Element=Ne});function _e(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ro=s=>wt(s)>.2?"#111111":"#ffffff",yt=(s,e)=>`rgba(${_e(s).join(",")}\
 ,${e})`,Ul=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function wt(s){let[e,t,n]=_e(s).map(Ul);return .2126*e+.7152*t+.0722*n}function vt(s,e){
@@ -155,687 +155,687 @@ return s}var st=Kl(),Vt=st.map(s=>`rgb(${s.join(",")})`),Vl=["#123a8c","#8a6d00"
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
- in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {angle} um","has\
- bounced out at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","meets Painlevé\
-'s indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains energy (Kane) at {\
-angle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"beginnt bei {ang\
-le}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})","It has com\
-e to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalkraft wächst\
- über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the motion beyon\
-d.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Die G\
-renze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at {angle} and \
-the centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {angle} and t\
-he centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {angle} and the\
- centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction is used up: th\
-e rim turns too fast for the way it goes.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","It {verb} at \
-{angle}; friction is used up: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again at {angle};\
- the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip turns round at {angle}; it {verb}.":"Bei {angle} kehrt sich der Schl\
-upf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei {angle}. Er \
-steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufprall beendet \
-bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwärts und sprin\
-gt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns back at {angl\
-e}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {angle}: the g\
-ap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Bounces without number end here, at {angle}.":"Hier, bei {angle},\
- enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontaktkraft passt\
- zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte passen dazu.",
-"Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.","Newton's la\
-w of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at {angle}: th\
-e load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","It rests at {\
-angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times.":"Er sprin\
-gt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pure rolling":"\
-Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End of rolling":"\
-Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genügt","woul\
-d hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"würde i\
-n der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once: at any \
-speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine Reibung \
-hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more than th\
-ere is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier möglich",
-"from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","with t\
-he load at {angle}":"mit der Last bei {angle}","at {angle} friction is used up":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact force is gon\
-e":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an der Masse\
- eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts vom Mittelp\
-unkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmoment um den \
-Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Friction, st\
-atic and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","Slope of t\
-he plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"Stoßzah\
-l eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"Winkel\
- der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spalts","\
-Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit des \
-Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts weg vo\
-n der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupfgesch\
-windigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chosen for":"\
-Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of restitution":"\
-Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)","Painlevé: \
-two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contact model":"Ko\
-ntaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Reibung","smo\
-oth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Crossley","S\
-peed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular velocity θ̇₀":"\
-Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"Exzentrizität ε",
-"Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"Fallbeschleunigung\
- g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first turn":"was in der er\
-sten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the first hop":"Dauer des\
- ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Winkel am Ende","Painl\
-evé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdrehungen",reversal:"U\
-mkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"keine","not allow\
-ed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Paradoxa",More:"Meh\
-r","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal, verlässt dann ku\
-rz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; each slip is weake\
-r than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, und keiner ist der \
-letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"Reines Rollen, s\
-chneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 m/s","Nearly at\
- rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 % der Reibung we\
-rden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro\
-.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in der Last","A mass\
-less ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr da; die Last fä\
-llt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone earlier, at cos θ \
-= v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Masse in der Last","\
-γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Painlevé: no solution":"\
-Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt zu diesem Schlupf. E\
-in Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug und Stoß passen beide \
-zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite time, and no law says wh\
-at follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, was folgt.","Kane: \
-energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"Newtons Stoßgesetz mit\
- Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"Auf \
-10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped with spin and restitut\
-ion 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","On the Moon":"Auf d\
-em Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: Alles ist um den Fakto\
-r 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rückgängig (z)","Re\
-do (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys and help (?)":"Ta\
-sten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","Which hoop the con\
-trols change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Ebene",Start:"Start",
-Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"Wo",elsewhere:"a\
-nderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem Zustand","auto {\
-value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",Disk:"Scheibe",
-"Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centre":"Abstand vom\
- Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"Teil {number} \
-entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} m\
-uss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} bis {most}","f\
-rom {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {least} to {most\
-}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.inertia_ratio = 0)":"\
-für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rigid“ (hoop.inertia\
-_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht. Was hier ist, läu\
-ft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The notebook’s kernel doe\
-s not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",time:"Zeit",angle:"W\
-inkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front, B behind":"A vorn,\
- B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Spuren (t)","Forces (f\
-)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"Kräfte","Rim \
-speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo des Films","T\
-o the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis (Umschalt →)",
-"One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nächsten Flug (h)",
-"To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landing.":"Diese Bewegu\
-ng hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"Schlupf beginnt","slip ends":"Schlupf endet","s\
-lip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge enden","Painlevé\
-: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"Streifen beginnt","at rest":"in Ruhe",end:"En\
-de","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten","(not all even\
-ts are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie zu Reifen {ho\
-op} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien und Verluste","\
-energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the damper":"im Dämpfer\
- verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal N":"Normalkraft\
- N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diagramm zeigt","Ho\
-rizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to go there, two f\
-ingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-cli\
-ck for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} to {high}":"{nam\
-e} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]",
-"angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand","height of the \
-centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit","speed away fr\
-om the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal force":"Normalkraf\
-t","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenzielle Energie","t\
-otal energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"\
-Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer Umdrehung [°]",
-"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne Schlupf folgt. S\
-chraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click t\
-o go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelkli\
-ck: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of m\
-otions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewe\
-gung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Clic\
-k to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motio\
-n into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach ei\
-nem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count\
-} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this motion starts ot\
-herwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zustand, obwohl di\
-ese Bewegung rollend beginnt",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (netC\
-DF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen Film\
- aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link ist k\
-opiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine Weile \
-…","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser Bro\
-wser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"Der \
-Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on a pl\
-ane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a s\
-lider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, lande\
-t – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"Zeic\
-hen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previous,\
- next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos1 En\
-de","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom back":"\
-zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y  Strg Z",
-"undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim turns too\
- fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen vorwärts \
-rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts rollt)","the \
-hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kraft berüh\
-rt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces without number e\
-nd":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzelne Tasten \
-(Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","Tilt the pl\
-ane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or throw the \
-hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or arrow keys":"\
-Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow motion: a tenth\
- of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf dem ganzen Bild\
-schirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",Presentation:"\
-Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count} rows.":"Die e\
-rsten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderung",Score:"Pun\
-kte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","Your best: {po\
-ints} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose the load, where \
-it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beginnt, und die \
-Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything is allowed; the\
- first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mindestens 5 cm ho\
-ch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is \
-at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last unten, mit höc\
-hstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"Nur starrer K\
-ontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"Die Stoßzahl\
- muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"Höchstens 9\
-0 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sein.","It must\
- start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchstens 6 s.","I\
-t does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.","It lands {\
-off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction must be at\
- most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight short question\
-s: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before it is let g\
-o.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} von {all}","\
-Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{points} of 1\
-00 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{what} mit der\
- Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoods Frage","\
-A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when th\
-e weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J. E. Little\
-wood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt weiter.","\
-It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"Das Gewicht\
- fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft mehr.","Littl\
-ewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a\
- hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt frei, und e\
-in Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a quarter of t\
-he mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist die Last obe\
-n, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt in der ers\
-ten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last unten hat d\
-er Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy loa\
-d has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kinetische Ener\
-gie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slips":"Warum e\
-r gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s oben. Rolle\
-n braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Wo ist\
- die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten beginnt","I\
-t begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share} des Gewic\
-hts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the \
-diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring schneller w\
-erden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. This time t\
-he hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung vorbei ist\
-.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it takes off":"\
-Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m/s gleitet.",
-"A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load \
-pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung zu schwach: \
-Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The hoop is in th\
-e air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und er dreht sich\
- gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids: the rim sli\
-des ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounces.":"Er sprin\
-gt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg um {height} c\
-m; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less frict\
-ion, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie sein Druck: Hi\
-er genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.","More frictio\
-n, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bekommen denselb\
-en Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise by {low} cm, {\
-middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On ice nothing \
-drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is \
-braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den Reifen auf d\
-em Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper nicht entsche\
-iden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein Reifen wird s\
-o geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht.","What \
-do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both agree with \
-the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, und beide B\
-ewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a littl\
-e, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei Antworten\
-, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du bist dran",
-"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the mot\
-ion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sieh, wie dei\
-ne Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den Reifen ein\
-mal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count the votes\
- by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in pairs: wh\
-o has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which speed is \
-the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forces; stop a\
-t take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each group takes\
- one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What has to brake\
- the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kann es sein,\
- und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The load pulls \
-the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop before the top\
-, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where it is fas\
-test.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stärksten: Di\
-e Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring can: it g\
-ets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brakes.":"Reib\
-ung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach vorn.","Mo\
-re friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier hoop behav\
-es otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: where is t\
-he load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Markiere die St\
-elle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Der \
-Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its lowest poi\
-nt is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Teil des Reif\
-ens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"\
-Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0 m/s, and th\
-e speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: what does the \
-hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem Winkel hüpft \
-er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen hüpft, auf 1\
- cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den Boden, während \
-sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbeitsblatt",Solutions:"\
-Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What students often think":"\
-Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Reifen","A thin ring \
-of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the ri\
-ght. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0,75 kg befestigt. D\
-er Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","does it hop?":"hüpft \
-er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table gives numbers to ever\
-y student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater than {least}":"größer a\
-ls {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {most}":"höchstens {most\
-}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'{word}', '{word2}' or '\
-{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the rotation over R N":"Rol\
-lwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where \
-it turns back; the map shows it":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'rigid' for a\
- map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor höchstens \
-{most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie sagen dasselb\
-e auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to rolling res\
-istance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {valu\
-e} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sind {word2}.",
-"{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {limit}.":"{on\
-e} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static = inf muss be\
-i contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; ask for a shor\
-ter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {time} second\
-s.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in 1 Sekunde n\
-och einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies berechnet ha\
-t, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor höchstens {mo\
-st} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {mos\
-t} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehungen, im Labor\
- höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts hat {cou\
-nt} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration and must need \
-at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {most}.","A cell\
- of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor höchstens {mo\
-st}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter durati\
-on.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkeiten oder eine\
- kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höchstens {most} \
-s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hand\
-s}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Was nach {time} s kom\
-mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","No fingerp\
-rint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.","A hash\
- of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben Bits re\
-chnet, auch in Python","✓ Same bits as in Python":"✓ Dieselben Bits wie in Python","✓ Same bits as where the link was made":"✓ Dieselben Bits wie dort, wo\
- der Link entstand","The bits differ: {own} here, {other} in Python.":"Die Bits sind verschieden: {own} hier, {other} in Python.","The bits differ: {own} here, \
-{other} where the link was made, perhaps with another version.":"Die Bits sind verschieden: {own} hier, {other} dort, wo der Link entstand, vielleicht mit einer\
- anderen Version.","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen\
- hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader\
-’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung\
- wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen\
- und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem\
- Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a ta\
-g":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The \
-frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"\
-Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Linien,\
- die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","What a \
-little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein wenig\
- mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ändert",
-event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gibt es\
- nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this could no\
-t be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein Netz \
-da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die Pfei\
-le stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.":"\
-Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reason}.":"\
-Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"{amo\
-unt} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amount} h\
-igher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in the a\
-ir":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount} ea\
-rlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Hop {n\
-umber}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"Am E\
-nde, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only touches\
- zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead to o\
-ther events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim has la\
-nded: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: with t\
-he rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und es gä\
-be andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze hat",
-"the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Kontaktkr\
-aft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen","th\
-e motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am Ran\
-d des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are com\
-puted: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var nt={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+ in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {angle} um","sto\
+ps bouncing at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","meets Painlevé'\
+s indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains energy (Kane) at {a\
+ngle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"beginnt bei {angl\
+e}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})","It has come\
+ to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalkraft wächst \
+über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the motion beyond\
+.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Die Gr\
+enze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at {angle} and t\
+he centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {angle} and th\
+e centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {angle} and the \
+centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction reaches its lim\
+it: the rim turns too fast for its path.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","It {verb} at {\
+angle}; friction reaches its limit: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again at {a\
+ngle}; the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip reverses at {angle}; it {verb}.":"Bei {angle} kehrt sich der S\
+chlupf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei {angle}. \
+Er steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufprall beend\
+et bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwärts und sp\
+ringt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns back at {a\
+ngle}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {angle}: th\
+e gap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Infinitely many bounces end here, at {angle}.":"Hier, bei {ang\
+le}, enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontaktkraft p\
+asst zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte passen d\
+azu.","Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.","Newto\
+n's law of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at {angl\
+e}: the load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","It rest\
+s at {angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times.":"Er\
+ springt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pure roll\
+ing":"Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End of roll\
+ing":"Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genügt",
+"would hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"wü\
+rde in der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once: at\
+ any speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine Rei\
+bung hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more th\
+an there is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier möglic\
+h","from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","wit\
+h the load at {angle}":"mit der Last bei {angle}","at {angle} friction reaches its limit":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact fo\
+rce is gone":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an\
+ der Masse eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts v\
+om Mittelpunkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmome\
+nt um den Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Fr\
+iction, static and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","\
+Slope of the plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"\
+Stoßzahl eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"\
+Winkel der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spal\
+ts","Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit\
+ des Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts w\
+eg von der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupf\
+geschwindigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chose\
+n for":"Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of res\
+titution":"Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)",
+"Painlevé: two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contac\
+t model":"Kontaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Re\
+ibung","smooth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Cro\
+ssley","Speed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular veloc\
+ity θ̇₀":"Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"E\
+xzentrizität ε","Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"\
+Fallbeschleunigung g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first tu\
+rn":"was in der ersten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the fir\
+st hop":"Dauer des ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Wink\
+el am Ende","Painlevé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdreh\
+ungen",reversal:"Umkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"\
+keine","not allowed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Pa\
+radoxa",More:"Mehr","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal,\
+ verlässt dann kurz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; \
+each slip is weaker than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, u\
+nd keiner ist der letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"\
+Reines Rollen, schneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 \
+m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 %\
+ der Reibung werden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop r\
+ocks to and fro.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in de\
+r Last","A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr \
+da; die Last fällt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone ea\
+rlier, at cos θ = v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Mas\
+se in der Last","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Pain\
+levé: no solution":"Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt\
+ zu diesem Schlupf. Ein Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug u\
+nd Stoß passen beide zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite ti\
+me, and no law says what follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, \
+was folgt.","Kane: energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"New\
+tons Stoßgesetz mit Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, un\
+til it hops.":"Auf 10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped wit\
+h spin and restitution 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","\
+On the Moon":"Auf dem Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: All\
+es ist um den Faktor 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rü\
+ckgängig (z)","Redo (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys\
+ and help (?)":"Tasten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","\
+Which hoop the controls change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Eb\
+ene",Start:"Start",Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"\
+Wo",elsewhere:"anderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem \
+Zustand","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",
+Disk:"Scheibe","Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centr\
+e":"Abstand vom Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"\
+Teil {number} entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{nam\
+e} = {value} muss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} \
+bis {most}","from {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {l\
+east} to {most}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.iner\
+tia_ratio = 0)":"für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rig\
+id“ (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht\
+. Was hier ist, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The n\
+otebook’s kernel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",
+time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front\
+, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Sp\
+uren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"\
+Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo\
+ des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis\
+ (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nä\
+chsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landin\
+g.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip starts":"Schlupf beginnt","slip ends":"\
+Schlupf endet","slip reverses":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge end\
+en","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming starts":"Streifen beginnt","at rest":"in\
+ Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten",
+"(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie\
+ zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien u\
+nd Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the dampe\
+r":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal \
+N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diag\
+ramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to \
+go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zo\
+oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} t\
+o {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"\
+{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand",
+"height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
+"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
+e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
+le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
+ and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
+Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne \
+Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergröß\
+ern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das \
+Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegun\
+gen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe über\
+nimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganz\
+e Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to t\
+ake that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Absp\
+ieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechne\
+t …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this mo\
+tion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zust\
+and, obwohl diese Bewegung rollend beginnt",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)",
+"Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hi\
+er einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"D\
+er Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauer\
+t eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"\
+Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is the\
+re.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rol\
+ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
+. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hü\
+pft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of t\
+ime":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →",
+"previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"\
+Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zo\
+om back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z\
+ y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the r\
+im turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reif\
+en vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts r\
+ollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne\
+ Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces wit\
+hout number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Ein\
+zelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene",
+"Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll o\
+r throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, o\
+r arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow \
+motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf \
+dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
+Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count}\
+ rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderu\
+ng",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","\
+Your best: {points} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose th\
+e load, where it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beg\
+innt, und die Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything i\
+s allowed; the first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mind\
+estens 5 cm hoch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 \
+m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last\
+ unten, mit höchstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"\
+Nur starrer Kontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"\
+Die Stoßzahl muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"\
+Höchstens 90 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sei\
+n.","It must start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchste\
+ns 6 s.","It does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.",
+"It lands {off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction\
+ must be at most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight sho\
+rt questions: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before \
+it is let go.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} v\
+on {all}","Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{p\
+oints} of 100 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{wh\
+at} mit der Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoo\
+ds Frage","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happ\
+ens when the weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J\
+. E. Littlewood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt\
+ weiter.","It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"\
+Das Gewicht fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft me\
+hr.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane\
+. To hop, a hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt \
+frei, und ein Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a q\
+uarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist d\
+ie Last oben, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt\
+ in der ersten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last \
+unten hat der Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that th\
+e heavy load has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kine\
+tische Energie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slip\
+s":"Warum er gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s \
+oben. Rollen braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mar\
+k.":"Wo ist die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten \
+beginnt","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share\
+} des Gewichts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction.\
+ Watch the diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring \
+schneller werden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. \
+This time the hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung\
+ vorbei ist.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it\
+ takes off":"Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m\
+/s gleitet.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, \
+and the load pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung\
+ zu schwach: Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The \
+hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und \
+er dreht sich gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids\
+: the rim slides ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounce\
+s.":"Er springt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg \
+um {height} cm; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. Wi\
+th less friction, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie s\
+ein Druck: Hier genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.",
+"More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bek\
+ommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise b\
+y {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On\
+ ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so muc\
+h that it is braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den\
+ Reifen auf dem Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper \
+nicht entscheiden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein \
+Reifen wird so geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht\
+.","What do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both ag\
+ree with the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, un\
+d beide Bewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yiel\
+d a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei \
+Antworten, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du b\
+ist dran","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed fr\
+om the motion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sie\
+h, wie deine Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den \
+Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count\
+ the votes by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in\
+ pairs: who has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which\
+ speed is the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forc\
+es; stop at take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each g\
+roup takes one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What ha\
+s to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kan\
+n es sein, und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The l\
+oad pulls the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop befo\
+re the top, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where\
+ it is fastest.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stä\
+rksten: Die Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring\
+ can: it gets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brak\
+es.":"Reibung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach \
+vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier \
+hoop behaves otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: \
+where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Marki\
+ere die Stelle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bott\
+om?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its \
+lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Tei\
+l des Reifens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop b\
+e faster?":"Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0\
+ m/s, and the speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: wh\
+at does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem W\
+inkel hüpft er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen\
+ hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den B\
+oden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbei\
+tsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What stu\
+dents often think":"Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Re\
+ifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and \
+is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0\
+,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","do\
+es it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table g\
+ives numbers to every student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater tha\
+n {least}":"größer als {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {m\
+ost}":"höchstens {most}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'\
+{word}', '{word2}' or '{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the \
+rotation over R N":"Rollwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no single threshold uphill (β < 0): it depends\
+ on where the hoop turns back; see the map":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'r\
+igid' for a map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor\
+ höchstens {most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie s\
+agen dasselbe auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to\
+ rolling resistance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{n\
+ame} = {value} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sin\
+d {word2}.","{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {l\
+imit}.":"{one} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static =\
+ inf muss bei contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; as\
+k for a shorter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {\
+time} seconds.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in\
+ 1 Sekunde noch einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies \
+berechnet hat, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor h\
+öchstens {most} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be\
+ at most {most} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehun\
+gen, im Labor höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.p\
+arts hat {count} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration a\
+nd must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {mos\
+t}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor h\
+öchstens {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a s\
+horter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkei\
+ten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höch\
+stens {most} s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von \
+{hoop}; {hands}","After {time} s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the exact result.":"Was nach {ti\
+me} s kommt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","N\
+o fingerprint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.",
+"A hash of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben \
+Bits rechnet, auch in Python","✓ Same bits as in Python":"✓ Dieselben Bits wie in Python","✓ Same bits as where the link was made":"✓ Dieselben Bits wie d\
+ort, wo der Link entstand","The bits differ: {own} here, {other} in Python.":"Die Bits sind verschieden: {own} hier, {other} in Python.","The bits differ: {own}\
+ here, {other} where the link was made, perhaps with another version.":"Die Bits sind verschieden: {own} hier, {other} dort, wo der Link entstand, vielleicht mi\
+t einer anderen Version.","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"\
+Einen hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the r\
+eader’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bew\
+egung wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung w\
+ählen und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter \
+seinem Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","A\
+s a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind",
+"The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping ho\
+op":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Li\
+nien, die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","Wh\
+at a little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein \
+wenig mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis änd\
+ert",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gi\
+bt es nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this cou\
+ld not be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein \
+Netz da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die\
+ Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as lo\
+ng.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {rea\
+son}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the righ\
+t":"{amount} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{a\
+mount} higher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more \
+in the air":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {am\
+ount} earlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.",
+"Hop {number}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"\
+Am Ende, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only tou\
+ches zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead \
+to other events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim ha\
+s landed: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: wi\
+th the rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und e\
+s gäbe andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze h\
+at","the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Konta\
+ktkraft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen",
+"the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
+Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
+computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var nt={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
- in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {angle} um","has\
- bounced out at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","meets Painlevé\
-'s indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains energy (Kane) at {\
-angle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"beginnt bei {ang\
-le}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})","It has com\
-e to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalkraft wächst\
- über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the motion beyon\
-d.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Die G\
-renze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at {angle} and \
-the centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {angle} and t\
-he centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {angle} and the\
- centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction is used up: th\
-e rim turns too fast for the way it goes.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","It {verb} at \
-{angle}; friction is used up: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again at {angle};\
- the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip turns round at {angle}; it {verb}.":"Bei {angle} kehrt sich der Schl\
-upf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei {angle}. Er \
-steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufprall beendet \
-bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwärts und sprin\
-gt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns back at {angl\
-e}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {angle}: the g\
-ap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Bounces without number end here, at {angle}.":"Hier, bei {angle},\
- enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontaktkraft passt\
- zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte passen dazu.",
-"Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.","Newton's la\
-w of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at {angle}: th\
-e load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","It rests at {\
-angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times.":"Er sprin\
-gt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pure rolling":"\
-Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End of rolling":"\
-Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genügt","woul\
-d hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"würde i\
-n der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once: at any \
-speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine Reibung \
-hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more than th\
-ere is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier möglich",
-"from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","with t\
-he load at {angle}":"mit der Last bei {angle}","at {angle} friction is used up":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact force is gon\
-e":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an der Masse\
- eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts vom Mittelp\
-unkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmoment um den \
-Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Friction, st\
-atic and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","Slope of t\
-he plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"Stoßzah\
-l eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"Winkel\
- der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spalts","\
-Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit des \
-Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts weg vo\
-n der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupfgesch\
-windigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chosen for":"\
-Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of restitution":"\
-Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)","Painlevé: \
-two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contact model":"Ko\
-ntaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Reibung","smo\
-oth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Crossley","S\
-peed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular velocity θ̇₀":"\
-Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"Exzentrizität ε",
-"Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"Fallbeschleunigung\
- g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first turn":"was in der er\
-sten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the first hop":"Dauer des\
- ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Winkel am Ende","Painl\
-evé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdrehungen",reversal:"U\
-mkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"keine","not allow\
-ed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Paradoxa",More:"Meh\
-r","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal, verlässt dann ku\
-rz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; each slip is weake\
-r than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, und keiner ist der \
-letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"Reines Rollen, s\
-chneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 m/s","Nearly at\
- rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 % der Reibung we\
-rden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro\
-.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in der Last","A mass\
-less ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr da; die Last fä\
-llt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone earlier, at cos θ \
-= v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Masse in der Last","\
-γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Painlevé: no solution":"\
-Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt zu diesem Schlupf. E\
-in Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug und Stoß passen beide \
-zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite time, and no law says wh\
-at follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, was folgt.","Kane: \
-energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"Newtons Stoßgesetz mit\
- Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"Auf \
-10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped with spin and restitut\
-ion 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","On the Moon":"Auf d\
-em Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: Alles ist um den Fakto\
-r 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rückgängig (z)","Re\
-do (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys and help (?)":"Ta\
-sten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","Which hoop the con\
-trols change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Ebene",Start:"Start",
-Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"Wo",elsewhere:"a\
-nderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem Zustand","auto {\
-value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",Disk:"Scheibe",
-"Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centre":"Abstand vom\
- Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"Teil {number} \
-entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} m\
-uss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} bis {most}","f\
-rom {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {least} to {most\
-}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.inertia_ratio = 0)":"\
-für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rigid“ (hoop.inertia\
-_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht. Was hier ist, läu\
-ft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The notebook’s kernel doe\
-s not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",time:"Zeit",angle:"W\
-inkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front, B behind":"A vorn,\
- B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Spuren (t)","Forces (f\
-)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"Kräfte","Rim \
-speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo des Films","T\
-o the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis (Umschalt →)",
-"One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nächsten Flug (h)",
-"To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landing.":"Diese Bewegu\
-ng hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"Schlupf beginnt","slip ends":"Schlupf endet","s\
-lip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge enden","Painlevé\
-: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"Streifen beginnt","at rest":"in Ruhe",end:"En\
-de","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten","(not all even\
-ts are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie zu Reifen {ho\
-op} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien und Verluste","\
-energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the damper":"im Dämpfer\
- verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal N":"Normalkraft\
- N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diagramm zeigt","Ho\
-rizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to go there, two f\
-ingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-cli\
-ck for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} to {high}":"{nam\
-e} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]",
-"angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand","height of the \
-centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit","speed away fr\
-om the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal force":"Normalkraf\
-t","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenzielle Energie","t\
-otal energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"\
-Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer Umdrehung [°]",
-"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne Schlupf folgt. S\
-chraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click t\
-o go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelkli\
-ck: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of m\
-otions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewe\
-gung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Clic\
-k to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motio\
-n into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach ei\
-nem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count\
-} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this motion starts ot\
-herwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zustand, obwohl di\
-ese Bewegung rollend beginnt",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (netC\
-DF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen Film\
- aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link ist k\
-opiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine Weile \
-…","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser Bro\
-wser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"Der \
-Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on a pl\
-ane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a s\
-lider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, lande\
-t – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"Zeic\
-hen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previous,\
- next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos1 En\
-de","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom back":"\
-zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y  Strg Z",
-"undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim turns too\
- fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen vorwärts \
-rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts rollt)","the \
-hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kraft berüh\
-rt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces without number e\
-nd":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzelne Tasten \
-(Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","Tilt the pl\
-ane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or throw the \
-hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or arrow keys":"\
-Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow motion: a tenth\
- of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf dem ganzen Bild\
-schirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",Presentation:"\
-Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count} rows.":"Die e\
-rsten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderung",Score:"Pun\
-kte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","Your best: {po\
-ints} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose the load, where \
-it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beginnt, und die \
-Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything is allowed; the\
- first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mindestens 5 cm ho\
-ch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is \
-at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last unten, mit höc\
-hstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"Nur starrer K\
-ontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"Die Stoßzahl\
- muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"Höchstens 9\
-0 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sein.","It must\
- start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchstens 6 s.","I\
-t does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.","It lands {\
-off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction must be at\
- most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight short question\
-s: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before it is let g\
-o.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} von {all}","\
-Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{points} of 1\
-00 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{what} mit der\
- Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoods Frage","\
-A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when th\
-e weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J. E. Little\
-wood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt weiter.","\
-It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"Das Gewicht\
- fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft mehr.","Littl\
-ewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a\
- hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt frei, und e\
-in Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a quarter of t\
-he mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist die Last obe\
-n, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt in der ers\
-ten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last unten hat d\
-er Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy loa\
-d has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kinetische Ener\
-gie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slips":"Warum e\
-r gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s oben. Rolle\
-n braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Wo ist\
- die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten beginnt","I\
-t begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share} des Gewic\
-hts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the \
-diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring schneller w\
-erden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. This time t\
-he hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung vorbei ist\
-.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it takes off":"\
-Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m/s gleitet.",
-"A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load \
-pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung zu schwach: \
-Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The hoop is in th\
-e air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und er dreht sich\
- gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids: the rim sli\
-des ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounces.":"Er sprin\
-gt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg um {height} c\
-m; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less frict\
-ion, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie sein Druck: Hi\
-er genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.","More frictio\
-n, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bekommen denselb\
-en Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise by {low} cm, {\
-middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On ice nothing \
-drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is \
-braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den Reifen auf d\
-em Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper nicht entsche\
-iden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein Reifen wird s\
-o geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht.","What \
-do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both agree with \
-the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, und beide B\
-ewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a littl\
-e, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei Antworten\
-, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du bist dran",
-"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the mot\
-ion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sieh, wie dei\
-ne Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den Reifen ein\
-mal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count the votes\
- by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in pairs: wh\
-o has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which speed is \
-the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forces; stop a\
-t take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each group takes\
- one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What has to brake\
- the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kann es sein,\
- und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The load pulls \
-the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop before the top\
-, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where it is fas\
-test.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stärksten: Di\
-e Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring can: it g\
-ets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brakes.":"Reib\
-ung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach vorn.","Mo\
-re friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier hoop behav\
-es otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: where is t\
-he load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Markiere die St\
-elle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Der \
-Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its lowest poi\
-nt is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Teil des Reif\
-ens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"\
-Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0 m/s, and th\
-e speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: what does the \
-hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem Winkel hüpft \
-er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen hüpft, auf 1\
- cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den Boden, während \
-sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbeitsblatt",Solutions:"\
-Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What students often think":"\
-Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Reifen","A thin ring \
-of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the ri\
-ght. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0,75 kg befestigt. D\
-er Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","does it hop?":"hüpft \
-er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table gives numbers to ever\
-y student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater than {least}":"größer a\
-ls {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {most}":"höchstens {most\
-}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'{word}', '{word2}' or '\
-{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the rotation over R N":"Rol\
-lwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where \
-it turns back; the map shows it":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'rigid' for a\
- map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor höchstens \
-{most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie sagen dasselb\
-e auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to rolling res\
-istance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {valu\
-e} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sind {word2}.",
-"{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {limit}.":"{on\
-e} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static = inf muss be\
-i contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; ask for a shor\
-ter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {time} second\
-s.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in 1 Sekunde n\
-och einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies berechnet ha\
-t, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor höchstens {mo\
-st} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {mos\
-t} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehungen, im Labor\
- höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts hat {cou\
-nt} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration and must need \
-at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {most}.","A cell\
- of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor höchstens {mo\
-st}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter durati\
-on.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkeiten oder eine\
- kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höchstens {most} \
-s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hand\
-s}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Was nach {time} s kom\
-mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","No fingerp\
-rint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.","A hash\
- of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben Bits re\
-chnet, auch in Python","✓ Same bits as in Python":"✓ Dieselben Bits wie in Python","✓ Same bits as where the link was made":"✓ Dieselben Bits wie dort, wo\
- der Link entstand","The bits differ: {own} here, {other} in Python.":"Die Bits sind verschieden: {own} hier, {other} in Python.","The bits differ: {own} here, \
-{other} where the link was made, perhaps with another version.":"Die Bits sind verschieden: {own} hier, {other} dort, wo der Link entstand, vielleicht mit einer\
- anderen Version.","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen\
- hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader\
-’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung\
- wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen\
- und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem\
- Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a ta\
-g":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The \
-frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"\
-Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Linien,\
- die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","What a \
-little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein wenig\
- mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ändert",
-event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gibt es\
- nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this could no\
-t be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein Netz \
-da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die Pfei\
-le stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.":"\
-Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reason}.":"\
-Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"{amo\
-unt} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amount} h\
-igher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in the a\
-ir":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount} ea\
-rlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Hop {n\
-umber}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"Am E\
-nde, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only touches\
- zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead to o\
-ther events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim has la\
-nded: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: with t\
-he rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und es gä\
-be andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze hat",
-"the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Kontaktkr\
-aft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen","th\
-e motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am Ran\
-d des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are com\
-puted: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var Yl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
+ in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {angle} um","sto\
+ps bouncing at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","meets Painlevé'\
+s indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains energy (Kane) at {a\
+ngle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"beginnt bei {angl\
+e}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})","It has come\
+ to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalkraft wächst \
+über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the motion beyond\
+.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Die Gr\
+enze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at {angle} and t\
+he centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {angle} and th\
+e centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {angle} and the \
+centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction reaches its lim\
+it: the rim turns too fast for its path.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","It {verb} at {\
+angle}; friction reaches its limit: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again at {a\
+ngle}; the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip reverses at {angle}; it {verb}.":"Bei {angle} kehrt sich der S\
+chlupf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei {angle}. \
+Er steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufprall beend\
+et bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwärts und sp\
+ringt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns back at {a\
+ngle}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {angle}: th\
+e gap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Infinitely many bounces end here, at {angle}.":"Hier, bei {ang\
+le}, enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontaktkraft p\
+asst zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte passen d\
+azu.","Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.","Newto\
+n's law of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at {angl\
+e}: the load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","It rest\
+s at {angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times.":"Er\
+ springt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pure roll\
+ing":"Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End of roll\
+ing":"Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genügt",
+"would hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"wü\
+rde in der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once: at\
+ any speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine Rei\
+bung hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more th\
+an there is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier möglic\
+h","from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","wit\
+h the load at {angle}":"mit der Last bei {angle}","at {angle} friction reaches its limit":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact fo\
+rce is gone":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an\
+ der Masse eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts v\
+om Mittelpunkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmome\
+nt um den Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Fr\
+iction, static and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","\
+Slope of the plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"\
+Stoßzahl eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"\
+Winkel der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spal\
+ts","Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit\
+ des Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts w\
+eg von der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupf\
+geschwindigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chose\
+n for":"Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of res\
+titution":"Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)",
+"Painlevé: two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contac\
+t model":"Kontaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Re\
+ibung","smooth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Cro\
+ssley","Speed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular veloc\
+ity θ̇₀":"Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"E\
+xzentrizität ε","Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"\
+Fallbeschleunigung g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first tu\
+rn":"was in der ersten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the fir\
+st hop":"Dauer des ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Wink\
+el am Ende","Painlevé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdreh\
+ungen",reversal:"Umkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"\
+keine","not allowed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Pa\
+radoxa",More:"Mehr","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal,\
+ verlässt dann kurz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; \
+each slip is weaker than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, u\
+nd keiner ist der letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"\
+Reines Rollen, schneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 \
+m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 %\
+ der Reibung werden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop r\
+ocks to and fro.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in de\
+r Last","A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr \
+da; die Last fällt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone ea\
+rlier, at cos θ = v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Mas\
+se in der Last","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Pain\
+levé: no solution":"Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt\
+ zu diesem Schlupf. Ein Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug u\
+nd Stoß passen beide zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite ti\
+me, and no law says what follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, \
+was folgt.","Kane: energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"New\
+tons Stoßgesetz mit Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, un\
+til it hops.":"Auf 10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped wit\
+h spin and restitution 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","\
+On the Moon":"Auf dem Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: All\
+es ist um den Faktor 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rü\
+ckgängig (z)","Redo (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys\
+ and help (?)":"Tasten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","\
+Which hoop the controls change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Eb\
+ene",Start:"Start",Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"\
+Wo",elsewhere:"anderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem \
+Zustand","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",
+Disk:"Scheibe","Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centr\
+e":"Abstand vom Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"\
+Teil {number} entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{nam\
+e} = {value} muss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} \
+bis {most}","from {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {l\
+east} to {most}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.iner\
+tia_ratio = 0)":"für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rig\
+id“ (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht\
+. Was hier ist, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The n\
+otebook’s kernel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",
+time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front\
+, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Sp\
+uren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"\
+Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo\
+ des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis\
+ (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nä\
+chsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landin\
+g.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip starts":"Schlupf beginnt","slip ends":"\
+Schlupf endet","slip reverses":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge end\
+en","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming starts":"Streifen beginnt","at rest":"in\
+ Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten",
+"(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie\
+ zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien u\
+nd Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the dampe\
+r":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal \
+N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diag\
+ramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to \
+go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zo\
+oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} t\
+o {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"\
+{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand",
+"height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
+"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
+e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
+le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
+ and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
+Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne \
+Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergröß\
+ern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das \
+Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegun\
+gen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe über\
+nimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganz\
+e Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to t\
+ake that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Absp\
+ieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechne\
+t …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this mo\
+tion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zust\
+and, obwohl diese Bewegung rollend beginnt",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)",
+"Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hi\
+er einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"D\
+er Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauer\
+t eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"\
+Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is the\
+re.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rol\
+ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
+. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hü\
+pft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of t\
+ime":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →",
+"previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"\
+Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zo\
+om back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z\
+ y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the r\
+im turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reif\
+en vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts r\
+ollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne\
+ Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces wit\
+hout number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Ein\
+zelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene",
+"Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll o\
+r throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, o\
+r arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow \
+motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf \
+dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
+Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count}\
+ rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderu\
+ng",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","\
+Your best: {points} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose th\
+e load, where it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beg\
+innt, und die Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything i\
+s allowed; the first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mind\
+estens 5 cm hoch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 \
+m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last\
+ unten, mit höchstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"\
+Nur starrer Kontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"\
+Die Stoßzahl muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"\
+Höchstens 90 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sei\
+n.","It must start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchste\
+ns 6 s.","It does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.",
+"It lands {off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction\
+ must be at most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight sho\
+rt questions: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before \
+it is let go.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} v\
+on {all}","Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{p\
+oints} of 100 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{wh\
+at} mit der Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoo\
+ds Frage","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happ\
+ens when the weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J\
+. E. Littlewood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt\
+ weiter.","It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"\
+Das Gewicht fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft me\
+hr.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane\
+. To hop, a hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt \
+frei, und ein Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a q\
+uarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist d\
+ie Last oben, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt\
+ in der ersten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last \
+unten hat der Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that th\
+e heavy load has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kine\
+tische Energie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slip\
+s":"Warum er gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s \
+oben. Rollen braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mar\
+k.":"Wo ist die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten \
+beginnt","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share\
+} des Gewichts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction.\
+ Watch the diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring \
+schneller werden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. \
+This time the hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung\
+ vorbei ist.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it\
+ takes off":"Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m\
+/s gleitet.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, \
+and the load pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung\
+ zu schwach: Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The \
+hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und \
+er dreht sich gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids\
+: the rim slides ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounce\
+s.":"Er springt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg \
+um {height} cm; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. Wi\
+th less friction, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie s\
+ein Druck: Hier genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.",
+"More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bek\
+ommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise b\
+y {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On\
+ ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so muc\
+h that it is braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den\
+ Reifen auf dem Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper \
+nicht entscheiden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein \
+Reifen wird so geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht\
+.","What do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both ag\
+ree with the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, un\
+d beide Bewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yiel\
+d a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei \
+Antworten, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du b\
+ist dran","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed fr\
+om the motion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sie\
+h, wie deine Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den \
+Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count\
+ the votes by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in\
+ pairs: who has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which\
+ speed is the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forc\
+es; stop at take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each g\
+roup takes one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What ha\
+s to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kan\
+n es sein, und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The l\
+oad pulls the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop befo\
+re the top, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where\
+ it is fastest.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stä\
+rksten: Die Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring\
+ can: it gets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brak\
+es.":"Reibung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach \
+vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier \
+hoop behaves otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: \
+where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Marki\
+ere die Stelle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bott\
+om?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its \
+lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Tei\
+l des Reifens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop b\
+e faster?":"Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0\
+ m/s, and the speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: wh\
+at does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem W\
+inkel hüpft er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen\
+ hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den B\
+oden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbei\
+tsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What stu\
+dents often think":"Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Re\
+ifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and \
+is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0\
+,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","do\
+es it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table g\
+ives numbers to every student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater tha\
+n {least}":"größer als {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {m\
+ost}":"höchstens {most}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'\
+{word}', '{word2}' or '{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the \
+rotation over R N":"Rollwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no single threshold uphill (β < 0): it depends\
+ on where the hoop turns back; see the map":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'r\
+igid' for a map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor\
+ höchstens {most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie s\
+agen dasselbe auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to\
+ rolling resistance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{n\
+ame} = {value} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sin\
+d {word2}.","{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {l\
+imit}.":"{one} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static =\
+ inf muss bei contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; as\
+k for a shorter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {\
+time} seconds.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in\
+ 1 Sekunde noch einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies \
+berechnet hat, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor h\
+öchstens {most} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be\
+ at most {most} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehun\
+gen, im Labor höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.p\
+arts hat {count} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration a\
+nd must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {mos\
+t}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor h\
+öchstens {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a s\
+horter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkei\
+ten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höch\
+stens {most} s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von \
+{hoop}; {hands}","After {time} s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the exact result.":"Was nach {ti\
+me} s kommt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","N\
+o fingerprint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.",
+"A hash of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben \
+Bits rechnet, auch in Python","✓ Same bits as in Python":"✓ Dieselben Bits wie in Python","✓ Same bits as where the link was made":"✓ Dieselben Bits wie d\
+ort, wo der Link entstand","The bits differ: {own} here, {other} in Python.":"Die Bits sind verschieden: {own} hier, {other} in Python.","The bits differ: {own}\
+ here, {other} where the link was made, perhaps with another version.":"Die Bits sind verschieden: {own} hier, {other} dort, wo der Link entstand, vielleicht mi\
+t einer anderen Version.","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"\
+Einen hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the r\
+eader’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bew\
+egung wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung w\
+ählen und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter \
+seinem Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","A\
+s a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind",
+"The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping ho\
+op":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Li\
+nien, die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","Wh\
+at a little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein \
+wenig mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis änd\
+ert",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gi\
+bt es nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this cou\
+ld not be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein \
+Netz da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die\
+ Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as lo\
+ng.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {rea\
+son}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the righ\
+t":"{amount} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{a\
+mount} higher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more \
+in the air":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {am\
+ount} earlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.",
+"Hop {number}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"\
+Am Ende, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only tou\
+ches zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead \
+to other events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim ha\
+s landed: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: wi\
+th the rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und e\
+s gäbe andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze h\
+at","the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Konta\
+ktkraft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen",
+"the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
+Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
+computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell."};var Yl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
 gle}","patina desde {angle}","derrapa desde {angle}","vuela desde {angle}","roza el plano desde {angle}","salta a {angle}","aterriza a {angle}","rebota a {angle\
 }","desliza en sentido contrario desde {angle}","deja de deslizar de golpe a {angle}","da la vuelta a {angle}","termina de rebotar a {angle}","encuentra la para\
 doja de Painlevé a {angle}","encuentra la indeterminación de Painlevé a {angle}","se bloquea a {angle}","gana energía (Kane) a {angle}","roza desde {angle}",
@@ -1344,12 +1344,12 @@ en",bo=!1,wo=[],xt=new Map,_t=new Set,it=new Set,ze=()=>Se;function yn(s){Se=s i
 wo=Object.keys(kt[Se]??{}).filter(e=>e.includes("{")).map(nh).sort((e,t)=>mo(t.key)-mo(e.key))}function sh(){let s=pe(fo);return s&&s in St?s:(globalThis.navigator?.
 languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in St)??"en"}function yo(s){fe(fo,s)}var mo=s=>s.replace(Zt,"").length;function nh(s){let e=[...s.matchAll(
 Zt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=s=>bo?
-s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function k(s,e){let t=kt[Se];if(e)return F(ko(t?.[s]??po(s),e));if(!t||!/\p{L}/u.test(s))return ge(s);if(_t.has(s))return s;let n=xt.
-get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??ih(i,t)??po(i),a=s.replace(i,()=>o);return xt.size>go&&xt.clear(),xt.set(s,a),F(a)}function F(s){return _t.
+s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function k(s,e){let t=kt[Se];if(e)return W(ko(t?.[s]??po(s),e));if(!t||!/\p{L}/u.test(s))return ge(s);if(_t.has(s))return s;let n=xt.
+get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??ih(i,t)??po(i),a=s.replace(i,()=>o);return xt.size>go&&xt.clear(),xt.set(s,a),W(a)}function W(s){return _t.
 size>go&&_t.clear(),_t.add(s),s}var vo=(s,e)=>s.replace(Zt,(t,n)=>String(e[n])),ko=(s,e)=>s.replace(Zt,(t,n)=>n.startsWith("word")?String(e[n]):k(String(e[n])));
 function ih(s,e){for(let{key:t,pattern:n,names:i}of wo){let o=s.match(n);if(o)return ko(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return oh(s)}function oh(s){
 if(s.includes(" → "))return s.split(" → ").map(e=>k(e)).join(" → ")}function xo(s){if(!kt[Se])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],
-{comma:n,stop:i}=Se==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>k(r)).join(n);return F(
+{comma:n,stop:i}=Se==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>k(r)).join(n);return W(
 `${a[0]?.toLocaleUpperCase(Se)??""}${a.slice(1)}${i}${t?` ${k(t)}`:""}`)}function po(s){let e=/\p{L}{3,}/u.test(s)&&!th.test(s);return Se!=="en"&&e&&it.size<200&&
 it.add(s),ge(s)}var vn=new WeakMap,wn=new WeakMap;function kn(s){let e=document.createTextNode(k(s));return vn.set(e,s),e}function ot(s,e,t){let n=wn.get(s)??{};
 n[e]=t,wn.set(s,n),s.setAttribute(e,k(t))}function ah(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.
@@ -1685,87 +1685,87 @@ most:.6g} for this hoop, whose inertia about the contact it would cancel at some
 0e} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known\
  are {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r}\
  cannot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",
-beside_a_value:"{path} cannot stand beside a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: par\
-ts are numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"\
-flies",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip begins",summed_up:!0},stick:{verb:"\
-rolls",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip turns round",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
-impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
-bounce_limit:{verb:"has bounced out",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
-painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
-verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming begins",summed_up:!0},rest:{verb:"rests",label:"at rest",
-summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
-≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
-s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
- of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
-story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
-starts skimming",slip_start:"It {verb} at {where}; friction is used up: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction is used up: the r\
-im turns too fast for the way it goes.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip turns round at {where}; it {verb}.",takeoff:"\
-It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s downwards \
-and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {where} stops \
-the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {where}: the\
- gap is {gap}.",bounce_limit:"Bounces without number end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agrees with t\
-his slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact force grows w\
-ithout bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls freely and th\
-e rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"It\
- bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at onc\
-e",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"\
-Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"\
-at {where} friction is used up",loss_of_contact:"at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"\
-would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"\
-no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is\
-)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip a\
-t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0): whether it slips or hops hangs on where it turns \
-back; the map shows it"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"\
-#0072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#5\
-6B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
-impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
-5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass",
-"eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
-events","ideal","rolling_resistance","allowed"],laws:{stronge:2,newton:0,poisson:1},events:2e3,flight_turns:2e3,allowed:{"hoop.load_fraction":{least:0,most:1,words:"\
-from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"ho\
-op.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"plane.mu":{least:0,most:1e6,words:"\
-from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"\
-from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e\
--06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{least:0,most:1,words:"from 0 to 1"},"start.speed":{
-least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.x":{least:-1e9,most:1e9,words:"from -1\
-e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,
-words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},duration:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"conta\
-ct.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06"},"contact.restitution":{
-least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"contact.tangential_stiffness":{least:1e-6,most:1e18,words:"fr\
-om 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_events":{least:1,most:1e7,words:"from 1 to 1e+07"},"hoop.parts.m\
-ass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06"}},words:["hoop.parts","plane.impa\
-ct_law","plane.painleve","contact.model","contact.law","contact.friction"],rates:{"hoop.eccentricity":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.\
-radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_static","plane.mu_kinetic":"mu_kinetic","plane.slope":"slope","plane.gravity":"gravity","plane.restitu\
-tion":"restitution","plane.rolling_resistance":"rolling_resistance","start.angle":"angle","start.x":"x","start.height":"height","start.vy":"vy","start.omega":"o\
-mega",duration:"duration"},quantities:{sequence:{label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of t\
-he first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the\
- first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{
-label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s para\
-dox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","take\
-off","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such \
-limit.",too_many_parts:"hoop.parts has {parts} parts and must have at most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radiu\
-s is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab; the library itself has no such limit.",too_stiff:"contact.stiffness, contact.slip_\
-speed and duration need about {steps:.0e} steps of integration and must need at most {most:.0e} in the lab.",too_many_changes:"changes has {pairs} pairs and mus\
-t have at most {most} in the lab.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {p\
-ath!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be \
-'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"x and y make {cells} \
-cells of about {turns:.2g} revolutions in all, and must be at most {most:.0e} in the lab; take fewer cells, lower speeds or a shorter duration.",doubt:"What com\
-es after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.",compliant_changes:"With a compliant\
- contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"changes holds {change}, which is not a pair of path and value.",window:"must \
-be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",times:"must be two times, from and to [s], rising from 0",number_path:"must b\
-e a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"a quantity that sets off the event only touches zero there",border:"the \
-motion lies on the border of two classes: the least change may lead to other events",plastic:"restitution is 0 and the rim has landed: with any restitution it w\
-ould bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are others",singular:"the slip runs into p_σ =\
- 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular limit once the contact force is lost",frictionless:"without frictio\
-n the hoop rests on no more than a border of two classes",ended:"the motion has no answer from there on",edge:"the parameter is at the edge of what is allowed",
-sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},
+value_above:"{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of ord\
+er: parts are numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",
+flight:"flies",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{
+verb:"rolls",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",
+summed_up:!0},impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest\
+ point",summed_up:!1},bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painl\
+evé: no solution",summed_up:!0},painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"ja\
+ms",label:"jam",summed_up:!0},kane_gain:{verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},
+rest:{verb:"rests",label:"at rest",summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"\
+◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to r\
+est.",jammed:"The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the mot\
+ion beyond.",event_limit:"The limit of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"\
+slip +",H:"flight",M:"skim","+":"…"},story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"\
+starts in the air",started_skim:"starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb\
+} at {where}; friction reaches its limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip\
+ reverses at {where}; it {verb}.",takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It l\
+ands at {where} with {speed} m/s downwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An\
+ impact without collision at {where} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",
+apex:"The centre is highest at {where}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's parado\
+x at {where}: no contact force agrees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynam\
+ic jam at {where}: the contact force grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is l\
+eft at {where}: the load falls freely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",
+other:"{kind} at {where}.",more_bounces:"It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounce\
+s",without_collision:"stops its slip at once",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{
+first_slip:"Slips",first_hop:"Hops",immediate_hop:"Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",
+rest:"Rests stably",loss:"End of rolling",loss_by_friction:"at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"\
+would slip",would_hop:"would hop in its first turn",would_hop_at_once:"would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any spee\
+d",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (\
+enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"\
+from μ = {mu} on, at {where}: not here",jam_at:"can end a slip at {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single thr\
+eshold uphill (β < 0): it depends on where the hoop turns back; see the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"\
+#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",
+event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E6\
+9F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E\
+73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D5\
+5E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law",
+"strike","x","height","angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{stronge:2,newton:0,poisson:1},events:2e3,
+flight_turns:2e3,allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{
+least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,
+words:"from 1e-12 to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+\
+06, or inf",also:["inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1\
+.57 to 1.57"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.ro\
+lling_resistance":{least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"\
+from -1e+06 to 1e+06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,
+most:1e6,words:"from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e\
++09"},duration:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,
+most:1e6,words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"\
+contact.tangential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_eve\
+nts":{least:1,most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,
+words:"from 1e-12 to 1e+06"}},words:["hoop.parts","plane.impact_law","plane.painleve","contact.model","contact.law","contact.friction"],rates:{"hoop.eccentricit\
+y":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_static","plane.mu_kinetic":"mu_kinetic","\
+plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_resistance","start.angle":"angle","start.x":"\
+x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"what happens in the first turn",span:"first_r\
+evolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{label:"angle of take-off",span:"takeof\
+f",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{label:"greatest friction utilizat\
+ion",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{label:"angle at the end",span:"du\
+ration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{label:"how it ends",span:"du\
+ration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"duration = {duration:g} must b\
+e at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have at most {most} in the lab.",too_many_turns:"\
+duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab; the library itself has no such li\
+mit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and must need at most {most:.0e} in the lab.",too_many_changes:"\
+changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"\
+x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact\
+.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"\
+x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {most:.0e} in the lab; take fewer cells, lower speeds or a shorter durat\
+ion.",doubt:"After {time} s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the exact result.",compliant_changes:"\
+With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"changes holds {change}, which is not a pair of path and value\
+.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",times:"must be two times, from and to [s], rising from 0",number_path:"\
+must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"a quantity that sets off the event only touches zero there",border:"\
+the motion lies on the border of two classes: the least change may lead to other events",plastic:"restitution is 0 and the rim has landed: with any restitution \
+it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are others",singular:"the slip runs into p\
+_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular limit once the contact force is lost",frictionless:"without fr\
+iction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from there on",edge:"the parameter is at the edge of what is allo\
+wed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},
 calls:{setup:[],film:["scenario","query","changes"],samples:["scenario","query","changes","window"],code:["scenario","query","changes"],simulate:["scenario","qu\
 ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenario","query","changes","window"],map:["scenario","query","changes","x","y","what"],
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","pl\
 ane.mu_static","plane.mu_kinetic","plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start\
-.vx","start.vy","start.omega"]};var E=Bo,je=s=>s==="inf"?1/0:s;var x={sources:"16ee5c69d91aa3338eb623f3b32cebbb",module:"5a30e97860538034",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+.vx","start.vy","start.omega"]};var E=Bo,je=s=>s==="inf"?1/0:s;var x={sources:"2a9a863f363675a2ba763f336d0023eb",module:"dcc695fd6dec3e9d",derivatives:"668532b72cde21cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
@@ -1788,39 +1788,39 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],impact_laws:["newton","poisson","stronge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painl\
 eve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["complete\
-d","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Be=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Wo=Be(x.cell),we=Be(x.heads),H=Be(x.events),Ln=Be(x.samples),Fo=Be(x.changes),$o=Be(x.numbers),Pn=Be(x.words);
+d","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Be=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Fo=Be(x.cell),we=Be(x.heads),H=Be(x.events),Ln=Be(x.samples),Wo=Be(x.changes),$o=Be(x.numbers),Pn=Be(x.words);
 function lt(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="number")),law:x.impact_laws.indexOf(s.
 impact_law),strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Dn(s){let e=t=>t??Number.NaN;
 return Float64Array.of(x.laws.indexOf(s.law),x.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
 e(s.rtol))}var Ph=Object.entries(E.words.events),Ee=Object.fromEntries(Ph.map(([s,{label:e}])=>[s,e])),Ho=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Dh=new Set(x.passing),Nh=3,Ih=1e-10;function Oh(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&o==="apex"&&(n<0||c>s[n].
 height)&&(n=i),!Dh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=[i,-1]));return e}var rs=class{constructor(e,t,n){
 let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=i??o,this.step=i?n:
--n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Ch(i,o))}rate(e,t){return this.side?this.side.rates[e*x.changes.length+Fo[t]]:Number.NaN}of(e,t){return this.
+-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Ch(i,o))}rate(e,t){return this.side?this.side.rates[e*x.changes.length+Wo[t]]:Number.NaN}of(e,t){return this.
 step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Oh(this.events.slice(0,this.count)).map(({begin:e,
 top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.step*(this.rate(n,o)-this.rate(e,o));return{begin:e,end:n,height:this.of(t<0?e:t,"height"),distance:i("x"),duration:i(
 "t")}})}};function Ch(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Uo(s,e){let t=Math.abs(s);if(e===
 "°")return C(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?C(S(t,3),e):C(S(o*t,3),`${a}${e}`)}var ls=(s,e)=>Math.
 abs(s)>Ih*Math.max(e,.001);function Ko(s,e){return Number.isFinite(s)?ls(s,1)?`${s>0?"+":"−"}${Uo(s,e)}`:"0":"–"}function Nn(s){let e=s.filter(([t])=>Number.
-isFinite(t)&&ls(t,1)).map(([t,n,i,o])=>k(t>0?i:o,{amount:Uo(t,n)})).join(ze()==="zh"?"，":", ");return F(e)}var Go=["m","{amount} further to the right","{amoun\
+isFinite(t)&&ls(t,1)).map(([t,n,i,o])=>k(t>0?i:o,{amount:Uo(t,n)})).join(ze()==="zh"?"，":", ");return W(e)}var Go=["m","{amount} further to the right","{amoun\
 t} further to the left"],qh=["s","{amount} later","{amount} earlier"];function Vo(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[r,{begin:l,end:c,height:u,distance:h,
 duration:d}]of i.slice(0,Nh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Nn([[u,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
 er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);g&&n.push(i.length>1?k(
 "Hop {number}: {list}.",{number:r+1,list:g}):k("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Nn(
 [[s.of(o,"t"),...qh],[s.of(o,"x"),...Go]]);r&&n.push(k("The first event, {what}: {list}.",{what:k(Ee[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
 let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Nn([[s.of(a,"x"),...Go],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(k("At the end, after {time} s: {list}.",
-{time:S(e[a].t,4),list:l}))}return n}var We=E.words.signs,hs=Object.keys(We);function Zo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>hs.indexOf(o.kind)-hs.indexOf(a.kind)||o.x-a.x),
+{time:S(e[a].t,4),list:l}))}return n}var Fe=E.words.signs,hs=Object.keys(Fe);function Zo(s,e=11){let n=[...s.filter(({kind:o})=>o in Fe)].sort((o,a)=>hs.indexOf(o.kind)-hs.indexOf(a.kind)||o.x-a.x),
 i=[];for(let{kind:o,x:a}of n){let r=hs.indexOf(o)<hs.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
-x-(l[0].x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:We[o],x:a,rare:r,hidden:0})}return i.sort(
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==Fe[o]&&i.push({mark:Fe[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Fe[o],x:a,rare:r,hidden:0})}return i.sort(
 (o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Jo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
 c)<1e-6?h.wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,
 d]=[Math.max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){
-let f=Math.floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Yo=.7,Xo=34,jh=3,Bh=400,Wh=8,In=13;function Qo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,Bh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
+let f=Math.floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Yo=.7,Xo=34,jh=3,Bh=400,Fh=8,In=13;function Qo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,Bh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
 of(a,"x"),dy:s.of(a,"height")}))}function ea(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&ls(r,e)).sort((r,l)=>r-l);if(!n.length)
 return 0;let i=Math.max(Yo*e,Xo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function ta(s,e,t){
 let n=[],i=jh*Math.max(Yo*s.film.radius,Xo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
 d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
-g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(T=>Math.abs(T.base-y)<In-1&&T.low<w&&T.high>b);)y-=In;if(g[1]-y>Wh*In)continue;n.push({low:b,high:w,base:y});
-let v=y-g[1];Fh(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:We[o]??""})}}function Fh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
+g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(T=>Math.abs(T.base-y)<In-1&&T.low<w&&T.high>b);)y-=In;if(g[1]-y>Fh*In)continue;n.push({low:b,high:w,base:y});
+let v=y-g[1];Wh(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:Fe[o]??""})}}function Wh({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
 hypot(n[0]-l[0],n[1]-l[1]),[u,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=g,s.fillStyle=g,
 s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=f,s.setLineDash(a?[5,6]:[]),s.beginPath(),
 s.moveTo(l[0],l[1]),s.lineTo(n[0]-u*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
@@ -1852,14 +1852,14 @@ ror"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.d
 rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,L(this.reason,e),this.speak&&this.lab.story.say(k(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
 t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>C(S(n.degrees?c/sa:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
 disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=Vo(e);!r.length&&e.failed<0&&r.push(k("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>ia(
-m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(F([`${k(n.label)}\
+m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(W([`${k(n.label)}\
  ${a}.`,...r,l&&k(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),
 this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":k("The arrows in the \
 picture lead from where the rim touches to where it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?k(t):""}why(e){
-let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=k(Ee[r]??r),u=k(cs[n.reason]);return F(k("From {what} at \
-{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?F(k("To one side only: {reason}.",{reason:k(cs.edge)})):a?F(k("To one side only: \
+let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=k(Ee[r]??r),u=k(cs[n.reason]);return W(k("From {what} at \
+{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?W(k("To one side only: {reason}.",{reason:k(cs.edge)})):a?W(k("To one side only: \
 {reason}.",{reason:k(cs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Ko(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
-"span",{"aria-hidden":"true"},l),F(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Gh)).
+"span",{"aria-hidden":"true"},l),W(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Gh)).
 map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},Ee[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
 a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
 t]],!0)}};var ds=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
@@ -1905,7 +1905,7 @@ element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Nu
 replaceChildren(m("tr",{},o.map(({name:c,symbol:u,unit:h})=>m("th",{scope:"col",title:c},u,h&&m("small",{},` ${h}`))),m("th",{scope:"col"},"mode")));let a=ca(e,
 t,n);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((d,p)=>p===0?m("th",{scope:"row"},S(d,4)):m("td",
 {},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Cn+1e-6,l=k("The first {count}\
- rows.",{count:Cn});L(this.caption,r?e.summary:F(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+ rows.",{count:Cn});L(this.caption,r?e.summary:W(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("\
 now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${U[o].name} [${U[o].unit||"1"}]`),"mode"],i=ca(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
 ...a,o].join(","));at(new Blob([[n.join(","),...i,""].join(`\r
@@ -1953,33 +1953,33 @@ from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t
 t),o=Math.min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:qn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){
 if(c==="t"||c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(tc.has(c)){let p=this.columns[nc[c]];l[c]=ic(h,d,p[i]*a,p[o]*a,r)}else
 l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function ic(s,e,t,n,i){if(!Number.isFinite(t)||!Number.
-isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Wn=s=>s-360*Math.floor(s/360);function oc(s,e){let t=Math.abs(Wn(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ac(s,e){let t=Math.max(...e)-
+isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Fn=s=>s-360*Math.floor(s/360);function oc(s,e){let t=Math.abs(Fn(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ac(s,e){let t=Math.max(...e)-
 Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var rc=0;function Lt(s,e,t=!1){let n=`hh-guess-${++rc}`,
 i="",o=s.map(([a,r])=>{let l=m("input",{type:"radio",name:n,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
 {},r))}});return{element:m("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
 row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var Te=168,zt=58,
-jn=(s,e=zt)=>{let t=s*Math.PI/180;return[Te/2+e*Math.sin(t),Te/2-e*Math.cos(t)]};function Fn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
+jn=(s,e=zt)=>{let t=s*Math.PI/180;return[Te/2+e*Math.sin(t),Te/2-e*Math.cos(t)]};function Wn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=V(o),h=getComputedStyle(
 a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,Te,Te),u.strokeStyle=p,u.fillStyle=
 p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,Te/2+zt),u.lineTo(Te-8,Te/2+zt),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(Te/2,Te/2,zt,0,2*Math.PI),u.stroke(),u.font=
 "11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=jn(b,zt-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
 u.arc(...jn(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...jn(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
-l=u=>{i===null&&(t=Wn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
+l=u=>{i===null&&(t=Fn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
 u.preventDefault(),a.focus({preventScroll:!0}),c(u),J(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-Wn(u),r(),oc(t,i))}}var Rt=9,[ye,fs,Fe,Bn]=[34,12,12,26];function pa({label:s,unit:e,most:t},n){let i=Array(Rt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+Fn(u),r(),oc(t,i))}}var Rt=9,[ye,fs,We,Bn]=[34,12,12,26];function pa({label:s,unit:e,most:t},n){let i=Array(Rt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
 h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:v=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[v.key];T&&(v.preventDefault(),v.stopPropagation(),
 g(y,i[y]+T*t/(v.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
-h=w=>ye+w/(Rt-1)*(u().width-ye-fs),d=w=>Fe+(1-w/t)*(u().height-Fe-Bn),p=()=>{let{context:w,width:y,height:v}=V(r),T=getComputedStyle(c),M=R=>T.getPropertyValue(
+h=w=>ye+w/(Rt-1)*(u().width-ye-fs),d=w=>We+(1-w/t)*(u().height-We-Bn),p=()=>{let{context:w,width:y,height:v}=V(r),T=getComputedStyle(c),M=R=>T.getPropertyValue(
 R).trim();w.clearRect(0,0,y,v),w.strokeStyle=M("--line"),w.fillStyle=M("--soft"),w.font="11px system-ui, sans-serif";for(let R=0;R<Rt;R+=2)w.textAlign="center",
-w.fillText(`${45*R}°`,h(R),v-8),w.strokeRect(h(R),Fe,0,v-Fe-Bn);for(let R of[0,t/2,t])w.textAlign="right",w.fillText(String(R),ye-6,d(R)+4),w.strokeRect(ye,d(R),
-y-ye-fs,0);w.textAlign="left",w.fillText(e,ye+4,Fe+10);let A=(R,N,B)=>{w.strokeStyle=N,w.lineWidth=2.5,w.setLineDash(B),w.beginPath(),R.forEach((W,X)=>{let re=ye+
-X/(R.length-1)*(y-ye-fs);X?w.lineTo(re,d(_(W,0,t))):w.moveTo(re,d(_(W,0,t)))}),w.stroke(),w.setLineDash([])};A(i,M("--accent"),[6,4]),a&&A(a,M("--ink"),[]),l.forEach(
+w.fillText(`${45*R}°`,h(R),v-8),w.strokeRect(h(R),We,0,v-We-Bn);for(let R of[0,t/2,t])w.textAlign="right",w.fillText(String(R),ye-6,d(R)+4),w.strokeRect(ye,d(R),
+y-ye-fs,0);w.textAlign="left",w.fillText(e,ye+4,We+10);let A=(R,N,B)=>{w.strokeStyle=N,w.lineWidth=2.5,w.setLineDash(B),w.beginPath(),R.forEach((F,X)=>{let re=ye+
+X/(R.length-1)*(y-ye-fs);X?w.lineTo(re,d(_(F,0,t))):w.moveTo(re,d(_(F,0,t)))}),w.stroke(),w.setLineDash([])};A(i,M("--accent"),[6,4]),a&&A(a,M("--ink"),[]),l.forEach(
 (R,N)=>{R.style.transform=`translate(${h(N)}px, ${d(i[N])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
 "aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),v=_((w.clientX-y.left-ye)/(y.width-ye-fs),0,1),T=Math.round(v*(Rt-1)),M=t*(1-(w.
-clientY-y.top-Fe)/(y.height-Fe-Bn)),A=f??T,R=i[A];for(let N=Math.min(A,T);N<=Math.max(A,T);N++)g(N,A===T?M:R+(M-R)*(N-A)/(T-A));f=T};c.addEventListener("pointer\
+clientY-y.top-We)/(y.height-We-Bn)),A=f??T,R=i[A];for(let N=Math.min(A,T);N<=Math.max(A,T);N++)g(N,A===T?M:R+(M-R)*(N-A)/(T-A));f=T};c.addEventListener("pointer\
 down",w=>{w.preventDefault(),f=null,b(w),J(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
 p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Rt-1);return ac(i,i.map((v,T)=>w[Math.round(T*y)]))}}}var bs=2*Math.PI,se=(s,e)=>s.events.find(t=>t.kind===e),gs=s=>G(s-bs*Math.floor(s/bs));function lc(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
 t;r++){let l=s.columns.angle[0]+bs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
@@ -1996,11 +1996,11 @@ s),until:([s])=>hc(s,bs),answer:([s])=>{let e=lc(s,"vx");return{truth:e,text:"Wi
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:s=>Fn("Angle of the load where it begins to slip",s),until:([s])=>(se(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=se(s,"slip_start"),t=s.at(e.t).normal_force/
+guess:s=>Wn("Angle of the load where it begins to slip",s),until:([s])=>(se(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=se(s,"slip_start"),t=s.at(e.t).normal_force/
 (s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:gs(e.
 angle),share:`${S(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Fn("Angle of the load\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Wn("Angle of the load\
  where it takes off",s),until:([s])=>(se(s,"takeoff")?.t??0)+.12,answer:([s])=>{let e=se(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
  takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:gs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
 ane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at th\
@@ -2463,7 +2463,7 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Ws=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fs=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
 e,this.sun=Ue(n),this.dark=i,this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=ut(a,sr[0],sr[1]),this.body=ut(a,nr[0],nr[1]),this.line=ut(a,ir[0],ir[1]),this.torus=er(
 a),this.sphere=tr(a),this.cylinder=ti(a,1),this.cone=ti(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
@@ -2484,7 +2484,7 @@ n-a,.029*i,o),this.solid(this.cone,Bs(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,
 r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ke(this.gl,i,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:n,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:n,distance:i,
 shift:o,depth:a}),dt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
-l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Bc=[.35,.85,.4],Wc=.18,Dt={azimuth:.5,height:.22,distance:5.2},lr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Bc=[.35,.85,.4],Fc=.18,Dt={azimuth:.5,height:.22,distance:5.2},lr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2492,7 +2492,7 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Ws(e,st,Bc,Wc,{keep:!0}),this.floor=ut(this.space.gl,lr[0],lr[1]),this.corners=Ke(this.
+   }`],Ws=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Fs(e,st,Bc,Fc,{keep:!0}),this.floor=ut(this.space.gl,lr[0],lr[1]),this.corners=Ke(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Dt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
 this.turned.distance/e,1.6,60):this.turned={...Dt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Dt.azimuth&&t===Dt.height&&n===
@@ -2516,15 +2516,15 @@ sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.norma
 let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
 l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
 h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Fc=["hoop","mode","time","angle","v","R θ̇","gap"],$s=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Wc=["hoop","mode","time","angle","v","R θ̇","gap"],$s=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
 three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new qs(this.plane,t),this.deep=
-null,this.outputs=Fc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
+null,this.outputs=Wc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
 legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Vt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
 ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.element=
 m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
 ({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),n(e.airborne,
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:i,inks:o}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Fs(this.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Ws(this.
 space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",k(this.colors.mode_names[o.mode]),
 ge(`${o.t.toFixed(3)} s`),G(o.angle),C(S(o.vx,3),"m/s"),C(S(o.omega*i.radius,3),"m/s"),o.height>0?Le(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
@@ -2541,7 +2541,7 @@ vent_limit"||o.shortened?" (not all events are shown)":"",a+1<e.length?m("br"):"
 this.film.story.map(o=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(o.t)},m("i",{class:"dot",style:`background:${n.modes[o.mode]}`,"aria-hidd\
 en":"true"}),m("span",{class:"when"},`${S(o.t,4)} s`),m("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(
 ...i.flatMap(({same:o,text:a})=>[" ",m("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;
-e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...$c(e)))}say(e){L(this.live,e)}announce(e){this.say(F(e.map(t=>t.summary).join(" ")))}cursor(e){
+e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...$c(e)))}say(e){L(this.live,e)}announce(e){this.say(W(e.map(t=>t.summary).join(" ")))}cursor(e){
 let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.
 classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];
 if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.
@@ -2574,7 +2574,7 @@ t.soft,i.font=`10.5px ${t.font}`;let p=le(r,l,o/60);for(let b of p){let w=c(b);i
 ""),w,a-3)}let g=_(c(this.clock.time),6,o-6),f=_(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
 g+6,u-10),i.lineTo(f,u-1),i.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=k(t.mode_names[l.at(n).mode]);return e.
 length>1?`${"AB"[c]} ${u}`:u}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria\
--valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:S(n,4),what:F(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
+-valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:S(n,4),what:W(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
 font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ro(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,n+.5*i,o+.5*a+1),e.textBaseline="alphab\
 etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
 c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Zo(r))e.
@@ -2593,7 +2593,7 @@ t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Gc*Ma
 flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:Ho(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
 o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${k(`Hoop ${"AB"[r]}`)}: `:"",c=k(Ee[a.kind]??a.kind);this.
-tell(F(`${l}${k("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var mt=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,va(e,i);let{colors:r}=n;
+tell(W(`${l}${k("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var mt=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,va(e,i);let{colors:r}=n;
 this.known=n.presets,this.sameness=new Ns(n.presets),this.address=i?new Xt(this):null,this.clock=new Qt,this.motions=new Ms(t,{shown:l=>this.changed(l),refined:()=>this.
 request(),settled:()=>this.story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.
 notice=new As,this.theme=new Us(e,r,i,()=>this.show()),this.stage=new $s(r,()=>{this.request(),this.address?.soon()}),this.transport=new Vs(this.clock,()=>this.
@@ -2776,12 +2776,12 @@ ue(r):a==="g"?Ae(r,o===""?6:Number(o)||1):a==="e"?Nu(r,Number(o)):a==="f"?bi(r,N
 n)}: ${ue(i,e)}`).join(", ")}}`}function jr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ze(s)}function Ot(s){return typeof s=="number"?jr(s):
 typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${tn(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(Ot).join(", ")}]`:s&&typeof s=="obj\
 ect"?`{${Object.entries(s).map(([e,t])=>`${Ot(e)}: ${Ot(t)}`).join(", ")}}`:String(s)}var tn=(s,e)=>s.toString(16).padStart(e,"0"),Iu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
-Br=s=>s===" "||!Iu.test(s);function Wr(s){if(s===`
+Br=s=>s===" "||!Iu.test(s);function Fr(s){if(s===`
 `)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${tn(e,2)}`:e<65536?`\\u${tn(e,4)}`:`\\U${tn(e,8)}`}function Ir(s){
-let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:Br(n)?n:Wr(n));return e+t.join("")+e}var Fr=s=>[...s].map(e=>Br(e)?e:Wr(
+let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:Br(n)?n:Fr(n));return e+t.join("")+e}var Wr=s=>[...s].map(e=>Br(e)?e:Fr(
 e)).join("");function sn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var Or="[\\s\\x1c-\\x1f\\x85]*",Ou=new RegExp(`^${Or}([+-]?)(?:(in\
 f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Or}$`,"i");function $r(s){let e=Ou.exec(s);if(!e||s.includes(
-"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:Hr,scenario:Gr}=E,P=class extends Error{constructor(e){super(Fr(e)),this.name="InputError"}},ne=class extends P{},D=(s,e={})=>q(Hr[s],e),de=s=>s!==null&&
+"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:Hr,scenario:Gr}=E,P=class extends Error{constructor(e){super(Wr(e)),this.name="InputError"}},ne=class extends P{},D=(s,e={})=>q(Hr[s],e),de=s=>s!==null&&
 typeof s=="object"&&!Array.isArray(s);function Ce(s=()=>!1,e=""){return{said:[],above:e,float:s}}function j(s,e,t,n,i){Je(s,e,t,D(n,i))}function Je(s,e,t,n){let i=typeof t==
 "bigint"?String(t):ue(t,s.float(e)),o=s.above+e||Hr.whole_scenario;s.said.push(D("finding",{path:o,shown:sn(i),allowed:n}))}function Ct(s,e,t,n,i={}){let{fields:o,
 place:a}=Gr.models[s];if(!de(e))return j(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(qt(a,c,Object.keys(o))),null;
@@ -2806,12 +2806,12 @@ word":!Bu.has(s)}function Vr(s){let[e,t]=xi(s);return(e==="start"?10:0)+(t===""?
 t.endsWith(".")?t:`${t}.`));function Si(s,e,t,n){let i=[...t.keys()],o=Bt(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Ve(ue(t.get(d),!1)));throw new P(D("two_ways",{
 one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=_i(i);for(let l of i.sort((c,u)=>Vr(c)-Vr(u))){let c=structuredClone(t.get(l)),[u,h]=xi(l);if(h==="")
 ki(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||ki(e,u,{});let d=e[u];if(!de(d))throw new P(D("no_section_parts",{path:l,section:u}));
-if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=Wu(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
-t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];Fu(d,h.split("."),c,l)}}return e}function ki(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0})}function Wu(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
+if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=Fu(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
+t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];Wu(d,h.split("."),c,l)}}return e}function ki(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0})}function Fu(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
 eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
 s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=ke(s,t().radius);return{height:a,vx:r,vy:l,
-omega:c}}return{}}function Fu(s,e,t,n){let i=s,o=e.pop(),a=l=>new P(D("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
+omega:c}}return{}}function Wu(s,e,t,n){let i=s,o=e.pop(),a=l=>new P(D("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
 if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))ki(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:$u,limits:te}=E,{allowed:Hu,events:Gu,flight_turns:Uu,quantities:Ku}=E.map,Vu=1e-300,O=(s,e={})=>q($u[s],e),Ei=s=>O("doubt",{time:Ae(s,4)});function Ye(s){
 let{duration:e,hoop:t,contact:n}=s;if(e>te.duration)throw new ne(O("too_long",{duration:e,most:te.duration}));let i=t.parts?.length??0;if(i>te.parts)throw new ne(
 O("too_many_parts",{parts:i,most:te.parts}));let o=sl(tl(s));if(o>te.turns)throw new ne(O("too_many_turns",{duration:e,turns:o,most:te.turns}));if(n.model==="co\
@@ -2821,11 +2821,11 @@ height:o,vx:a,vy:r,omega:l}}function sl({duration:s,radius:e,gravity:t,slope:n,h
 sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Zu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
 Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function Ti(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new P(O("rigid_maps"));
 let{contact:i,...o}=Ye(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,Gu)}};Ju(a,e,t,Ku[n].span);let r=Bt([t.path,e.path]);if(r)throw new P(O("two_ax\
-es",{one:r[0],other:r[1]}));return a}function Ju(s,e,t,n){let i=tl(s),o=n==="first_revolution",a=Wt(e).filter(h=>el(e.path,h)),r=Wt(t).filter(h=>el(t.path,h)),[
+es",{one:r[0],other:r[1]}));return a}function Ju(s,e,t,n){let i=tl(s),o=n==="first_revolution",a=Ft(e).filter(h=>el(e.path,h)),r=Ft(t).filter(h=>el(t.path,h)),[
 l,c]=[0,0];for(let h of r)for(let d of a){let p=Qr(Qr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Vu),Uu):sl(p);l+=f,c=Math.max(c,f)}if(!o&&
 c>te.turns)throw new ne(O("cell_turns",{turns:c,most:te.turns}));if(l<=te.map_turns)return;let u=a.length*r.length;throw new ne(O("map_turns",{cells:u,turns:l,most:te.
 map_turns}))}function Qr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
-s}var Wt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function el(s,e){let t=Hu[s.startsWith("plane.mu")?"plane.mu":s];return!t||qe(
+s}var Ft=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function el(s,e){let t=Hu[s.startsWith("plane.mu")?"plane.mu":s];return!t||qe(
 t,e)}var{scenario:gt}=E,Yu=["load_fraction","eccentricity","inertia_ratio"],nl=["mu_static","mu_kinetic"],Xu=["height","vx","vy","omega"],Xe=class extends Error{};function $(s,e){
 throw new Xe(D(s,e))}function nn(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function il({values:s,given:e},t){let n={...s},i=Yu.filter(
 u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),nn("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,Qu(n.radius,n.parts,
@@ -2845,10 +2845,10 @@ r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.co
 entries(gt.relative)){let r=s[i];if(r===null)continue;let l=e[i];qe(a,l)||$("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
 n=je(gt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var td=1e3;function hl(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>td)throw new P(D("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
-Map))throw new P(D("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new P(D("given_twice",{path:o}));c.set(l,$r(a)??a)}let n=t.
-get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",sd(i)),Mi(t)}function sd(s){let e=Array.from({length:s.size},(n,i)=>String(
-i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new P(D("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function Mi(s){return Array.isArray(
-s)?s.map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function cl(s){return ul(s,"").map(([e,t])=>`${e}=${nd(e,t)}`).join("&")}function ul(s,e){
+Map))throw new P(D("value_above",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new P(D("given_twice",{path:o}));c.set(l,$r(a)??a)}let n=t.get(
+"hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",sd(i)),Mi(t)}function sd(s){let e=Array.from({length:s.size},(n,i)=>String(i)),
+t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new P(D("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function Mi(s){return Array.isArray(s)?s.
+map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function cl(s){return ul(s,"").map(([e,t])=>`${e}=${nd(e,t)}`).join("&")}function ul(s,e){
 return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>ul(n,e?`${e}.${t}`:t))}function nd(s,e){return on(s,e).replace("e+","e").replace(
 /\.0$/,"")}function on(s,e){return typeof e=="string"?e:id.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ze(e)}var id=new Set(Object.values(E.scenario.models).flatMap(
 ({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:xe}=E,dl=xe.left_out,od={rigid:"Rigid",compliant:"Compliant"};function Ai(s,e,t=Ce()){let n=Ri(s,e,t);if(!n)throw new P(jt(t.said));return n}function Ri(s,e,t){
@@ -2860,17 +2860,17 @@ s,e,ee),s}function an(s,e,t,n,i){let o=Ct(s,e,t,n);return o&&pl(n,()=>i(o))}func
 push(t.message),null}}function Pi(s,e){return Ai(hl(s),e,Ce(()=>!0))}function rn(s,e,t){let n=Si(s,Re(s),e,(i,o,a)=>fl(i,o,t,a));return Ai(n,t,Ce(_i([...e.keys()])))}
 function ln(s,e,t){let n=Ce();try{let i=Si(s,Re(s),e,(r,l,c)=>fl(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,zi(r,i[r],t,n)]);return n.
 said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof P)return null;throw i}}function fl(s,e,t,n){let i=Ce(n),o=zi(s,e,t,i);if(i.said.length)throw new P(
-jt(i.said));return o}var ad=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,ad(s[t])])),Di=s=>Object.keys(xe.models[s].fields);
-function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:rd(e),plane:ld(t),start:hd(n),contact:Ft(i,Di(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function rd(s){if(s.parts){let t=s.parts.map(n=>Ft(n,Di(xe.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Ft(s,["radius","mass",...e])}function ld(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"],t=s;return e.push(...Object.
-keys(dl).filter(n=>t[n]===dl[n])),Ft(s,Di("Plane").filter(n=>!e.includes(n)))}function hd(s){return Ft(s,s.speed===null?["x","height","angle","vx","vy","omega"]:
+jt(i.said));return o}var ad=s=>s===1/0?"inf":s,Wt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,ad(s[t])])),Di=s=>Object.keys(xe.models[s].fields);
+function Re({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:rd(e),plane:ld(t),start:hd(n),contact:Wt(i,Di(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function rd(s){if(s.parts){let t=s.parts.map(n=>Wt(n,Di(xe.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return Wt(s,["radius","mass",...e])}function ld(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"],t=s;return e.push(...Object.
+keys(dl).filter(n=>t[n]===dl[n])),Wt(s,Di("Plane").filter(n=>!e.includes(n)))}function hd(s){return Wt(s,s.speed===null?["x","height","angle","vx","vy","omega"]:
 ["x","angle","speed"])}function Ni(s,e){let{Hoop:t,Start:n}=xe.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
 default,load_fraction:a.default}}return s==="plane"?xe.default.plane:s==="start"?{...ml(n),speed:void 0}:ml(xe.models[e==="compliant"?"Compliant":"Rigid"])}var ml=({
 fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function Ht(s){let e={};for(let[t,n]of Object.entries(Re(s))){let i=xe.default[t];
 if($t(n,i))continue;if(!de(n)){e[t]=n;continue}let o=Ni(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!$t(o[r],l));e[t]=a.length?Object.fromEntries(
 a):n}return cl(e)}function $t(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
-Object.keys(e).length&&t.every(n=>$t(s[n],e[n]))}var cd=8,{cell:Ii,laws:ud,quantities:gl}=E.map;async function Oi(s,{x:e,y:t},n,i){let o=Wt(e),a=Wt(t),r=dd(s,e.path,t.path)?md(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
+Object.keys(e).length&&t.every(n=>$t(s[n],e[n]))}var cd=8,{cell:Ii,laws:ud,quantities:gl}=E.map;async function Oi(s,{x:e,y:t},n,i){let o=Ft(e),a=Ft(t),r=dd(s,e.path,t.path)?md(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
 [[t.path,a[p]],[e.path,o[d]]]);return ln(s,g,n)},l=o.length*a.length,c=new Float64Array(Ii.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
 now()-h>cd&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&fd(Object.assign(u,g),n);
 if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ii.length;w++)c[w*l+b]=pd[w](f)}}return{count:l,rows:c}}function dd({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
@@ -2902,10 +2902,10 @@ isArray(r))n.push(wl(a,r,bl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c
 `].join("")}function hn(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":wd[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Ni(
 s,t.model),a=Object.entries(t).filter(([r,l])=>yd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${Bi(r,l)}`);return e&&a.push(`parts=[${e.map(vd).join(", ")}]`),`hh\
 .${i}(${a.join(", ")})`}function vd({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${Bi(n,i)}`);return`hh.${cn.parts[s]}(${t.join(", ")})`}function Bi(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ue(e):on(s,e)}var{letters:kl,modes:Fi,verbs:$i,events:kd,statuses:xd,story:Qe,summary:bt}=E.words,_d=400,[,Wi,vl,Sd,Ed]=Fi,Td="⁰¹²³⁴⁵⁶⁷⁸⁹";function xl(s,e){let{
+return e==="inf"?'float("inf")':typeof e=="string"?ue(e):on(s,e)}var{letters:kl,modes:Wi,verbs:$i,events:kd,statuses:xd,story:Qe,summary:bt}=E.words,_d=400,[,Fi,vl,Sd,Ed]=Wi,Td="⁰¹²³⁴⁵⁶⁷⁸⁹";function xl(s,e){let{
 omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>xl(s,e)),Gi=(s,e)=>.5*(s[e].t+s[e+1].t);function Ui(s,e=_d){
 let t=[],n=0,i=Sl(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Ad(s,o,a):q(Qe.more_bounces,{count:r});if(l){if(t.
-length>=e){n++;continue}t.push({t:a.t,event:o,mode:kl[Fi.indexOf(dn(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:q(Qe.left_out,{count:n})}),t}var _l=s=>s.
+length>=e){n++;continue}t.push({t:a.t,event:o,mode:kl[Wi.indexOf(dn(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:q(Qe.left_out,{count:n})}),t}var _l=s=>s.
 kind==="impact"&&s.to==="H"&&s.collision!==!1;function Sl(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&(_l(a)||i.length&&a.kind===
 "apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}i=[]}
 return n}function Ki(s,e=6){let t=[],n=0,i=Sl(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(q(bt.more_bounces,{count:u}));
@@ -2914,12 +2914,12 @@ q(bt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,
 sentence,r).trim()}function Md(s,e,t){if(t.collision===!1)return bt.without_collision;if(_l(t))return bt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
 El(t))return $i[dn(s,e)];let{verb:n,summed_up:i}=kd[t.kind];return i?n:""}function Ad(s,e,t){let n=dn(s,e),i={where:tt(t.angle),verb:$i[n],kind:t.kind.replaceAll(
 "_"," ")},o=Rd(s.events,e,n,i);return q(Qe[o]??Qe.other,i)}function Rd(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=et(i.vx),n.started=q(t===Sd?Qe.
-started_flight:t===Ed?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Wi?"slip_start_spin":o==="takeoff"?zd(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?
+started_flight:t===Ed?Qe.started_skim:Qe.started,n)),o==="slip_start"&&t===Fi?"slip_start_spin":o==="takeoff"?zd(s,e,n):o==="impact"?(n.speed=et(i.before.vy===null?
 null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&El(i)?"turn_in_slip":(o==="apex"&&(n.gap=Tl(i.
 height)),o==="kane_gain"&&(n.gain=et(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function zd(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=
 Math.max(i,s[o].height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=Tl(i),t.
 time=et(s[o].t-n),"takeoff_and_landing"}return"takeoff"}function dn(s,e){let t=s.events[e];return Ld(t.to,xl(s.events,e)?s.omega(e):t.omega)}function Ld(s,e){return s===
-"S"?e>0?Wi:vl:s==="K"?e<0?Wi:vl:Fi[kl.indexOf(s)]}var El=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Tl(s){
+"S"?e>0?Fi:vl:s==="K"?e<0?Fi:vl:Wi[kl.indexOf(s)]}var El=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),tt=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Tl(s){
 return s>=.995?`${et(s)} m`:s>=.00995?`${et(s*100)} cm`:`${et(s*1e3)} mm`}function et(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Ae(s,3).split("e"),n=t===
 void 0?"":`·10${Pd(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var Pd=s=>[...String(s)].map(e=>e==="-"?"⁻":Td[Number(e)]).join("");var Ml=2e3,Dd=s=>s===1/0?"inf":s;function mn(s,{status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}){let{schema:r,setup:l}=E;return{schema:r,version:l.
 version,scenario:Re(s),status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}}function Vi(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{
@@ -2937,9 +2937,9 @@ null||s===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:s})=>s.m
 1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:s})=>s.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:s,start:e})=>e.speed===null?
 null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius})};function Bd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},
 start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(s*s),e?{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Qi(s,e){let t=jd[e]?.(
-s),{smaller:n,larger:i}=Wd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(x.cell.length);for(let[a,r]of Object.entries(t))o[Wo[a]]=r;return{rates:o,smaller:n,
-larger:i}}function Wd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,i=Fd(s,e),{least:o,most:a,also:r=[]}=E.map.allowed[e],l=t!==n,c=s.hoop.inertia_ratio===0&&qd.includes(
-e);return{smaller:!c&&i>Math.min(o,...r.map(je))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function Fd(s,e){return e==="start.ome\
+s),{smaller:n,larger:i}=Fd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(x.cell.length);for(let[a,r]of Object.entries(t))o[Fo[a]]=r;return{rates:o,smaller:n,
+larger:i}}function Fd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,i=Wd(s,e),{least:o,most:a,also:r=[]}=E.map.allowed[e],l=t!==n,c=s.hoop.inertia_ratio===0&&qd.includes(
+e);return{smaller:!c&&i>Math.min(o,...r.map(je))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function Wd(s,e){return e==="start.ome\
 ga"?ke(s.start,s.hoop.radius).omega:e.split(".").reduce((t,n)=>t[n],s)}var{calls:$d,regions:Rl,map:Hd}=E,Gd={samples:{window:{read:Ud}},regions:{window:{read:Kd,usual:Rl.usual}},map:{x:{read:Al},y:{read:Al},what:{read:Zd,usual:"seq\
 uence"}}};function zl(s,e){let t=$d[s],n=Object.keys(e).find(i=>!t.includes(i));return n===void 0?null:qt("",n,t)}function Ll(s,e,t){let n={};for(let[i,{read:o,
 usual:a}]of Object.entries(Gd[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(D("missing",{path:i})):n[i]=a;return n}function Pl(s,e,t,n,i){if(!Array.

@@ -1,4 +1,4 @@
-/* Built from web/site/motion_element.js by esbuild 0.28.2; sources b69124870cfb72bd44289a261ec32b26 */
+/* Built from web/site/motion_element.js by esbuild 0.28.2; sources f189cd31938870923120b4ea0ffb27d3 */
 var a=new URL("./",import.meta.url),l=0,o=class extends HTMLElement{static observedAttributes=["scenario"];constructor(){super(),this.lab=null,this.number=++l}async connectedCallback(){
 if(this.shadowRoot)return;let i=this.attachShadow({mode:"open"}),t=document.createElement("link");t.rel="stylesheet",t.href=new URL("lab.css",a).href;let e=document.
 createElement("style");e.textContent=":host { display: block; min-height: 18rem; } :host([hidden]) { display: none; }";let n=document.createElement("div");n.textContent=

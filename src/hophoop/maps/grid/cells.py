@@ -1,4 +1,4 @@
-"""From scenarios to the kernel's cells: all cells of a chunk at once, as `scenario_at` would make each."""
+"""Cells of the kernel for a whole chunk at once, equal to those of `scenario_at` one by one."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _PLAIN = {
 
 
 def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArray[np.float64]:
-    """Cells of the kernel.
+    """Return the kernel's cells of a chunk.
 
     Parameters
     ----------
@@ -55,12 +55,12 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
     values : mapping of str to ndarray, shape (count,)
         Values of the varied parameters, by path [SI].
     count : int
-        How many cells.
+        Number of cells.
 
     Returns
     -------
     cells : ndarray, shape (len(CELL), count)
-        Rows as `records.layout.CELL` names them [SI]; those whose values do not go together are marked.
+        Rows as `records.layout.CELL` names them [SI]; cells with contradictory values are marked.
     """
     cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))
@@ -92,7 +92,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
             rolling = True
             free["vx"] = array
         else:
-            if rolling:  # the rolling start as a free one, of which one number changes
+            if rolling:  # a rolling start becomes a free one with one number changed
                 free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[RADIUS]}
             rolling = False
             free[path.partition(".")[2]] = array
@@ -111,14 +111,14 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
 
 
 def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:
-    """Whether radius and mass mean parts, so that ε and κ follow from them."""
+    """Return True if radius and mass are those of parts, from which ε and κ follow."""
     if any(path.startswith("hoop.parts") for path in paths):
         return True
     return base.hoop.parts is not None
 
 
 def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> None:
-    """Hoops made of parts, each combination once."""
+    """Write hoops made of parts, computing each combination once."""
     table = np.stack(list(values.values()))
     combinations, place = np.unique(table, axis=1, return_inverse=True)
     made = np.ones((6, combinations.shape[1]))
@@ -135,7 +135,7 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
 
 
 def _mark(cells: Array) -> None:
-    """The rules that tie parameters together, as the scenario's validators have them."""
+    """Mark cells that break the rules between parameters, the same as the scenario's validators."""
     massless = cells[INERTIA_RATIO] == 0.0
     bad = cells[MU_KINETIC] > cells[MU_STATIC]
     bad |= massless & ((cells[ECCENTRICITY] != 1.0) | (cells[SLOPE] != 0.0))
