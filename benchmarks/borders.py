@@ -20,9 +20,9 @@ from pathlib import Path
 from typing import Any
 
 import hophoop as hh
-from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.precise import solve
 from hophoop.simulation import exact_start
+from hophoop.vocabulary.modes import MODE_LETTERS
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from random_scenarios import BORDERS, draw_beside_a_border, scenario_of

@@ -31,15 +31,15 @@ import numpy as np
 from stress import cell_of, draw
 
 import hophoop as hh
-from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT, MapRequest, MapResults
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import Results, run_cells
+from hophoop.maps.grid.evaluate import run_cells
 from hophoop.maps.grid.quantities import make_span
 
 ARCHITECTURE = (8, 0)
 ROOM = 3000  # events of one motion
-WANTED = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
+WANTED = kernel.FLIGHT_REQUESTED | kernel.UTILIZATION_REQUESTED
 
 
 def signature() -> Any:
@@ -48,8 +48,9 @@ def signature() -> Any:
 
     matrix, whole = types.float64[:, ::1], types.int64
     return types.void(
-        matrix, whole[::1], types.float64, whole, types.boolean, whole, from_dtype(EVENT)[:, ::1],
-        from_dtype(SEGMENT)[::1], matrix, types.int32[:, ::1], types.uint64[:, ::1], types.int8[::1],
+        matrix, whole[::1], types.NamedTuple((types.float64, whole, types.boolean, whole), MapRequest),
+        from_dtype(EVENT)[:, ::1], from_dtype(SEGMENT)[::1],
+        types.NamedTuple((matrix, types.int32[:, ::1], types.uint64[:, ::1]), MapResults), types.int8[::1],
     )  # fmt: skip
 
 
@@ -267,7 +268,7 @@ def at_a_border(cell: np.ndarray, span_name: str, size: float = 1e-14) -> bool:
     near[CELL.index("angle")] += size * random.standard_normal(200)
     near[CELL.index("mu_kinetic")] = np.minimum(near[CELL.index("mu_kinetic")], near[CELL.index("mu_static")])
     found = run_cells(near, make_span(span_name), 0, "serial")
-    return len(np.unique(np.concatenate([found.keys, found.words.astype(np.uint64)], axis=1), axis=0)) > 1
+    return len(np.unique(np.concatenate([found.sequences, found.words.astype(np.uint64)], axis=1), axis=0)) > 1
 
 
 def compare(evaluate: Callable[..., None], cells: np.ndarray, span_name: str) -> dict[str, Any]:
@@ -276,9 +277,9 @@ def compare(evaluate: Callable[..., None], cells: np.ndarray, span_name: str) ->
     cells = cells.copy()
     cells[CELL.index("max_events")] = np.minimum(cells[CELL.index("max_events")], ROOM)
     ours = run_cells(cells, span, WANTED, "serial")
-    theirs = Results(*(np.empty_like(array) for array in ours))
+    theirs = MapResults(*(np.empty_like(array) for array in ours))
     evaluate(cells, span.angle, span.stop, span.timed, WANTED, *theirs)
-    same = (ours.keys == theirs.keys).all(1) & (ours.words == theirs.words).all(1)
+    same = (ours.sequences == theirs.sequences).all(1) & (ours.words == theirs.words).all(1)
     a, b = ours.numbers[same], theirs.numbers[same]
     off = np.where((a == b) | (np.isnan(a) & np.isnan(b)), 0.0, np.abs(a - b) / np.maximum(np.abs(a), 1.0))
     off = np.where(np.isnan(off), np.inf, off)

@@ -3,7 +3,7 @@
 
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
@@ -34,7 +34,8 @@ function stamp() {
 const words = {
   name: "words",
   setup(bundler) {
-    bundler.onLoad({ filter: /words[/\\](es|fr|zh)\.json$/ }, ({ path }) => {
+    bundler.onLoad({ filter: /words[/\\]\w+\.json$/ }, ({ path }) => {
+      if (basename(path) === "de.json") return undefined;
       const read = (name) => JSON.parse(readFileSync(name, "utf8"));
       const table = read(path);
       const keys = Object.keys(read(join(dirname(path), "de.json")));

@@ -367,20 +367,12 @@ interface GivenContact {
 }
 
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.js makes it.
-interface Given {
+interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   radius: number;
   mass: number;
   eccentricity: number;
   inertia_ratio: number; // 0 for the massless hoop
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
-  gravity: number;
-  slope: number;
-  rolling_resistance: number;
-  mu_static: number; // may be Infinity, as μk
-  mu_kinetic: number;
-  restitution: number;
-  impact_law: "stronge" | "newton" | "poisson";
-  painleve: "flight" | "impact";
   x: number;
   height: number;
   angle: number;
@@ -530,7 +522,7 @@ interface CheckedPlane {
   slope: number;
   rolling_resistance: number;
   mu: number | null; // where both are one
-  mu_static: number;
+  mu_static: number; // may be Infinity, as mu_kinetic
   mu_kinetic: number;
   apart: boolean; // given as two
   restitution: number;

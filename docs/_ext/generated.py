@@ -22,7 +22,8 @@ from hophoop.cli._options import OPTIONS
 from hophoop.maps.grid.quantities import QUANTITIES
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.base import Frozen
-from hophoop.scenario.ranges import RANGES, Range
+from hophoop.scenario.ranges import RANGES
+from hophoop.vocabulary.parameters import Range
 
 SCHEMA = "scenario.schema.json"
 LINE = re.compile(r"^% generated: ([\w-]+)$", re.MULTILINE)
@@ -172,8 +173,6 @@ def limits(path: str, field: Any, unit: str) -> str:
         return _listed([f'`"{word}"`' for word in words]).replace(" and ", " or ")
     name = path.rpartition(".")[2]
     known = {
-        "plane.mu_static": "plane.mu",
-        "plane.mu_kinetic": "plane.mu",
         "hoop.parts.radius": "hoop.parts.length",
         "hoop.parts.outer_radius": "hoop.parts.length",
     }

@@ -8,13 +8,17 @@ from __future__ import annotations
 from hophoop.scenario import parameter
 from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 
+SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 PARTS = {"hoop.parts.mass": "kg", "hoop.parts.length": "m"}
 
 
 def ranges_table() -> str:
     """In Markdown."""
     lines = ["| number | unit | may be |", "| --- | --- | --- |"]
-    for path, allowed in RANGES.items():
+    for path, allowed in sorted(RANGES.items(), key=lambda item: SECTIONS.index(item[0].partition(".")[0])):
+        if path in ("plane.mu_static", "plane.mu_kinetic"):
+            assert allowed == RANGES["plane.mu"]
+            continue
         unit = PARTS.get(path) or parameter(path).unit
         names = "`plane.mu`, `plane.mu_static`, `plane.mu_kinetic`" if path == "plane.mu" else f"`{path}`"
         lines.append(f"| {names} | {'' if unit == '1' else unit} | {allowed.words()} |")

@@ -117,7 +117,7 @@ def test_bounces_without_number_are_counted_not_listed():
     said = [told["text"] for told in words.story(computed)]
     assert sum("and bounces" in text for text in said) == 3
     assert f"It bounces {len(bounces) - 3} more times." in said
-    assert f"bounces at 64.9° and {len(bounces) - 1} more times, has bounced out" in words.summary(computed)
+    assert f"bounces at 64.9° and {len(bounces) - 1} more times, stops bouncing" in words.summary(computed)
     # two bounces are told one by one
     few = calls.computed(hh.Scenario(plane=hh.Plane(restitution=0.9), start=hh.Start(height=1.0), duration=2.0))
     assert 1 < len([e for e in few.find("impact") if e.to_mode == "H"]) < 6

@@ -16,13 +16,13 @@ from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets
 from hophoop.vocabulary.classes import CODES, class_text
 from hophoop.vocabulary.events import EVENTS
+from hophoop.vocabulary.modes import LETTERS, MODE_WORDS
 from hophoop.vocabulary.sentences import LAB, THEORY
 from hophoop.vocabulary.statuses import STATUSES
-from hophoop.vocabulary.words import LETTERS, MODES
 from strategies import scenarios
 
 WEB = Path(__file__).parents[2] / "web"
-LANGUAGES = ("de", "es", "fr", "zh")
+LANGUAGES = sorted(path.stem for path in (WEB / "words").glob("*.json"))
 TABLES = {code: json.loads((WEB / "words" / f"{code}.json").read_text(encoding="utf-8")) for code in LANGUAGES}
 ENGLISH = TABLES["de"].keys()
 PLACE = re.compile(r"\{(\w+)\}")
@@ -147,7 +147,11 @@ def test_what_python_puts_on_the_page_is_there():
     shown += [name for name, _ in controls()["gravities"]] + [axis["label"] for axis in controls()["map_axes"]]
     shown += [label for label, _ in motion_map.MAP_QUANTITIES.values()]
     shown += [text for preset in presets() for text in (preset.group, preset.title, preset.text)]
-    shown += [*MODES, *filter(None, (facts.sentence for facts in STATUSES.values())), *filter(str.isalpha, LETTERS.values())]
+    shown += [
+        *MODE_WORDS,
+        *filter(None, (facts.sentence for facts in STATUSES.values())),
+        *filter(str.isalpha, LETTERS.values()),
+    ]
     shown += [event.label for event in EVENTS.values()]
     shown += [class_text(letter) for letter in "RSKHM"]
     shown += [class_text(word, what) for what in motion_map.MAP_QUANTITIES if what in CODES for word in CODES[what]]

@@ -283,7 +283,7 @@ def test_a_full_buffer_is_taken_up_with_a_larger_one():
 
 
 def test_long_sequences_are_cut_and_say_so():
-    keys = np.zeros((1, kernel.KEYS), np.uint64)
+    keys = np.zeros((1, kernel.INTEGERS), np.uint64)
     length = 0
     for i in range(kernel.LONGEST + 5):
         length = kernel.add_letter(keys, 0, length, i % 5)
@@ -299,7 +299,7 @@ def test_equal_bits_for_one_thread_and_many():
     values = {"plane.mu": rng.uniform(0, 2, 3000), "start.speed": rng.uniform(0, 5, 3000)}
     cells = make_cells(hh.Scenario(), values, 3000)
     span = make_span("first_revolution")
-    wanted = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
+    wanted = kernel.FLIGHT_REQUESTED | kernel.UTILIZATION_REQUESTED
     alone = run_cells(cells, span, wanted, "serial")
     with thread_limit(1):
         one = run_cells(cells, span, wanted)
@@ -349,7 +349,7 @@ def test_axes_as_text():
 def test_the_number_of_values_of_an_axis_has_its_bounds(count):
     """A million million ended with the size of an array of NumPy."""
     for spaced in (linear, logarithmic):
-        with pytest.raises(ValueError, match=r"must be a whole number from 1 to 100,000,000\.$"):
+        with pytest.raises(ValueError, match=r"must be an integer from 1 to 100,000,000\.$"):
             spaced(0.1, 1.0, count)
 
 

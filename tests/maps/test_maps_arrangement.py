@@ -8,7 +8,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps, theory
 from hophoop.maps.boundaries.classes import Classifier, make_window
-from hophoop.maps.survey.arrangement import arrange
+from hophoop.maps.survey.arrangement import Options, arrange
 from hophoop.maps.survey.coincidences import coincidence
 from hophoop.maps.survey.rules import Rules
 from hophoop.maps.survey.slices import resolve
@@ -23,7 +23,7 @@ def resolved(gamma, mu, low, high, count=9):
     base = hh.Scenario().replace("hoop.load_fraction", gamma)
     window = make_window(base, {"plane.mu": (1e-3, 2.0), "start.speed": (1e-3, 9.0)})
     classify = Classifier(base, window, ("sequence", "ending"), "first_revolution")
-    one = Rules(classify).tidy(resolve(classify.at, [mu], [np.linspace(low, high, count)])[0])
+    one = Rules(classify).remove_spurious(resolve(classify.at, [mu], [np.linspace(low, high, count)])[0])
     return [tuple(classify.names[code].split(" ")) for code in one.codes], one.y[1:-1]
 
 
@@ -66,7 +66,7 @@ def plane(x, y):
 def test_areas_and_meetings_of_a_known_plane():
     lines = np.linspace(0.1, 2.9, 57)
     seeds = np.linspace(0.1, 3.9, 23)
-    found = arrange(plane, lines, seeds, 1e-12)
+    found = arrange(plane, lines, seeds, Options(1e-12))
     assert found.complete
     assert found.areas.sum() == pytest.approx(2.8 * 3.8, rel=1e-13)
     assert found.areas[1] == pytest.approx(math.pi / 4, rel=1e-2)
@@ -82,7 +82,7 @@ def test_areas_and_meetings_of_a_known_plane():
 
 
 def test_an_arrangement_says_where_it_gave_up():
-    found = arrange(plane, np.linspace(0.1, 2.9, 57), np.linspace(0.1, 3.9, 23), 1e-12, most=1)
+    found = arrange(plane, np.linspace(0.1, 2.9, 57), np.linspace(0.1, 3.9, 23), Options(1e-12, most=1))
     assert not found.complete
     assert found.areas.sum() == pytest.approx(2.8 * 3.8, rel=1e-13)
 
@@ -90,7 +90,7 @@ def test_an_arrangement_says_where_it_gave_up():
 def test_areas_converge_as_the_square_of_the_lines():
     off = []
     for count in (41, 81):
-        found = arrange(plane, np.linspace(0.1, 2.9, count), np.linspace(0.1, 3.9, 23), 1e-9)
+        found = arrange(plane, np.linspace(0.1, 2.9, count), np.linspace(0.1, 3.9, 23), Options(1e-9))
         off.append(abs(found.areas[1] - math.pi / 4))
     assert off[1] < 0.5 * off[0]
 

@@ -113,7 +113,7 @@ def test_all_borders_of_a_map_part_its_classes():
         ({"step": 0.0}, "step = 0.0"),
         ({"most": 0}, "most = 0"),
         ({"quantity": "time"}, "'time' must be one with classes"),
-        ({"ranges": {"plane.mu": (1.0, 0.5), "start.speed": (0.1, 5.0)}}, "a smaller and a greater"),
+        ({"ranges": {"plane.mu": (1.0, 0.5), "start.speed": (0.1, 5.0)}}, "two increasing numbers"),
         ({"ranges": {"plane.mu": (1.0, 1.5)}}, "two parameters"),
         ({"logarithmic": ["hoop.mass"]}, "must be one of plane.mu, start.speed"),
     ],
@@ -210,7 +210,7 @@ def test_the_line_of_painleve_is_the_threshold(dataset):
 
 def test_a_picture_of_a_number(dataset):
     ax = motion_map(dataset, "hop_height")
-    assert ax.figure.axes[1].get_ylabel() == "Greatest gap in the first hop (m)"
+    assert ax.figure.axes[1].get_ylabel() == "Maximum gap in the first hop (m)"
 
 
 def test_axes_of_equal_ratios_are_logarithmic():

@@ -177,7 +177,7 @@ def test_classes_meet_where_the_catalogue_says():
         rows = []
         for offset in (-NEAR, NEAR):
             line = y * (1.0 + 1e4 * NEAR * np.linspace(-1.0, 1.0, 101))
-            one = rules.tidy(resolve(classify.at, [x * (1.0 + offset)], [line])[0])
+            one = rules.remove_spurious(resolve(classify.at, [x * (1.0 + offset)], [line])[0])
             rows.append([classify.names[code] for code in one.codes])
         assert rows[0] != rows[1], (x, y)
         assert {*rows[0], *rows[1]} == set(classes), (x, y)

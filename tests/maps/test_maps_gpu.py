@@ -20,7 +20,7 @@ from hophoop.maps.grid.evaluate import run_cells
 from hophoop.maps.grid.quantities import make_span
 
 AXES = {"plane.mu": [0.3, 1.0], "start.speed": [0.1, 3.1, 5.0]}
-WANTED = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
+WANTED = kernel.FLIGHT_REQUESTED | kernel.UTILIZATION_REQUESTED
 
 
 def chosen_cells():
@@ -43,7 +43,7 @@ from hophoop.maps.grid.quantities import make_span
 cells = np.load("cells.npy")
 for name in ("first_revolution", "duration"):
     if name == "duration":  # batches of four cells, and memory for the events of three
-        gpu.CELLS_A_BATCH, gpu.MEMORY = 4, 3 * 12144
+        gpu.CELLS_PER_BATCH, gpu.MEMORY = 4, 3 * 12144
     results = run_cells(cells, make_span(name), 3, "gpu")
     np.savez(name, **results._asdict())
 axes = {"plane.mu": [0.3, 1.0], "start.speed": [0.1, 3.1, 5.0]}
@@ -69,7 +69,7 @@ def test_simulated_threads_give_what_the_cpu_gives(simulated, name):
     expected = run_cells(cells, make_span(name), WANTED, "serial")
     with np.load(simulated / f"{name}.npz") as found:
         np.testing.assert_array_equal(found["words"], expected.words)
-        np.testing.assert_array_equal(found["keys"], expected.keys)
+        np.testing.assert_array_equal(found["sequences"], expected.sequences)
         np.testing.assert_allclose(found["numbers"], expected.numbers, rtol=1e-12, atol=1e-14)
     assert np.any(expected.words[:, kernel.STATUS_WORD] == kernel.NOT_ALLOWED)
     if name == "duration":
@@ -131,7 +131,7 @@ def test_the_kernel_compiles_for_cuda(monkeypatch, tmp_path):
     from numba.cuda import dispatcher
     from numba.cuda.cudadrv import nvvm
 
-    from hophoop.kernel.records.layout import EVENT, SEGMENT
+    from hophoop.kernel.records.layout import EVENT, SEGMENT, MapRequest, MapResults
     from hophoop.maps.grid.gpu_kernel import evaluate_thread
 
     if not nvvm.is_available():
@@ -140,8 +140,9 @@ def test_the_kernel_compiles_for_cuda(monkeypatch, tmp_path):
     monkeypatch.setattr(dispatcher, "get_current_device", lambda: SimpleNamespace(compute_capability=(8, 0)))
     matrix, whole = types.float64[:, ::1], types.int64
     signature = types.void(
-        matrix, whole[::1], types.float64, whole, types.boolean, whole, from_dtype(EVENT)[:, ::1],
-        from_dtype(SEGMENT)[::1], matrix, types.int32[:, ::1], types.uint64[:, ::1], types.int8[::1],
+        matrix, whole[::1], types.NamedTuple((types.float64, whole, types.boolean, whole), MapRequest),
+        from_dtype(EVENT)[:, ::1], from_dtype(SEGMENT)[::1],
+        types.NamedTuple((matrix, types.int32[:, ::1], types.uint64[:, ::1]), MapResults), types.int8[::1],
     )  # fmt: skip
     code, _ = cuda.compile_ptx(evaluate_thread, signature, cc=(8, 0))
     assert code.count(".entry") == 1

@@ -67,9 +67,7 @@ def test_a_map_that_is_being_made_is_refused(tmp_path):
 
     def another(done, total):
         if len(refusals) < 2:
-            with pytest.raises(
-                ValueError, match=r"map\.zarr is being made by another process: wait until it is there"
-            ) as caught:
+            with pytest.raises(ValueError, match=r"map\.zarr is being written by another process: wait for it") as caught:
                 make(path, resume=True)
             refusals.append(caught)
 
@@ -227,7 +225,7 @@ def test_a_map_of_another_version_is_not_taken_up(tmp_path, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         make(path, progress=stop)
     monkeypatch.setattr("hophoop.maps.grid.evaluate.__version__", "0.0.9")
-    with pytest.raises(ValueError, match=r"map\.zarr holds a map of hophoop .*, which this version 0\.0\.9 cannot take up\.$"):
+    with pytest.raises(ValueError, match=r"map\.zarr holds a map of hophoop .*, which this version 0\.0\.9 cannot resume\.$"):
         make(path, resume=True)
 
 
@@ -257,5 +255,5 @@ def test_a_damaged_plan_is_not_taken_up(content, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         make(path, progress=stop)
     (path / "unfinished" / "plan.json").write_bytes(content)
-    with pytest.raises(InputError, match=r"map\.zarr holds a plan that is damaged"):
+    with pytest.raises(InputError, match=r"map\.zarr holds a damaged plan"):
         make(path, resume=True)

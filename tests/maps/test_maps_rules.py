@@ -14,7 +14,7 @@ def tidied(names, y):
     """What is left of a line, stretch by stretch."""
     table = list(dict.fromkeys(names))
     codes = np.array([table.index(name) for name in names])
-    one = Rules(SimpleNamespace(names=table)).tidy(Slice(0.5, np.array(y), codes))
+    one = Rules(SimpleNamespace(names=table)).remove_spurious(Slice(0.5, np.array(y), codes))
     assert one.y.size == one.codes.size + 1
     assert (one.y[0], one.y[-1]) == (y[0], y[-1])
     return [table[code] for code in one.codes], one.y.tolist()

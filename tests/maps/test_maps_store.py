@@ -101,7 +101,7 @@ def test_a_stopped_map_goes_on_to_the_same_bytes(whole, tmp_path, interrupt, aft
         make(path, progress=stop)
     with pytest.raises(ValueError, match="not complete"):
         maps.open_map(path)
-    with pytest.raises(ValueError, match="is there already"):
+    with pytest.raises(ValueError, match="exists already"):
         make(path)
     again = []
     make(path, resume=True, threads=1, progress=lambda done, total: again.append(done))

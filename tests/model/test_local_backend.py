@@ -76,7 +76,7 @@ UNDECIDED = "start.speed=3.616628264005025"
 
 def test_a_motion_that_doubles_do_not_decide_is_asked_of_the_server_or_said():
     (here,) = local("film", [{"query": UNDECIDED}])
-    assert here["value"]["header"]["doubt"].startswith("What comes after 0 s hangs on more digits")
+    assert here["value"]["header"]["doubt"].startswith("After 0 s the motion depends on more digits")
     (decided,) = local("film", [{}])
     assert here["value"]["header"]["fingerprint"] is None
     assert "doubt" not in decided["value"]["header"]

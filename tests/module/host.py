@@ -20,7 +20,7 @@ from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.lab.wasm.entries import Entries
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
-from hophoop.maps.grid.kernel import KEYS, NUMBERS, WORDS
+from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
 
 class Calls:
@@ -171,7 +171,7 @@ class Calls:
         """Reduced quantities of many motions, and the codes of their sequences."""
         n = cells.shape[1]
         place = self.room(8 * cells.size)
-        kinds = ((len(NUMBERS), np.float64), (len(WORDS), np.int32), (KEYS, np.uint64))
+        kinds = ((len(NUMBERS), np.float64), (len(WORDS), np.int32), (INTEGERS, np.uint64))
         rooms = [self.room(n * width * np.dtype(kind).itemsize) for width, kind in kinds]
         self.view(place, cells.size)[:] = cells.ravel()
         self.call("map_cells", place, n, span, stop, int(timed), wanted, *rooms)

@@ -42,7 +42,7 @@ def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
     for k, path in enumerate(paths):
         change = change_of(scenario, path)
         for i, name in enumerate(CELL):
-            rates[i, k] = change.start.get(name, 0.0) if name in change.start else getattr(change, name, 0.0)
+            rates[i, k] = change.get(name, 0.0)
     return rates
 
 

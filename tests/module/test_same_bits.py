@@ -11,7 +11,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 from hophoop.derivatives.results.propagation import propagate
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.margins import MARGINS
@@ -23,9 +23,10 @@ from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, MODULE
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.kernel import NUMBERS as MAP_NUMBERS
 from hophoop.maps.grid.kernel import WORDS as MAP_WORDS
-from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
+from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.scenario.parts import combine
 from hophoop.simulation.phases import margins
+from hophoop.vocabulary.modes import MODE_LETTERS
 
 pytest.importorskip("wasmtime")
 
@@ -260,7 +261,7 @@ def test_maps(host: Calls, span: str) -> None:
     cells = make_cells(base, {"plane.mu": grid[0].ravel(), "start.speed": grid[1].ravel()}, mu.size * speed.size)
     names = tuple(name for name in QUANTITIES if name in (*MAP_NUMBERS, *MAP_WORDS))
     taken = make_span(span)
-    wanted = wanted_of(choose_quantities(names))
+    wanted = flags_of(choose_quantities(names))
     numbers, words, _ = host.map_cells(cells, taken.angle, taken.stop, taken.timed, wanted)
     theirs = maps.sweep(base, {"plane.mu": mu, "start.speed": speed}, names, span)
     certain = np.isnan(numbers[:, MAP_NUMBERS.index("doubt_until")])

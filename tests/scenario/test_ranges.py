@@ -19,6 +19,8 @@ BUILDERS = {
     "hoop.load_fraction": lambda value: hh.Hoop.ideal(value),
     "hoop.eccentricity": lambda value: hh.Hoop(eccentricity=value, inertia_ratio=0.5),
     "hoop.inertia_ratio": lambda value: hh.Hoop(eccentricity=1.0, inertia_ratio=value),
+    "plane.mu_static": lambda value: hh.Plane(mu_static=value, mu_kinetic=0.0),
+    "plane.mu_kinetic": lambda value: hh.Plane(mu_static=math.inf, mu_kinetic=value),
     "start.speed": lambda value: hh.Start.rolling(value),
     "duration": lambda value: hh.Scenario(duration=value),
 }

@@ -114,7 +114,7 @@ def test_links_are_short_and_readable():
         ("start.speed=fast", "start.speed = 'fast' must be a number."),
         ("start.speed=", "start.speed = '' must be a number."),
         ("start.speed=1&start.speed=2", "start.speed is given twice."),
-        ("duration=1&duration.x=2", "duration.x cannot stand beside a value for duration."),
+        ("duration=1&duration.x=2", "duration.x cannot be given together with a value for duration."),
         ("duration.x=1&duration=2", "duration is given twice."),
         ("hoop.parts.1.shape=ring", "hoop.parts.1 is out of order: parts are numbered from 0 without a gap."),
         ("plane.mu=nan", "plane.mu = nan must be at least 0 (inf is allowed)."),

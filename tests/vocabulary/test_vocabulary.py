@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
-from hophoop.kernel.records.layout import LAW
+from hophoop.kernel.records.layout import CELL, LAW
 from hophoop.lab import film, motion_map, regions
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
@@ -21,7 +21,8 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem
 from hophoop.results.poses import poses_of
-from hophoop.vocabulary import classes, colors, events, laws, statuses, words
+from hophoop.scenario import cell_of, paths
+from hophoop.vocabulary import classes, colors, events, laws, modes, parameters, statuses
 
 ROOT = Path(__file__).parents[2]
 
@@ -52,11 +53,11 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
     assert state.omega == pytest.approx(-0.791, abs=1e-3)
     assert state.mode == "S"  # v_t < 0: the letter is its sign
     assert expected_word(state) == "skid"
-    assert words.mode_word(state.mode, state.omega) == "skid"
+    assert modes.mode_word(state.mode, state.omega) == "skid"
     assert poses_of(rocking, [7.5]).words[0] == "skid"
     assert next(piece.word for piece in phases(rocking) if piece.t < 7.5 < piece.end_t) == "skid"
     columns = film.columns(rocking)
-    assert words.MODES[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
+    assert modes.MODE_WORDS[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
     slip = [one for one in told.story(rocking) if one["t"] < 7.5][-1]
     assert "skids" in slip["text"]
     assert slip["mode"] == "K"  # the letter by which the page colours it
@@ -66,13 +67,13 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
 def test_each_word_shown_is_that_of_v_t_and_rotation(rocking, t):
     state = rocking.at(t)
     if state.mode in ("S", "K"):
-        assert words.mode_word(state.mode, state.omega) == expected_word(state)
+        assert modes.mode_word(state.mode, state.omega) == expected_word(state)
 
 
 def test_many_words_are_the_single_ones(rocking):
     sample = rocking.at(rocking.times(500))
-    many = words.mode_words(sample.mode, sample.omega)
-    assert list(many) == [words.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
+    many = modes.mode_words(sample.mode, sample.omega)
+    assert list(many) == [modes.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
     assert {"roll", "spin", "skid"} <= set(many)
 
 
@@ -88,12 +89,12 @@ def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
         assert before.mode == after.mode
         assert {before.word, after.word} == {"spin", "skid"}
         number = motion.events.index(turn)
-        assert f"and {words.VERBS[after.word]} now" in next(one["text"] for one in told.story(motion) if one["event"] == number)
+        assert f"and {modes.VERBS[after.word]} now" in next(one["text"] for one in told.story(motion) if one["event"] == number)
 
 
 def test_a_direction_is_that_of_the_coming_rotation():
-    np.testing.assert_array_equal(words.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
-    np.testing.assert_array_equal(words.coming_rotation([0.0, 0.0]), [0, 0])
+    np.testing.assert_array_equal(modes.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
+    np.testing.assert_array_equal(modes.coming_rotation([0.0, 0.0]), [0, 0])
 
 
 def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
@@ -101,28 +102,31 @@ def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
     codes = regions.regions(scenario, (-3.0, 3.0, -8.0, 8.0), 60, 40)["modes"]
     np.testing.assert_array_equal(codes, codes[::-1, ::-1])
     letters = theory.mode_of(1.0, np.array([2.0, -2.0]), scenario.hoop, scenario.plane)
-    assert set(words.mode_words(letters, [2.0, -2.0])) <= set(words.MODES)
+    assert set(modes.mode_words(letters, [2.0, -2.0])) <= set(modes.MODE_WORDS)
 
 
 def test_an_unknown_letter_is_refused():
     with pytest.raises(ValueError, match=r"letter = 'X' must be one of R, S, K, H, M\."):
-        words.mode_word("X", 1.0)
+        modes.mode_word("X", 1.0)
     with pytest.raises(ValueError, match="word = 'S' must be one of roll, spin"):
         colors.mode_color("S")
 
 
 def test_a_phase_has_one_word_in_motions_and_maps():
     for letter in "RHM":
-        assert words.LETTERS[letter] == words.mode_word(letter, 1.0)
+        assert modes.LETTERS[letter] == modes.mode_word(letter, 1.0)
     assert classes.class_text("RSH") == "roll → slip − → flight"
     # 'hop' is a flight from take-off to landing, as the glossary has it; nothing that is shown says airborne
     shown = (ROOT / "web" / "words" / "de.json").read_text(encoding="utf-8")
     assert "airborne" not in shown
 
 
-def test_every_kind_of_event_and_status_has_its_words():
-    from hophoop.kernel.physics.body import EVENT_NAMES, Status
+def test_every_kind_of_mode_event_and_status_has_its_words():
+    from hophoop.kernel.physics.body import EVENT_NAMES, Mode, Status
 
+    assert tuple(modes.MODES) == tuple(Mode)
+    assert set(modes.MODE_WORDS) == set(modes.WORDS)
+    assert tuple(modes.ModeLetter) == modes.MODE_LETTERS
     assert tuple(events.EVENTS) == EVENT_NAMES
     assert tuple(statuses.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 
@@ -283,3 +287,44 @@ def test_shown_words_change_where_the_mode_or_the_direction_does(rocking):
     clear = slip & (np.abs(product) > 1e-9)
     assert clear.sum() > 100
     np.testing.assert_array_equal(shown[clear] == "spin", product[clear] < 0.0)
+
+
+# Parameters
+
+
+def test_every_parameter_of_a_scenario_is_a_row():
+    fields = {path for path in paths() if path != "hoop.parts"}
+    assert set(parameters.PARAMETERS) == fields
+    assert {row.column for row in parameters.TABLE if row.column} <= set(CELL)
+    for row in parameters.TABLE:
+        assert (row.unit == parameters.WORD) == (row.range is None), row.path
+
+
+def test_choices_are_the_words_of_the_models():
+    models = {"plane": (hh.Plane,), "contact": (hh.Rigid, hh.Compliant)}
+    for row in parameters.TABLE:
+        if row.choices:
+            section, _, name = row.path.partition(".")
+            annotations = [model.model_fields[name].annotation for model in models[section] if name in model.model_fields]
+            words_of_it = {word for annotation in annotations for word in typing.get_args(annotation)}
+            assert {value for value, _ in row.choices} == words_of_it
+            assert row.default in words_of_it
+
+
+@pytest.mark.parametrize("row", [row for row in parameters.TABLE if row.slider], ids=lambda row: row.path)
+def test_sliders_and_axes_stay_in_the_range(row):
+    unit = np.pi / 180.0 if row.degrees else 1.0
+    ends = [row.slider.low * unit, row.slider.high * unit, *(row.axis[:2] if row.axis else ())]
+    assert all(row.range.holds(end) for end in ends)
+
+
+def test_a_cell_has_the_numbers_of_its_scenario():
+    plane = hh.Plane(gravity=1.6, slope=0.1, mu_static=0.5, mu_kinetic=0.4, restitution=0.3, rolling_resistance=0.02)
+    hoop = hh.Hoop(radius=0.3, mass=2.0, eccentricity=0.4, inertia_ratio=0.8)
+    start = hh.Start(x=1.0, height=0.2, angle=0.5, vx=1.5, vy=-0.5, omega=2.5)
+    scenario = hh.Scenario(hoop=hoop, plane=plane, start=start, duration=7.0, contact=hh.Rigid(max_events=9))
+    cell = dict(zip(CELL, cell_of(scenario), strict=True))
+    for row in parameters.TABLE:
+        if row.column:
+            section, _, name = row.path.rpartition(".")
+            assert cell[row.column] == getattr(getattr(scenario, section) if section else scenario, name), row.path

@@ -172,6 +172,17 @@ export class Controls {
   }
 
   /**
+   * The controls of a section in the order of Python's table: sliders, then choices.
+   * @param {string} section
+   * @param {Record<string, HTMLElement[]>} [before] what comes before some of them
+   */
+  of(section, before = {}) {
+    return [...this.sliders.keys(), ...this.choices.keys()]
+      .filter((path) => path.startsWith(`${section}.`))
+      .flatMap((path) => [...(before[path] ?? []), this.at(path)]);
+  }
+
+  /**
    * @param {string} label
    * @param {[string, string][]} options
    * @param {(value: string) => void} onchange
@@ -213,13 +224,7 @@ export class Controls {
     return this.group(
       "Hoop",
       this.way.element,
-      this.at("hoop.load_fraction"),
-      this.at("hoop.eccentricity"),
-      this.at("hoop.inertia_ratio"),
-      this.parts.element,
-      this.derived,
-      this.at("hoop.radius"),
-      this.at("hoop.mass"),
+      ...this.of("hoop", { "hoop.radius": [this.parts.element, this.derived] }),
     );
   }
 
@@ -244,20 +249,9 @@ export class Controls {
         if (found) this.onchange([["plane.gravity", found[1]]]);
       },
     );
-    return this.group(
-      "Plane",
-      this.at("plane.mu"),
-      this.at("plane.mu_static"),
-      this.at("plane.mu_kinetic"),
-      h("label", { class: "check" }, this.apart, "static and kinetic friction apart"),
-      this.at("plane.slope"),
-      this.gravity.element,
-      this.at("plane.gravity"),
-      this.at("plane.restitution"),
-      this.at("plane.rolling_resistance"),
-      this.at("plane.impact_law"),
-      this.at("plane.painleve"),
-    );
+    const apart = h("label", { class: "check" }, this.apart, "static and kinetic friction apart");
+    const before = { "plane.slope": [apart], "plane.gravity": [this.gravity.element] };
+    return this.group("Plane", ...this.of("plane", before));
   }
 
   start() {
@@ -273,17 +267,7 @@ export class Controls {
         else this.onchange([["start.omega", values["start.omega"]]]);
       },
     );
-    return this.group(
-      "Start",
-      this.kind.element,
-      this.at("start.speed"),
-      this.at("start.angle"),
-      this.at("start.height"),
-      this.at("start.vx"),
-      this.at("start.vy"),
-      this.at("start.omega"),
-      this.at("duration"),
-    );
+    return this.group("Start", this.kind.element, ...this.of("start"), this.at("duration"));
   }
 
   contact() {

@@ -3,18 +3,17 @@
 // by the same keys, so that one file a language holds all of it. `dom.js` sends every word that it puts on the page
 // through `t`; what is drawn on a canvas or set later calls it.
 
-import de from "../words/de.json" with { type: "json" };
-import es from "../words/es.json" with { type: "json" };
-import fr from "../words/fr.json" with { type: "json" };
-import zh from "../words/zh.json" with { type: "json" };
+import TABLES from "../words/tables.js";
 import { recall, remember } from "./memory.js";
 
-/** @type {Record<string, string>} */
-export const LANGUAGES = { en: "English", de: "Deutsch", es: "Español", fr: "Français", zh: "中文" };
+/** Each language's own name for itself. @param {string} code */
+const nameOf = (code) => {
+  const name = new Intl.DisplayNames([code], { type: "language" }).of(code) ?? code;
+  return name[0].toLocaleUpperCase(code) + name.slice(1);
+};
 
-/** @type {Record<string, Record<string, string>>} */
-const TABLES = { de, es, fr, zh };
-const COMMAS = new Set(["de", "es", "fr"]); // where decimals follow a comma
+/** Names by code, English first. @type {Record<string, string>} */
+export const LANGUAGES = Object.fromEntries(["en", ...Object.keys(TABLES)].map((code) => [code, nameOf(code)]));
 const KEY = "hophoop-language";
 const MOST = 4000; // sentences that are remembered
 const NAMES = /^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u;
@@ -23,6 +22,8 @@ const PLACE = /\{(\w+)\}/g;
 /** @typedef {{ key: string, pattern: RegExp, names: string[] }} Sentence */
 
 let language = "en";
+/** Whether decimals follow a comma. */
+let commas = false;
 /** @type {Sentence[]} */
 let sentences = [];
 /** @type {Map<string, string>} */
@@ -37,6 +38,7 @@ export const current = () => language;
 /** @param {string} code one of LANGUAGES */
 export function speak(code) {
   language = code in LANGUAGES ? code : "en";
+  commas = (1.5).toLocaleString(language).includes(",");
   known = new Map();
   uttered = new Set();
   untranslated.clear();
@@ -77,7 +79,7 @@ function compiled(key) {
  * A number as it is written in the language.
  * @param {string} text
  */
-export const local = (text) => (COMMAS.has(language) ? text.replace(/(\d)\.(\d)/g, "$1,$2") : text);
+export const local = (text) => (commas ? text.replace(/(\d)\.(\d)/g, "$1,$2") : text);
 
 /**
  * A text in the language of the page; what it does not know stays as it is.

@@ -6,7 +6,7 @@
  */
 export function given({ duration, hoop, plane, start, contact }) {
   const { radius, mass, eccentricity, inertia_ratio } = hoop;
-  const { gravity, slope, rolling_resistance, mu_static, mu_kinetic, restitution, impact_law, painleve } = plane;
+  const { mu, apart, ...ofPlane } = plane;
   const { x, height, angle, vx, vy, omega, slip } = stateOf(start, radius);
   const { max_events, model, ...rest } = contact;
   return {
@@ -15,14 +15,7 @@ export function given({ duration, hoop, plane, start, contact }) {
     eccentricity,
     inertia_ratio,
     ideal: hoop.load_fraction !== null,
-    gravity,
-    slope,
-    rolling_resistance,
-    mu_static,
-    mu_kinetic,
-    restitution,
-    impact_law,
-    painleve,
+    ...ofPlane,
     x,
     height,
     angle,

@@ -27,7 +27,7 @@ export function readQuery(query) {
       if (!node.has(step)) node.set(step, new Map());
       node = node.get(step);
       if (!(node instanceof Map)) {
-        throw new InputError(say("beside_a_value", { path, above: path.slice(0, path.lastIndexOf(".")) }));
+        throw new InputError(say("value_above", { path, above: path.slice(0, path.lastIndexOf(".")) }));
       }
     }
     if (node.has(last)) throw new InputError(say("given_twice", { path }));

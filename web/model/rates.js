@@ -15,27 +15,18 @@ const FIXED = ["hoop.eccentricity", "plane.slope"];
  * @type {Record<string, (checked: Checked) => Rates | null>}
  */
 const CHANGES = {
+  ...Object.fromEntries(Object.entries(tables.map.rates).map(([path, column]) => [path, () => ({ [column]: 1 })])),
   "hoop.radius": ofRadius,
   "hoop.mass": ({ hoop }) => (hoop.parts ? null : { mass: 1 }),
   "hoop.load_fraction": ({ hoop: { load_fraction } }) =>
     load_fraction === null ? null : { eccentricity: 1, inertia_ratio: -2 * load_fraction },
-  "hoop.eccentricity": () => ({ eccentricity: 1 }),
-  "hoop.inertia_ratio": () => ({ inertia_ratio: 1 }),
-  "plane.gravity": () => ({ gravity: 1 }),
-  "plane.slope": () => ({ slope: 1 }),
   "plane.mu": ({ plane: { mu } }) => (mu === null || mu === Infinity ? null : { mu_static: 1, mu_kinetic: 1 }),
   "plane.mu_static": ({ plane }) => (plane.mu_static === Infinity ? null : { mu_static: 1 }),
   "plane.mu_kinetic": ({ plane }) => (plane.mu_kinetic === Infinity ? null : { mu_kinetic: 1 }),
-  "plane.restitution": () => ({ restitution: 1 }),
   "plane.rolling_resistance": ({ hoop }) => (hoop.inertia_ratio === 0 ? null : { rolling_resistance: 1 }),
-  "start.x": () => ({ x: 1 }),
-  "start.height": () => ({ height: 1 }),
-  "start.angle": () => ({ angle: 1 }),
   "start.speed": ({ hoop, start }) => (start.speed === null ? null : { omega: 1 / hoop.radius }),
   "start.vx": () => ({ slip: 1 }),
-  "start.vy": () => ({ vy: 1 }),
   "start.omega": ({ hoop }) => ({ omega: 1, slip: -hoop.radius }),
-  duration: () => ({ duration: 1 }),
 };
 
 /** @param {Checked} checked */
@@ -55,7 +46,7 @@ function ofRadius({ hoop: { radius, parts, eccentricity, inertia_ratio }, start:
  *   parameter may go; null where it may go to neither
  */
 export function ratesOf(checked, path) {
-  const changes = CHANGES[path](checked);
+  const changes = CHANGES[path]?.(checked);
   const { smaller, larger } = allowedSides(checked, path);
   if (!changes || !(smaller || larger)) return null;
   const rates = new Float64Array(layout.cell.length);
@@ -71,7 +62,7 @@ export function ratesOf(checked, path) {
 function allowedSides(checked, path) {
   const { mu_static, mu_kinetic } = checked.plane;
   const value = numberAt(checked, path);
-  const { least, most, also = [] } = tables.map.allowed[path.startsWith("plane.mu") ? "plane.mu" : path];
+  const { least, most, also = [] } = tables.map.allowed[path];
   const apart = mu_static !== mu_kinetic;
   const fixed = checked.hoop.inertia_ratio === 0 && FIXED.includes(path);
   return {

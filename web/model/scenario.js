@@ -8,6 +8,8 @@ import { Broken, completeContact, completeHoop, completePlane, completeStart, fi
 import { tables } from "./tables.js";
 
 const { scenario: knowledge } = tables;
+/** Numbers of a plane that are not written where they have their default. @type {Record<string, number>} */
+const leftOut = knowledge.left_out;
 const CONTACTS = { rigid: "Rigid", compliant: "Compliant" };
 
 /**
@@ -207,7 +209,9 @@ function hoopKeys(hoop) {
 /** @param {CheckedPlane} plane */
 function planeKeys(plane) {
   const out = plane.apart ? ["mu"] : ["mu_static", "mu_kinetic"];
-  if (plane.rolling_resistance === 0) out.push("rolling_resistance"); // as in files of before there was one
+  /** @type {Record<string, any>} */
+  const numbers = plane;
+  out.push(...Object.keys(leftOut).filter((name) => numbers[name] === leftOut[name]));
   return written(
     plane,
     namesOf("Plane").filter((name) => !out.includes(name)),

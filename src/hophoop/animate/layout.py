@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hophoop.animate.canvas import Canvas, Rectangle
-from hophoop.vocabulary.words import PARTICIPLES
+from hophoop.vocabulary.modes import PARTICIPLES
 
 MARGIN, GAP = 22.0, 26.0  # at the sides, and between texts and keys [units]
 BAR = (270.0, 54.0)  # of the key to colours [units]

@@ -26,7 +26,7 @@ from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.events import EVENTS
-from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES
+from hophoop.vocabulary.modes import FLIGHT, MODE_WORDS, PARTICIPLES
 
 TRACE_POINTS = 4000
 SUFFIXES = (".html", ".glb")
@@ -144,8 +144,8 @@ def scene_data(
             "normal": theme.visible(colors.NORMAL_FORCE),
             "friction": theme.visible(colors.FRICTION_FORCE),
         },
-        "flight": MODES.index(FLIGHT),
-        "modes": [[PARTICIPLES[word], colors.mode_color(word)] for word in MODES],
+        "flight": MODE_WORDS.index(FLIGHT),
+        "modes": [[PARTICIPLES[word], colors.mode_color(word)] for word in MODE_WORDS],
         "hoops": hoops,
     }
 
@@ -161,7 +161,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float, most: floa
         "load": load_distance(hoop),
         "heavy": hoop.eccentricity * hoop.radius,
         "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in event_marks(motion, times)],
-        "mode": [MODES.index(str(word)) for word in poses.words],
+        "mode": [MODE_WORDS.index(str(word)) for word in poses.words],
         "t": poses.t,
         "center": poses.center,
         "contact": poses.contact,

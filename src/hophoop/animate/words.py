@@ -14,7 +14,7 @@ from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
 from hophoop.results.poses import Floats, Poses
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.words import PARTICIPLES
+from hophoop.vocabulary.modes import PARTICIPLES
 
 
 def shades_of(speeds: Floats, top: float) -> Floats:

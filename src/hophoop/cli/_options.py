@@ -10,7 +10,7 @@ from typing import Annotated, Any, NamedTuple
 
 import typer
 
-from hophoop.vocabulary.laws import NAMED
+from hophoop.vocabulary.parameters import TABLE, WORD, section_of
 
 
 class ScenarioOption(NamedTuple):
@@ -24,34 +24,15 @@ class ScenarioOption(NamedTuple):
     to_si: Callable[[float], float] | None = None
 
 
-HOOP, PLANE, START = "Hoop", "Plane", "Start and duration"
-
-OPTIONS = (
-    ScenarioOption("--gamma", "hoop.load_fraction", "Share of the mass in the load of an ideal hoop, γ.", HOOP),
-    ScenarioOption("--inertia-ratio", "hoop.inertia_ratio", "Moment of inertia about G over m R², κ.", HOOP),
-    ScenarioOption("--eccentricity", "hoop.eccentricity", "Distance of G from the centre over R, ε.", HOOP),
-    ScenarioOption("--radius", "hoop.radius", "Rim radius, m.", HOOP),
-    ScenarioOption("--mass", "hoop.mass", "Total mass, kg.", HOOP),
-    ScenarioOption("--mu", "plane.mu", "Friction, static and kinetic.", PLANE),
-    ScenarioOption("--mu-static", "plane.mu_static", "Static friction.", PLANE),
-    ScenarioOption("--mu-kinetic", "plane.mu_kinetic", "Kinetic friction.", PLANE),
-    ScenarioOption("--slope", "plane.slope", "Slope, downhill ahead, rad.", PLANE),
-    ScenarioOption("--slope-deg", "plane.slope", "The same in degrees.", PLANE, to_si=math.radians),
-    ScenarioOption("--gravity", "plane.gravity", "Gravity, m/s².", PLANE),
-    ScenarioOption("--restitution", "plane.restitution", "Restitution of an impact, e.", PLANE),
-    ScenarioOption("--rolling-resistance", "plane.rolling_resistance", "Couple against the rotation over R N, f.", PLANE),
-    ScenarioOption("--law", "plane.impact_law", f"{NAMED}.", PLANE, str),
-    ScenarioOption("--painleve", "plane.painleve", "Where indeterminate: flight or impact.", PLANE, str),
-    ScenarioOption("--v0", "start.speed", "Rolling start: velocity of the centre, m/s.", START),
-    ScenarioOption("--angle", "start.angle", "Angle of the load from the top, rad.", START),
-    ScenarioOption("--angle-deg", "start.angle", "The same in degrees.", START, to_si=math.radians),
-    ScenarioOption("--x", "start.x", "Position of the centre along the plane, m.", START),
-    ScenarioOption("--height", "start.height", "Gap between rim and plane, m.", START),
-    ScenarioOption("--vx", "start.vx", "Velocity of the centre along the plane, m/s.", START),
-    ScenarioOption("--vy", "start.vy", "Velocity of the centre away from the plane, m/s.", START),
-    ScenarioOption("--omega", "start.omega", "Angular velocity, rad/s.", START),
-    ScenarioOption("--duration", "duration", "Duration of the motion, s.", START),
-)
+START = "Start and duration"
+_PANELS = {"hoop": "Hoop", "plane": "Plane", "start": START, "motion": START}
+OPTIONS = tuple(
+    ScenarioOption(
+        option.flag, row.path, option.help, _PANELS[section_of(row)],
+        str if row.unit == WORD else float, math.radians if option.in_degrees else None,
+    )
+    for row in TABLE for option in row.options
+)  # fmt: skip
 
 
 def with_scenario(command: Callable[..., None]) -> Callable[..., None]:

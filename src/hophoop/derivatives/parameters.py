@@ -4,43 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.derivatives.directions import NUMBERS, direction
-from hophoop.scenario import InputError, Scenario
+from hophoop.kernel.records.layout import CELL
+from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.scenario.paths import parameter
-from hophoop.scenario.ranges import RANGES, Range
+from hophoop.scenario.ranges import RANGES
+from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
 
 Floats = NDArray[np.float64]
-STATE = NUMBERS[NUMBERS.index("x") :]
-
-
-@dataclass
-class Change:
-    """Rates of change with one parameter, of numbers in SI units and of the numbers without a unit.
-
-    `radius`, `mass`, `gravity` and `duration` are SI; so are those of the start, whose slip is v_t.
-    """
-
-    radius: float = 0.0
-    mass: float = 0.0
-    gravity: float = 0.0
-    slope: float = 0.0
-    eccentricity: float = 0.0
-    inertia_ratio: float = 0.0
-    mu_static: float = 0.0
-    mu_kinetic: float = 0.0
-    restitution: float = 0.0
-    rolling_resistance: float = 0.0
-    duration: float = 0.0
-    start: dict[str, float] = field(default_factory=dict)
-
-    def rates(self) -> tuple[float, ...]:
-        """In the order of `directions.NUMBERS`."""
-        return tuple(self.start.get(name, 0.0) if name in STATE else getattr(self, name) for name in NUMBERS)
+Change = dict[str, float]  # rates of change with one parameter, by name in NUMBERS; those that are left out are 0
 
 
 @dataclass(frozen=True)
@@ -87,39 +65,39 @@ def _of_part(scenario: Scenario, path: str) -> Change:
     # the parts' first moment about G is zero, so that a change of G adds nothing
     dmoment = dinertia / (radius * radius) + dmass * (away * away) + 2.0 * part.mass * away * dat / radius
     dinertia_ratio = (dmoment - dmass * hoop.inertia_ratio) / mass
-    return Change(mass=dmass, eccentricity=math.copysign(1.0, centre) * dcentre, inertia_ratio=dinertia_ratio)
+    return {"mass": dmass, "eccentricity": math.copysign(1.0, centre) * dcentre, "inertia_ratio": dinertia_ratio}
 
 
 def _of_radius(scenario: Scenario) -> Change:
     hoop, start = scenario.hoop, scenario.start
-    change = Change(radius=1.0)
+    change = {"radius": 1.0}
     if start.speed is not None:
-        change.start["omega"] = -start.speed / (hoop.radius * hoop.radius)
+        change["omega"] = -start.speed / (hoop.radius * hoop.radius)
     else:
-        change.start["slip"] = -(start.omega or 0.0)
+        change["slip"] = -(start.omega or 0.0)
     if hoop.parts is not None:
-        change.eccentricity = -hoop.eccentricity / hoop.radius
-        change.inertia_ratio = -2.0 * hoop.inertia_ratio / hoop.radius
+        change["eccentricity"] = -hoop.eccentricity / hoop.radius
+        change["inertia_ratio"] = -2.0 * hoop.inertia_ratio / hoop.radius
     return change
 
 
 def _of_mass(scenario: Scenario) -> Change:
     if scenario.hoop.parts is not None:
         raise InputError("hoop.mass follows from hoop.parts; a derivative is with respect to hoop.parts.0.mass and so on.")
-    return Change(mass=1.0)
+    return {"mass": 1.0}
 
 
 def _of_load(scenario: Scenario) -> Change:
     gamma = scenario.hoop.load_fraction
     if gamma is None:
         raise InputError("hoop.load_fraction is not what this hoop is given by; take hoop.eccentricity and hoop.inertia_ratio.")
-    return Change(eccentricity=1.0, inertia_ratio=-2.0 * gamma)
+    return {"eccentricity": 1.0, "inertia_ratio": -2.0 * gamma}
 
 
 def _of_speed(scenario: Scenario) -> Change:
     if scenario.start.speed is None:
         raise InputError("start.speed is not what this start is given by; take start.vx and start.omega.")
-    return Change(start={"omega": 1.0 / scenario.hoop.radius})
+    return {"omega": 1.0 / scenario.hoop.radius}
 
 
 def _of_friction(scenario: Scenario, path: str) -> Change:
@@ -129,36 +107,29 @@ def _of_friction(scenario: Scenario, path: str) -> Change:
     name = path.removeprefix("plane.")
     if math.isinf(getattr(scenario.plane, name)):
         raise InputError(f"{path} = inf has no derivative.")
-    return Change(mu_static=float(both or name == "mu_static"), mu_kinetic=float(both or name == "mu_kinetic"))
+    return {"mu_static": float(both or name == "mu_static"), "mu_kinetic": float(both or name == "mu_kinetic")}
 
 
 def _of_resistance(scenario: Scenario) -> Change:
     if scenario.hoop.inertia_ratio == 0.0:
         raise InputError("plane.rolling_resistance has no derivatives for the massless hoop, which can have none of it.")
-    return Change(rolling_resistance=1.0)
+    return {"rolling_resistance": 1.0}
 
 
-_SIMPLE: Mapping[str, Callable[[Scenario], Change]] = {
+# Where more than the parameter's own column of the cell changes, or something is to be refused first.
+_SPECIAL: Mapping[str, Callable[[Scenario], Change]] = {
     "hoop.radius": _of_radius,
     "hoop.mass": _of_mass,
     "hoop.load_fraction": _of_load,
-    "hoop.eccentricity": lambda _: Change(eccentricity=1.0),
-    "hoop.inertia_ratio": lambda _: Change(inertia_ratio=1.0),
-    "plane.gravity": lambda _: Change(gravity=1.0),
-    "plane.slope": lambda _: Change(slope=1.0),
-    "plane.restitution": lambda _: Change(restitution=1.0),
+    "plane.mu": partial(_of_friction, path="plane.mu"),
+    "plane.mu_static": partial(_of_friction, path="plane.mu_static"),
+    "plane.mu_kinetic": partial(_of_friction, path="plane.mu_kinetic"),
     "plane.rolling_resistance": _of_resistance,
-    "start.x": lambda _: Change(start={"x": 1.0}),
-    "start.height": lambda _: Change(start={"height": 1.0}),
-    "start.angle": lambda _: Change(start={"angle": 1.0}),
     "start.speed": _of_speed,
-    "start.vx": lambda _: Change(start={"slip": 1.0}),
-    "start.vy": lambda _: Change(start={"vy": 1.0}),
-    "start.omega": lambda scenario: Change(start={"omega": 1.0, "slip": -scenario.hoop.radius}),
-    "duration": lambda _: Change(duration=1.0),
+    "start.vx": lambda _: {"slip": 1.0},
+    "start.omega": lambda scenario: {"omega": 1.0, "slip": -scenario.hoop.radius},
 }
-_FRICTION = ("plane.mu", "plane.mu_static", "plane.mu_kinetic")
-PATHS = (*_SIMPLE, *_FRICTION)
+PATHS = tuple(row.path for row in TABLE if row.derivative)
 
 
 def change_of(scenario: Scenario, path: str) -> Change:
@@ -172,17 +143,18 @@ def change_of(scenario: Scenario, path: str) -> Change:
 
     Returns
     -------
-    change : Change
+    change : dict of float
+        Rates in SI units, by name in `directions.NUMBERS`; those that are left out are 0.
 
     Raises
     ------
     ValueError
         If the path is no number that the motion depends on, or not what the scenario is given by.
     """
-    if path in _SIMPLE:
-        return _SIMPLE[path](scenario)
-    if path in _FRICTION:
-        return _of_friction(scenario, path)
+    if path in _SPECIAL:
+        return _SPECIAL[path](scenario)
+    if path in PATHS:
+        return {PARAMETERS[path].column: 1.0}
     known = parameter(path)
     if path.startswith("hoop.parts.") and known.unit != "":
         return _of_part(scenario, path)
@@ -232,7 +204,7 @@ def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bo
     -------
     smaller, larger : bool
     """
-    allowed = RANGES.get("plane.mu" if path in _FRICTION else path, _ANY)
+    allowed = RANGES.get(path, _ANY)
     smaller = value > min((allowed.least, *allowed.also))
     larger = value < allowed.most
     hoop, plane = scenario.hoop, scenario.plane
@@ -261,13 +233,8 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
     ValueError
         As `change_of`.
     """
-    hoop, plane = scenario.hoop, scenario.plane
-    state = scenario.start.state(hoop)
-    given = (
-        hoop.radius, hoop.mass, plane.gravity, plane.slope, hoop.eccentricity, hoop.inertia_ratio,
-        plane.mu_static, plane.mu_kinetic, plane.restitution, plane.rolling_resistance,
-        scenario.duration,
-        state.x, state.height, state.angle, state.omega, state.slip, state.vy,
-    )  # fmt: skip
-    found = [direction(given, change_of(scenario, path).rates()) for path in paths]
+    cell = dict(zip(CELL, cell_of(scenario), strict=True))
+    given = tuple(cell[name] for name in NUMBERS)
+    changes = [change_of(scenario, path) for path in paths]
+    found = [direction(given, tuple(change.get(name, 0.0) for name in NUMBERS)) for change in changes]
     return Directions(*(np.array([each[part] for each in found]).T.copy() for part in range(3)))

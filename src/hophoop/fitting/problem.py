@@ -114,16 +114,9 @@ class Problem:
             hoop = Hoop(radius=self.radius, eccentricity=values["eccentricity"], inertia_ratio=values["inertia_ratio"])
         else:
             hoop = Hoop(radius=self.radius, load_fraction=values["gamma"])
-        plane = Plane(
-            gravity=self.plane.gravity,
-            slope=values["slope"],
-            mu_static=values["mu_kinetic"] + values["mu_excess"],
-            mu_kinetic=values["mu_kinetic"],
-            restitution=values["restitution"],
-            rolling_resistance=values["rolling_resistance"],
-            impact_law=self.plane.impact_law,
-            painleve=self.plane.painleve,
-        )
+        known = {name: value for name, value in self.plane.to_dict().items() if name != "mu"}
+        fitted = {name: values[name] for name in ("slope", "mu_kinetic", "restitution", "rolling_resistance")}
+        plane = Plane(**{**known, **fitted, "mu_static": values["mu_kinetic"] + values["mu_excess"]})
         if self.start == "rolling":
             start = Start(x=values["x0"], angle=values["angle0"], speed=values["speed"])
         else:

@@ -13,7 +13,7 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, Tables
+from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, MapRequest, MapResults, Tables
 from hophoop.kernel.records.scratch import Scratch
 from hophoop.kernel.records.state import State
 
@@ -54,6 +54,7 @@ ROW, TABLE, CUBE, COUNTS = Array(REAL), Array(REAL, 2), Array(REAL, 3), Array(WH
 FIELDS: dict[type, tuple[Array, ...]] = {
     Scratch: (TABLE, TABLE, ROW, ROW, TABLE, ROW, COUNTS),
     Tables: (TABLE, EVENTS, SEGMENTS),
+    MapResults: (TABLE, Array(np.dtype(np.int32), 2), Array(np.dtype(np.uint64), 2)),
 }
 
 _THEORY = "hophoop.theory.kernels."
@@ -65,7 +66,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.rigid.run.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
         "hophoop.kernel.rigid.run.run_cell": (Tables, EVENTS),
         "hophoop.maps.grid.kernel.evaluate_block": (
-            TABLE, int, int, float, int, bool, int, EVENTS, TABLE, Array(np.dtype(np.int32), 2), Array(np.dtype(np.uint64), 2),
+            TABLE, int, int, MapRequest, EVENTS, MapResults,
         ),
         _THEORY + "critical.hop_speed": (Body, float),
     },

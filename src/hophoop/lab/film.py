@@ -11,20 +11,17 @@ from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
 from hophoop.scenario import Compliant, Scenario, time_unit
 from hophoop.simulation.trajectory import Floats, Trajectory
+from hophoop.vocabulary.modes import MODE_WORDS, coming_rotation, mode_words
+from hophoop.vocabulary.parameters import TABLE, section_of
 from hophoop.vocabulary.statuses import STATUSES
-from hophoop.vocabulary.words import MODES, coming_rotation, mode_words
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
     "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
 
-SHOWN = (
-    "hoop.radius", "hoop.mass", "hoop.load_fraction", "hoop.eccentricity", "hoop.inertia_ratio",
-    "plane.mu", "plane.rolling_resistance", "plane.mu_static", "plane.mu_kinetic",
-    "start.speed", "start.height", "start.vx", "start.vy", "start.omega",
-)  # fmt: skip
-"""Paths of sliders that need not be keys of the scenario."""
+SHOWN = tuple(row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start"))
+"""Paths of the sliders whose values may follow from the scenario instead of being in it."""
 
 
 def columns(
@@ -74,7 +71,7 @@ def columns(
 
 
 def codes_of(words: np.ndarray) -> Floats:
-    """Return the code of each mode's word: its index in `vocabulary.words.MODES`, or their number for another word.
+    """Return the code of each mode's word: its index in `vocabulary.modes.MODE_WORDS`, or their number for another word.
 
     Parameters
     ----------
@@ -85,8 +82,8 @@ def codes_of(words: np.ndarray) -> Floats:
     codes : ndarray
         Codes [1].
     """
-    codes = np.full(words.shape, float(len(MODES)))
-    for code, word in enumerate(MODES):
+    codes = np.full(words.shape, float(len(MODE_WORDS)))
+    for code, word in enumerate(MODE_WORDS):
         codes[words == word] = code
     return codes
 

@@ -11,12 +11,12 @@ from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from hophoop import maps
-from hophoop.lab.controls import range_of
 from hophoop.lab.limits import Limits, TooMuch, turns_of, within
 from hophoop.maps.grid.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.scenario.paths import contradiction
+from hophoop.scenario.ranges import RANGES
 from hophoop.vocabulary.classes import class_color, class_text
 from hophoop.vocabulary.sentences import LAB
 
@@ -154,7 +154,7 @@ def bounded(
 def _allowed(axis: Axis) -> np.ndarray:
     """Return a mask of the cells of an axis with an allowed value."""
     try:
-        allowed = range_of(axis.path)
+        allowed = RANGES[axis.path]
     except KeyError:
         return np.ones(axis.cells, bool)
     middles = axis.middles()

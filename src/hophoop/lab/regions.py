@@ -10,7 +10,7 @@ import numpy as np
 from hophoop import theory
 from hophoop.lab.film import codes_of
 from hophoop.scenario import Scenario
-from hophoop.vocabulary.words import mode_words
+from hophoop.vocabulary.modes import mode_words
 
 
 def regions(

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from hophoop._version import __version__
-from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.lab.controls import controls
 from hophoop.lab.motion_map import MAP_QUANTITIES
 from hophoop.lab.presets import presets
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import colors, modes
 
 
 def setup() -> dict[str, Any]:
@@ -36,8 +35,8 @@ def setup() -> dict[str, Any]:
         ],
         "colors": {
             # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word
-            "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
-            "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
+            "modes": dict(zip(modes.MODE_LETTERS, colors.MODES.values(), strict=True)),
+            "mode_names": dict(zip(modes.MODE_LETTERS, colors.MODES, strict=True)),
             "gravity_center": colors.GRAVITY_CENTER,
             "airborne": colors.GRAVITY_CENTER_AIRBORNE,
             "center_speed": colors.CENTER_SPEED,

@@ -17,7 +17,6 @@ from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.records.layout import CELL
 from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
@@ -31,14 +30,16 @@ from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
 from hophoop.scenario.base import Frozen
+from hophoop.scenario.models import LEFT_OUT
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
-from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside, Range
+from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
-from hophoop.vocabulary import classes, colors, words
+from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
 from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
 from hophoop.vocabulary.statuses import STATUSES
@@ -68,15 +69,15 @@ def tables() -> dict[str, Any]:
         "scenario": _scenario(),
         "texts": TEXTS,
         "words": {
-            "letters": MODE_LETTERS,
-            "modes": words.MODES,
-            "verbs": words.VERBS,
+            "letters": "".join(modes.MODE_LETTERS),
+            "modes": modes.MODE_WORDS,
+            "verbs": modes.VERBS,
             "events": {
                 kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
             },
             "signs": SIGNS,
             "statuses": {status: facts.sentence for status, facts in STATUSES.items()},
-            "sequence": words.LETTERS,
+            "sequence": modes.LETTERS,
             "story": STORY,
             "summary": SUMMARY,
             "theory": THEORY,
@@ -98,6 +99,8 @@ def tables() -> dict[str, Any]:
             # values that a cell may have, and those that are no numbers
             "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
             "words": [path for path in paths() if parameter(path).unit == ""],
+            # the columns of a cell that change by as much as a parameter of which a motion has derivatives
+            "rates": {row.path: row.column for row in TABLE if row.derivative and row.column},
             "quantities": {
                 name: {"label": label, "span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
                 for name, (label, span) in MAP_QUANTITIES.items()
@@ -131,14 +134,16 @@ def _scenario() -> dict[str, Any]:
         "contact": [Rigid, Compliant],
     }
     described = (Scenario, Hoop, Plane, Start, Rigid, Compliant, *_PARTS, Axis)
-    shown = {"hoop.mass": "kg", "hoop.inertia_ratio": "", "plane.slope": "rad"}
+    checked_later = ("hoop.mass", "hoop.inertia_ratio", "plane.slope")  # by the models themselves
     return {
         "sections": {name: [model.__name__ for model in models] for name, models in sections.items()},
         "models": {model.__name__: {"place": model.place, "fields": _fields(model)} for model in described},
         "parts": {_fields(model)["shape"]["default"]: model.__name__ for model in _PARTS},
         "paths": paths(),
         "ends": ENDS,
-        "ranges": {path: _range(RANGES[path], unit) for path, unit in shown.items()},
+        # keys of the plane that are not written where they have their default
+        "left_out": LEFT_OUT,
+        "ranges": {path: _range(RANGES[path], PARAMETERS[path].unit) for path in checked_later},
         "relative": {
             "stiffness": {**_range(RELATIVE_STIFFNESS), "of": "m g/R"},
             "tangential_stiffness": {**_range(RELATIVE_STIFFNESS), "of": "m g/R"},

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.records import EventRecord
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.events import EVENTS
+from hophoop.vocabulary.modes import FLIGHT, MODE_LETTERS, MODE_WORDS, SKIM, SPIN, VERBS, mode_word
 from hophoop.vocabulary.sentences import STORY, SUMMARY
 from hophoop.vocabulary.statuses import STATUSES
-from hophoop.vocabulary.words import FLIGHT, MODES, SKIM, SPIN, VERBS, mode_word, plain
+from hophoop.vocabulary.words import plain
 
 
 def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
@@ -41,7 +41,7 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
         if len(told) >= most:
             left_out += 1
             continue
-        letter = MODE_LETTERS[MODES.index(_word(motion, number))]
+        letter = MODE_LETTERS[MODE_WORDS.index(_word(motion, number))]
         told.append({"t": event.t, "event": number, "mode": letter, "text": text})
     if left_out:
         told.append({**told[-1], "text": STORY["left_out"].format(count=left_out)})

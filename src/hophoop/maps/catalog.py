@@ -1,4 +1,4 @@
-"""The catalogue: every sequence of the first revolution, with an example, its share of the window and its width."""
+"""Catalogue of all sequences of the first revolution, each with an example, its share of the window and its width."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ class Entry(NamedTuple):
     Attributes
     ----------
     sequence : str
-        One letter a phase, from rolling with the load at the top; H last where it takes off.
+        One letter per phase, from rolling with the load at the top; H last where it takes off.
     ending : str
-        What ends it: revolutions (a full turn), reversal or takeoff.
+        End of the span: revolutions (a full turn), reversal or takeoff.
     load_fraction : float
-        γ of the ideal hoops among which it was found [1].
+        γ of the ideal hoop [1].
     area : float
         Share of the window of friction and speed that it fills [1].
     width : float
-        Twice the way from the example to the nearest end of the class, along friction and along speed, as parts of the
+        Twice the distance from the example to the nearest end of the class, along friction and along speed, relative to the
         window's sides [1].
     mu, speed : float
-        Friction [1] and speed at the start [m/s] of an example, as far inside as was seen.
+        Friction [1] and speed at the start [m/s] of an example, as far inside the class as found.
     fingerprint : str
-        That of the example's motion (see `Trajectory.fingerprint`), over the 6 s of `scenario`.
+        Fingerprint of the example's motion (see `Trajectory.fingerprint`) over the 6 s of `scenario`.
     """
 
     sequence: str
@@ -44,7 +44,7 @@ class Entry(NamedTuple):
     fingerprint: str
 
     def scenario(self) -> Scenario:
-        """The example.
+        """Return the scenario of the example.
 
         Returns
         -------
@@ -55,14 +55,14 @@ class Entry(NamedTuple):
 
 
 def catalogue(load_fraction: float = 0.75, width: float = 0.0) -> list[Entry]:
-    """Classes of the first revolution of an ideal hoop, greatest area first.
+    """Return the classes of the first revolution of an ideal hoop, largest area first.
 
     Parameters
     ----------
     load_fraction : float, default 0.75
-        γ, one of `catalogued`, which are 0.75 and some fifty from 0.02 to 0.999 [1].
+        γ, one of `catalogued`: 0.75 and about 50 others from 0.02 to 0.999 [1].
     width : float, default 0
-        Only classes at least so wide. A count of classes is one at a width: narrower ones can always be there [1].
+        Minimum width of the classes. A number of classes is meaningful for a width only: narrower ones may always exist [1].
 
     Returns
     -------
@@ -89,7 +89,7 @@ def catalogue(load_fraction: float = 0.75, width: float = 0.0) -> list[Entry]:
 
 
 def catalogued() -> list[float]:
-    """The hoops in the catalogue.
+    """Return the hoops of the catalogue.
 
     Returns
     -------

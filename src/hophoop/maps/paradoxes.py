@@ -1,4 +1,4 @@
-"""Which natural motions meet Painlevé's paradox: a search over load, friction and speed, and what energy allows."""
+"""Search for Painlevé's paradox over load, friction and speed, and an energy bound for jams."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
 
 
 def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
-    r"""Speed at the top below which energy forbids every jam that an open set of motions ends in.
+    r"""Return the speed at the top below which energy forbids every jam that an open set of motions ends in.
 
     Parameters
     ----------
     hoop : Hoop
     plane : Plane
-        Level; its kinetic friction and gravity count.
+        Level; only its kinetic friction and gravity matter.
 
     Returns
     -------
@@ -49,8 +49,8 @@ def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
         &\quad gR\left[\frac{1 + \kappa + \varepsilon^2 + 2 \varepsilon c}{2 \varepsilon c} - \varepsilon (1 - c)\right].
         \end{aligned}
 
-    The right side is above its left at :math:`v_0^2 = gR/\varepsilon` for every body: a hoop that can roll at the top at
-    all never has the energy. The sum of all losses is never negative, except under Newton's law.
+    At :math:`v_0^2 = gR/\varepsilon` the right side exceeds the left for every body: a hoop that can roll at the top
+    never has the energy. The sum of all losses is never negative, except under Newton's law.
 
     Examples
     --------
@@ -61,7 +61,7 @@ def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
     3.616628
     """
     if plane.slope != 0.0:
-        raise InputError.of_field("plane.slope", plane.slope, "0: on a slope the energy grows on the way")
+        raise InputError.of_field("plane.slope", plane.slope, "0: on a slope the energy grows with the distance")
     eps, kappa = hoop.eccentricity, hoop.inertia_ratio
     for state in jam_states(hoop, plane):
         if state.mode == "K" and painleve_region(state.angle + 1e-7, plane.mu_kinetic, hoop) == 1:
@@ -90,18 +90,18 @@ def paradoxes(
     speeds : array_like
         Velocity of the centre at the top, at least two and above 0 [m/s].
     span : str, default 'duration'
-        How much of each motion is searched, as in `sweep`.
+        Searched part of each motion, as in `sweep`.
     base : Scenario, optional
-        All else; by default the article's hoop for 6 s.
+        Everything else; by default the reference hoop for 6 s.
     hops : bool, default False
-        Whether starts count that are too fast to roll at all, v0² > g R cos β/γ, and hop at once.
+        Whether to include starts that are too fast to roll, v0² > g R cos β/γ, and hop at once.
 
     Returns
     -------
     dataset : xarray.Dataset
-        Over load_fraction and friction: `starts`, how many starts counted; `met`, the share of them that meet p_σ ≤ 0 or
-        the jam, and `jammed`, the share that end in a jam [1]; `lowest_speed` and `lowest_jam_speed`, the slowest of
-        each, nan where there is none [m/s].
+        Over load_fraction and friction: `starts`, the number of starts; `met`, the share that meets p_σ ≤ 0 or
+        the jam, and `jammed`, the share that ends in a jam [1]; `lowest_speed` and `lowest_jam_speed`, the slowest of
+        each, nan for none [m/s].
 
     Raises
     ------

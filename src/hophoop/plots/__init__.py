@@ -1,4 +1,4 @@
-"""Figures of a motion: one function each, which takes ``ax=None`` and returns the Axes; none calls show.
+"""Figures of a motion: one function each, which takes ``ax=None`` and returns the Axes without showing it.
 
 Matplotlib is in the extra ``plots`` and loaded when a figure is drawn.
 """

@@ -1,4 +1,4 @@
-"""Bands about a curve: two standard deviations to either side."""
+"""Bands around a curve: two standard deviations on each side."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OPACITY = 0.25
 
 
 def deviations(uncertainty: Uncertainty, sample: ArraySample, fields: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
-    """Standard deviations at the times of a sample, which has each event's instant from the left and from the right."""
+    """Return standard deviations at the times of a sample, which has both sides of each event."""
     left = np.append(sample.t[1:] == sample.t[:-1], False)
     found = {name: np.empty(sample.t.shape) for name in fields}
     for side, chosen in (("left", left), ("right", ~left)):
@@ -37,7 +37,7 @@ def deviations(uncertainty: Uncertainty, sample: ArraySample, fields: Mapping[st
 def draw_bands(
     ax: Axes, uncertainty: Uncertainty | None, sample: ArraySample, against: Against, fields: Mapping[str, tuple[float, str]]
 ) -> None:
-    """Draw the bands of some fields of a sample, each with a factor and a colour; nothing without an uncertainty."""
+    """Draw bands for fields of a sample, each with a factor and a colour; nothing without an uncertainty."""
     if uncertainty is None:
         return
     if against != "time":

@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.words import coming_rotation, mode_word, mode_words
+from hophoop.vocabulary.modes import coming_rotation, mode_word, mode_words
 
-# Samples a unit of time √(R/g); at the reference hoop some 470 a second.
+# Samples per unit of time √(R/g); about 470 per second for the reference hoop.
 DENSITY = 150
 FEWEST, MOST = 600, 40_000
 
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of the motion in one mode, by letter and word: times [s] and angles [degrees] at its ends."""
+    """A part of the motion in one mode, by letter and word: times [s] and angles [degrees] at its ends."""
 
     mode: str
     word: str
@@ -32,15 +32,15 @@ class Phase:
 
 
 def phases(motion: Trajectory) -> list[Phase]:
-    """The motion's phases in order; an event that leaves mode and word as they are does not part them.
+    """Return the motion's phases in order; events that keep mode and word do not separate them.
 
-    A slip in which the hoop turns back is two of them, since what was a spin is then a skid, or the reverse.
+    A slip in which the hoop turns back is two phases, since a spin becomes a skid, or the reverse.
     """
     found: list[Phase] = []
     for event, following in pairwise(motion.events):
         if not following.t > event.t:
             continue
-        # halfway θ̇ is not zero, which it may be at either end
+        # θ̇ may be zero at either end, but not halfway
         word = mode_word(event.to_mode, motion.at(0.5 * (event.t + following.t)).omega)
         angle, end_angle = math.degrees(event.angle), math.degrees(following.angle)
         if found and (found[-1].mode, found[-1].word) == (event.to_mode, word):
@@ -52,14 +52,14 @@ def phases(motion: Trajectory) -> list[Phase]:
 
 
 def shown_words(sample: ArraySample) -> NDArray[np.str_]:
-    """The words for the modes of a sample in order of time."""
+    """Return the words for the modes of a sample in order of time."""
     return mode_words(sample.mode, coming_rotation(sample.omega))
 
 
 def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> ArraySample:
-    """The motion sampled densely, each event's instant from the left and from the right.
+    """Sample the motion densely, with both sides of each event.
 
-    In the instant of a jam, where the force is without bound, it has no value.
+    At a jam, where the force is unbounded, it is nan.
     """
     end = motion.duration if end is None else min(end, motion.duration)
     unit = time_unit(motion.scenario.hoop, motion.scenario.plane)
@@ -79,7 +79,7 @@ def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> A
 
 
 def turning(motion: Trajectory) -> bool:
-    """Whether the hoop turns both ways, so that its angle does not order the motion."""
+    """Return True if the hoop rotates in both directions, so that its angle does not order the motion."""
     turns = [event.omega for event in motion.events] + [event.before.omega for event in motion.events]
     rates = np.concatenate([motion.at(motion.times(200)).omega, turns])
     rates = rates[np.isfinite(rates)]
@@ -88,9 +88,9 @@ def turning(motion: Trajectory) -> bool:
 
 
 def broken(values: NDArray[np.float64], sample: ArraySample, modes: str) -> NDArray[np.float64]:
-    """The values where the mode is one of `modes`, nan elsewhere: a line that breaks.
+    """Return the values where the mode is one of `modes`, nan elsewhere, for a broken line.
 
-    A phase's last point is taken from the left of the event that ends it, so that it belongs to the phase.
+    The last point of a phase is left of the event that ends it, so that it belongs to the phase.
     """
     inside = np.isin(sample.mode, list(modes))
     return np.where(inside, values, np.nan)

@@ -1,4 +1,4 @@
-"""Pictures of maps: regions of one class each in stable colours, or a number as a field."""
+"""Figures of maps: regions of one class each in stable colours, or a number as a field."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ else:
     Axes = Any
 
 SIZE = (8.2, 5.4)
-LABELLED = 0.012  # share of the map from which on a region gets its name written into it
-NOT_ALLOWED_COLOR = "#FFFFFF00"  # the page shows through
+LABELLED = 0.012  # minimum share of the map for a region's name inside it
+NOT_ALLOWED_COLOR = "#FFFFFF00"  # transparent
 
 
 def motion_map(
@@ -41,26 +41,26 @@ def motion_map(
     most: int = 16,
     names: bool = True,
 ) -> Axes:
-    """A map of two parameters: its classes as coloured regions, or a number as a field.
+    """Draw a map of two parameters: its classes as coloured regions, or a number as a field.
 
     The second axis of the map runs to the right, the first one up. Classes have the same colour in every map.
-    The dashed line is where friction becomes enough for Painlevé's paradox; hatched are the motions that meet
-    it, where the map holds the quantity ``painleve``.
+    The dashed line is the minimum friction for Painlevé's paradox. Motions that meet it are hatched if the map
+    has the quantity ``painleve``.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        A map over two axes of numbers, as `hophoop.maps.sweep` gives it.
+        A map over two axes of numbers, as `hophoop.maps.sweep` returns it.
     quantity : str, optional
         One of its variables; by default the first.
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     borders : sequence of Border, optional
-        Drawn as lines, as `hophoop.maps.borders` finds them.
+        Drawn as lines, as `hophoop.maps.borders` returns them.
     painleve : bool, default True
         Whether Painlevé's region is shown.
     most : int, default 16
-        Most classes that the legend names; the rest is summed up in one line.
+        Maximum number of classes in the legend; one line summarizes the rest.
     names : bool, default True
         Whether large regions have their class written into them.
 
@@ -71,7 +71,7 @@ def motion_map(
     Raises
     ------
     ValueError
-        If the map has not two axes of numbers or no such variable.
+        If the map does not have two axes of numbers or has no such variable.
     ImportError
         If Matplotlib is missing.
     """
@@ -109,7 +109,7 @@ def motion_map(
 
 
 def _title(dataset: Any, axes: Sequence[str]) -> str:
-    """What is the same in the whole map."""
+    """Return the parameters that are the same in the whole map."""
     plan = json.loads(dataset.attrs["plan"]) if "plan" in dataset.attrs else None
     if plan is None:
         return ""
@@ -178,14 +178,14 @@ def _names(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: 
 
 
 def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: str) -> None:
-    """The class's name where its region is widest, if the picture has room there: its axes need not be even."""
+    """Write the class's name where its region is widest, if it fits there; the axes may be uneven."""
     depth = _depth(mask)
     i, j = np.unravel_index(int(np.argmax(depth)), depth.shape)
     reach = int(depth[i, j])
     rows, columns = (np.clip([k - reach, k + reach], 0, n - 1) for k, n in ((i, y.size), (j, x.size)))
     corners = (ax.transData + ax.transAxes.inverted()).transform(np.stack([x[columns], y[rows]], axis=-1))
     wide, high = np.abs(corners[1] - corners[0])
-    # a letter is about 1.3 % of the picture's width, and half as deep again
+    # a letter is about 1.3 % of the picture's width, and 1.5 times as high
     if wide < 0.013 * len(word) * 0.8 or high < 0.035:
         return
     red, green, blue = need("matplotlib.colors", "plots").to_rgb(color)
@@ -194,7 +194,7 @@ def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: s
 
 
 def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """How many cells a square around each cell reaches without leaving the region."""
+    """Return the half width of the largest square around each cell inside its region [cells]."""
     depth = np.zeros(mask.shape, np.int64)
     inner = np.pad(mask, 1)
     while inner.any():
@@ -248,7 +248,7 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
 
 
 def _free_place(ax: Axes, points: NDArray[np.float64]) -> tuple[float, float]:
-    """The one of these points that is farthest from the names in the picture and not at its edge."""
+    """Return the point that is farthest from the names in the picture and not at its edge."""
     to_axes = ax.transData + ax.transAxes.inverted()
     places = to_axes.transform(points)
     taken = to_axes.transform([text.get_position() for text in ax.texts]) if ax.texts else np.full((1, 2), 2.0)
@@ -259,7 +259,7 @@ def _free_place(ax: Axes, points: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def _painleve_excess(dataset: Any) -> NDArray[np.float64] | None:
-    """Kinetic friction beyond that from which the paradox exists, in every cell."""
+    """Return the kinetic friction in excess of the paradox's threshold, in every cell."""
     plan = json.loads(dataset.attrs["plan"]) if "plan" in dataset.attrs else None
     if plan is None:
         return None

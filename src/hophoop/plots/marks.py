@@ -1,4 +1,4 @@
-"""Events marked over a figure. Those whose words would collide are one cluster with one label, such as '9 impacts'."""
+"""Events marked above a figure. Events whose labels would overlap share one label, such as '9 impacts'."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 else:
     Axes = Any
 
-FOLLOW = ("takeoff", "apex")  # every impact of a row has one of each
+FOLLOW = ("takeoff", "apex")  # each impact of a series has one of each
 LETTER = 0.58  # width of a letter over the size of the font, on average
 FONT, MARKER = 8.0, 4.5  # [points]
 APART = 6.0  # between two labels [points]
@@ -24,7 +24,7 @@ LEVEL, ABOVE = 1.085, 1.11  # of marks and of words, over the height of the axes
 
 @dataclass(frozen=True)
 class Cluster:
-    """Events under one label: their places across the axes [points] and what the label says."""
+    """Events under one label: their positions across the axes [points] and the label's text."""
 
     places: tuple[float, ...]
     kinds: tuple[str, ...]
@@ -43,23 +43,23 @@ class Cluster:
 
     @property
     def dense(self) -> bool:
-        """Whether its marks would lie on each other."""
+        """Whether its marks would overlap."""
         return len(self.places) > 2 and self.places[-1] - self.places[0] < 1.5 * MARKER * (len(self.places) - 1)
 
 
 def clusters(places: Sequence[float], kinds: Sequence[str], width: float, letter: float = LETTER * FONT) -> list[Cluster]:
-    """Events gathered until no two labels collide.
+    """Group events until no two labels overlap.
 
     Parameters
     ----------
     places : sequence of float
-        From the left end of the axes on, in order [points].
+        From the left end of the axes, in order [points].
     kinds : sequence of str
-        One for each place.
+        One per position.
     width : float
-        Of the axes, within which every label stays as far as it fits [points].
+        Width of the axes; labels stay inside where they fit [points].
     letter : float
-        Width of a letter; with another unit than points, all are in that [points].
+        Width of a letter, in the same unit as the others [points].
 
     Returns
     -------
@@ -76,7 +76,7 @@ def clusters(places: Sequence[float], kinds: Sequence[str], width: float, letter
 
 
 def center_of_label(cluster: Cluster, width: float) -> float:
-    """Where a label's middle is: over its events, but not beyond the axes [points]."""
+    """Return the centre of a label: above its events, but not beyond the axes [points]."""
     half = 0.5 * cluster.width
     return min(max(cluster.middle, half), max(width - half, half))
 
@@ -102,17 +102,17 @@ def _words(kind: str, count: int) -> str:
 
 
 def mark_events(ax: Axes, motion: Trajectory, places: Sequence[float]) -> None:
-    """Draw marks and labels over the axes, and lines down where the hoop leaves the plane and comes back.
+    """Draw marks and labels above the axes, and vertical lines at take-offs and landings.
 
     Parameters
     ----------
     ax : matplotlib.axes.Axes
     motion : Trajectory
     places : sequence of float
-        Of the motion's events, in the unit of the axis [s or °].
+        Positions of the motion's events, in the unit of the axis [s or °].
     """
     low, high = ax.get_xlim()
-    # taken before the layout is settled: the axes get rather wider than that
+    # measured before the layout: the axes become wider rather than narrower
     inches = cast("Any", ax.figure).get_figure(root=True).get_size_inches()[0]
     width = ax.get_position().width * inches * 72.0
     shown = sorted(
@@ -137,7 +137,7 @@ def _draw(ax: Axes, cluster: Cluster, low: float, point: float, width: float) ->
     across = [low + point * place for place in cluster.places]
     alone = list(zip(across, cluster.kinds, strict=True))
     if cluster.dense:
-        # the line spans what the label counts: the rise before the first impact of a row is no part of it
+        # the line spans the counted events; the rise before the first impact is not among them
         row = [place for place, kind in alone if kind == "impact"]
         first, last = (row[0], row[-1]) if len(row) > 1 else (across[0], across[-1])
         ax.plot([first, last], [LEVEL, LEVEL], "-|", ms=6, lw=1.4, **style)

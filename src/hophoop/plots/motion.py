@@ -1,4 +1,4 @@
-"""Curves of a motion against time or angle: velocities, energies, contact forces, friction used, the gap."""
+"""Curves of a motion against time or angle: velocities, energies, contact forces, friction utilization, gap."""
 
 from __future__ import annotations
 
@@ -38,18 +38,18 @@ def velocities(
     modes: bool = True,
     uncertainty: Uncertainty | None = None,
 ) -> Axes:
-    """Velocity of the centre and angular velocity times the radius: one curve while the hoop rolls.
+    """Draw the velocity of the centre and the angular velocity times the radius; they coincide in rolling.
 
     Parameters
     ----------
     motion : Trajectory
     against : {'time', 'angle'}
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     modes : bool, default True
         Whether modes are shaded and events marked.
     uncertainty : Uncertainty, optional
-        Of the motion: bands of two standard deviations, against time only.
+        Uncertainty of the motion, drawn as bands of two standard deviations, against time only.
 
     Returns
     -------
@@ -78,16 +78,16 @@ def velocities(
 
 
 def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = None, modes: bool = True) -> Axes:
-    """Kinetic and potential energy, their sum, and what friction and impacts have taken.
+    """Draw kinetic and potential energy, their sum, and the losses to friction and impacts.
 
-    Friction's share of an impact is booked with friction, so that rigid and compliant contact show the same.
+    The tangential loss of an impact counts as friction, so that rigid and compliant contact show the same.
 
     Parameters
     ----------
     motion : Trajectory
     against : {'angle', 'time'}
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     modes : bool, default True
         Whether modes are shaded and events marked.
 
@@ -157,19 +157,19 @@ def contact_forces(
     labels: Sequence[str] | None = None,
     modes: bool = True,
 ) -> Axes:
-    """Normal force and friction on the hoop.
+    """Draw the normal force and friction on the hoop.
 
     Parameters
     ----------
     motions : Trajectory or sequence of Trajectory
-        One, or some to compare.
+        One motion, or several to compare.
     against : {'angle', 'time'}
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     labels : sequence of str, optional
-        One for each motion.
+        One per motion.
     modes : bool, default True
-        Whether modes are shaded and events marked, of a single motion.
+        Whether modes are shaded and events marked, for a single motion.
 
     Returns
     -------
@@ -178,7 +178,7 @@ def contact_forces(
     Raises
     ------
     ValueError
-        If `against` is neither, there is no motion, or there are not as many labels as motions.
+        If `against` is neither, there is no motion, or the numbers of labels and motions differ.
     ImportError
         If Matplotlib is missing.
     """
@@ -218,19 +218,19 @@ def friction_utilization(
     labels: Sequence[str] | None = None,
     modes: bool = True,
 ) -> Axes:
-    """Friction utilization with the sign of the friction, F/(μ N): it slips at ±1.
+    """Draw the friction utilization with the sign of the friction, F/(μ N); the hoop slips at ±1.
 
     Parameters
     ----------
     motions : Trajectory or sequence of Trajectory
-        One, or some to compare.
+        One motion, or several to compare.
     against : {'angle', 'time'}
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     labels : sequence of str, optional
-        One for each motion.
+        One per motion.
     modes : bool, default True
-        Whether modes are shaded and events marked, of a single motion.
+        Whether modes are shaded and events marked, for a single motion.
 
     Returns
     -------
@@ -239,14 +239,13 @@ def friction_utilization(
     Raises
     ------
     ValueError
-        If `against` is neither, there is no motion, or there are not as many labels as motions.
+        If `against` is neither, there is no motion, or the numbers of labels and motions differ.
     ImportError
         If Matplotlib is missing.
 
     Notes
     -----
-    In slip the force is measured against the kinetic friction, else against the static one, so that 1 means
-    all of it in either case.
+    In slip μ is the kinetic friction, otherwise the static one, so that 1 is the limit in both cases.
     """
     check_against(against)
     many = as_list(motions)
@@ -279,18 +278,18 @@ def gap(
     modes: bool = True,
     uncertainty: Uncertainty | None = None,
 ) -> Axes:
-    """The gap between rim and plane: above zero the hoop hops.
+    """Draw the gap between rim and plane; the hoop hops where it is positive.
 
     Parameters
     ----------
     motion : Trajectory
     against : {'time', 'angle'}
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     modes : bool, default True
         Whether modes are shaded and events marked.
     uncertainty : Uncertainty, optional
-        Of the motion: bands of two standard deviations, against time only.
+        Uncertainty of the motion, drawn as bands of two standard deviations, against time only.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Names beside curves, where no curve is: each in the nearest free place, with a line to its curve if it is not close."""
+"""Names next to curves: each in the nearest free space, with a line to its curve if it is not close."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ else:
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-CELL = 2.0  # of the grid on which places are tried [points]
-LETTER, LINE = 0.58, 1.25  # size of a letter over that of the font
+CELL = 2.0  # spacing of the grid of tried positions [points]
+LETTER, LINE = 0.58, 1.25  # size of a letter relative to the font size
 BESIDE = 4.0  # between a name and a curve [points]
-REACH = (10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 80.0)  # how far from its curve a name may be [points]
+REACH = (10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 80.0)  # maximum distance of a name from its curve [points]
 DIRECTIONS = 16
 TRIED = 60  # points of a curve
 GAP = 40.0  # between two points of a curve that leaves the axes [points]
-LEADER = 9.0  # from where on a line leads to the curve [points]
+LEADER = 9.0  # minimum distance for a line to the curve [points]
 
 
 def name_curves(ax: Axes, curves: Sequence[Floats], names: Sequence[str], others: Sequence[Floats] = ()) -> None:
-    """Write each curve's name into the axes, over none of the curves and none of the other names.
+    """Write each curve's name into the axes, without covering curves or other names.
 
     Parameters
     ----------
@@ -39,9 +39,9 @@ def name_curves(ax: Axes, curves: Sequence[Floats], names: Sequence[str], others
     curves : sequence of ndarray, shape (n, 2)
         In the units of the axes.
     names : sequence of str
-        One for each curve; an empty curve gets none.
+        One per curve; an empty curve gets none.
     others : sequence of ndarray, shape (n, 2)
-        Lines without a name, which names keep off as well.
+        Lines without a name, which names avoid as well.
     """
     width, height = _size(ax)
     low, high = np.array([ax.get_xlim()[0], ax.get_ylim()[0]]), np.array([ax.get_xlim()[1], ax.get_ylim()[1]])
@@ -70,7 +70,7 @@ def name_curves(ax: Axes, curves: Sequence[Floats], names: Sequence[str], others
 
 
 def _points(curve: Floats, low: Floats, high: Floats) -> Floats:
-    """A curve in parts of the axes, without what lies outside."""
+    """Return a curve relative to the axes, without the points outside."""
     share = (np.asarray(curve, dtype=float).reshape(-1, 2) - low) / (high - low)
     with np.errstate(invalid="ignore"):
         inside: Floats = share[((share >= 0.0) & (share <= 1.0)).all(axis=1)]
@@ -78,7 +78,7 @@ def _points(curve: Floats, low: Floats, high: Floats) -> Floats:
 
 
 def _size(ax: Axes) -> tuple[float, float]:
-    """Width and height of the axes once everything else is laid out [points]."""
+    """Return width and height of the axes after the layout of everything else [points]."""
     figure = cast("Any", ax.figure).get_figure(root=True)
     figure.draw_without_rendering()
     box = ax.get_window_extent()
@@ -90,7 +90,7 @@ def _letters(name: str) -> int:
 
 
 def _cells(points: Floats, width: float, height: float) -> Mask:
-    """The cells of the grid that a curve touches."""
+    """Return the cells of the grid that a curve touches."""
     mask = np.zeros((int(height / CELL) + 1, int(width / CELL) + 1), dtype=bool)
     if len(points) > 1:
         way = _way_along(points, GAP)
@@ -103,18 +103,18 @@ def _cells(points: Floats, width: float, height: float) -> Mask:
 
 
 def _way_along(points: Floats, gap: float) -> Floats:
-    """Length of a curve up to each of its points; where it leaves the axes and comes back there is nothing in between."""
+    """Return the length of a curve up to each of its points, without gaps outside the axes."""
     steps = np.hypot(*np.diff(points, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(np.where(steps > gap, 0.0, steps))])
 
 
 def _place(points: Floats, box: Floats, taken: Mask, others: Mask) -> tuple[Floats, Floats] | None:
-    """Middle of the nearest free place for a box, and the point of the curve that it belongs to."""
+    """Return the centre of the nearest free space for a box, and the nearest point of the curve."""
     way = _way_along(points, GAP)
     tried = points[np.searchsorted(way, np.linspace(0.0, way[-1], TRIED))]
     turns = np.arange(DIRECTIONS) * 2.0 * np.pi / DIRECTIONS
     rays = np.stack([np.cos(turns), np.sin(turns)], axis=-1)
-    # points in the middle of the picture first: a name at its edge is read as another axis
+    # points in the middle first: a name at the edge looks like an axis label
     order = np.argsort(np.abs(np.arange(TRIED) - 0.4 * TRIED), kind="stable")
     for reach in REACH:
         for k in order:
@@ -141,7 +141,7 @@ def _claim(taken: Mask, middle: Floats, box: Floats) -> None:
 
 
 def _clear(others: Mask, start: Floats, end: Floats) -> bool:
-    """Whether a line from a curve's point to its name meets no other curve."""
+    """Return True if a line from a curve's point to its name crosses no other curve."""
     for share in np.linspace(0.0, 1.0, 12):
         column, row = ((start + share * (end - start)) / CELL).astype(int)
         if others[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].any():

@@ -1,4 +1,4 @@
-"""A whole motion at a glance: the page of `hophoop run --plot`."""
+"""One page with all figures of a motion: `hophoop run --plot`."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ else:
 
 
 def overview(motion: Trajectory) -> Figure:
-    """Path, velocities, energies, forces and friction of a motion on one page.
+    """Draw path, velocities, energies, forces and friction of a motion on one page.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def overview(motion: Trajectory) -> Figure:
     Returns
     -------
     figure : matplotlib.figure.Figure
-        Not known to pyplot: save it with its own ``savefig``.
+        Not registered with pyplot: save it with its own ``savefig``.
 
     Raises
     ------
@@ -52,13 +52,13 @@ def overview(motion: Trajectory) -> Figure:
 
 
 def save_overview(motion: Trajectory, path: str | Path) -> None:
-    """Write `overview` to a picture, whole or not at all.
+    """Write `overview` to a picture file, atomically.
 
     Parameters
     ----------
     motion : Trajectory
     path : str or Path
-        Its ending is one that Matplotlib knows, such as .png, .svg or .pdf.
+        With an extension that Matplotlib supports, such as .png, .svg or .pdf.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The way of the hoop: traces of load and centre of gravity, with the hoop drawn at its events."""
+"""Path of the hoop: traces of load and centre of gravity, with the hoop drawn at its events."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 else:
     Axes = Any
 
-# Events at which the hoop is drawn: those which change how it moves.
+# Events at which the hoop is drawn: those that change its motion.
 POSED = (
     "start", "slip_start", "stick", "takeoff", "apex", "impact", "turn", "skim", "jam", "rest", "end",
     "painleve_inconsistent", "painleve_indeterminate",
@@ -30,17 +30,17 @@ MOST_POSES = 14
 
 
 def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | None = None) -> Axes:
-    """The paths of the load (black) and of the centre of gravity (green, red while airborne).
+    """Draw the paths of the load (black) and of the centre of gravity (green, red in flight).
 
-    The hoop is drawn in its mode's colour at the events or at the times given.
+    The hoop is drawn in its mode's colour at the events or at the given times.
 
     Parameters
     ----------
     motion : Trajectory
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     times : sequence of float, optional
-        When the hoop is drawn; by default at the motion's events, as far as they lie apart [s].
+        Times at which the hoop is drawn; by default those of events that do not overlap [s].
 
     Returns
     -------
@@ -125,7 +125,7 @@ def _word(motion: Trajectory, t: float) -> str:
 
 
 def _pose_times(motion: Trajectory, radius: float) -> list[float]:
-    """Events first to last, without those where the hoop would be drawn on top of the one before; every mode is shown."""
+    """Return the events in order, without those where the hoop would cover the previous one; every mode is shown."""
     chosen: list[tuple[float, float]] = []
     for event in motion.events:
         if event.kind not in POSED:
@@ -135,7 +135,7 @@ def _pose_times(motion: Trajectory, radius: float) -> list[float]:
     if len(chosen) > MOST_POSES:
         keep = np.unique(np.linspace(0, len(chosen) - 1, MOST_POSES).astype(int))
         chosen = [chosen[k] for k in keep]
-    if len(chosen) < 4:  # a motion without events of interest: equally spaced along its way
+    if len(chosen) < 4:  # without events to show: equally spaced along the path
         grid = motion.times(400)
         way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(motion.at(grid).x)))])
         return _with_every_word(motion, [float(t) for t in np.interp(np.linspace(0.0, way[-1], 6), way, grid)])
@@ -143,7 +143,7 @@ def _pose_times(motion: Trajectory, radius: float) -> list[float]:
 
 
 def _with_every_word(motion: Trajectory, times: list[float]) -> list[float]:
-    """The times, and the middle of the longest phase of each word that none of them shows."""
+    """Return the times, and the middle of the longest phase of each word that they miss."""
     shown = {_word(motion, t) for t in times}
     longest: dict[str, tuple[float, float]] = {}
     for piece in phases(motion):
@@ -163,10 +163,10 @@ def _hoop(ax: Axes, motion: Trajectory, t: float, radius: float) -> None:
 
 
 def _ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> None:
-    """The plane as a line with a band below it."""
+    """Draw the plane as a line with a band below it."""
     reach = max(abs(low), abs(high)) / math.cos(slope) + 2.0 * radius
     ends = to_world([-reach, reach], [0.0, 0.0], slope)
-    # deep enough for the low end of a slope and for the high one
+    # deep enough for both ends of a slope
     deep = -4.0 * radius - 2.0 * reach * abs(math.tan(slope))
     below = to_world([reach, -reach], [deep, deep], slope)
     corners: Floats = np.concatenate([ends, below])
@@ -175,7 +175,7 @@ def _ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> N
 
 
 def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = None) -> Axes:
-    """The hoop on the plane, with the names and signs that the model uses.
+    """Draw the hoop on the plane, with the names and signs of the model.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
     angle : float, default 0.9
         θ at which it is drawn [rad].
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
 
     Returns
     -------
@@ -243,7 +243,7 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
     force = arrow | {"lw": 2.2}
     ax.annotate("", (0.0, 0.62), (0.0, 0.0), arrowprops=force | {"color": colors.NORMAL_FORCE})
     ax.text(0.07, 0.45, "$N$", fontsize=13, color=colors.NORMAL_FORCE, ha="left", va="center")
-    # between ring and plane: it acts on the hoop, where they touch
+    # it acts on the hoop where it touches the plane
     ax.annotate("", (0.74, 0.035), (0.0, 0.035), arrowprops=force | {"color": colors.FRICTION_FORCE})
     ax.text(0.80, 0.13, "$F$", fontsize=13, color=colors.FRICTION_FORCE, ha="left", va="center")
     ax.annotate("", (-1.6, 0.55), (-1.6, 1.15), arrowprops=arrow | {"color": colors.BLACK})

@@ -1,4 +1,4 @@
-"""The (θ, θ̇) plane: where a hoop that rolls goes on rolling, slips or lifts off, with motions drawn on it."""
+"""The (θ, θ̇) plane: where a rolling hoop continues to roll, slips or lifts off, with motions drawn on it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary import labels as labels_of
 from hophoop.vocabulary.events import MARKS
-from hophoop.vocabulary.words import FLIGHT, MODES, ROLL, SKID, SKIM, SPIN, mode_words
+from hophoop.vocabulary.modes import FLIGHT, MODE_WORDS, ROLL, SKID, SKIM, SPIN, mode_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,10 +26,10 @@ else:
     Axes = Any
 
 GRID = (900, 560)
-TINT = 0.30  # opacity of a region's colour: motions are drawn over it in the full colour
+TINT = 0.30  # opacity of a region's colour; motions have the full colour
 NO_ANSWER = "?"
 MARKED = ("takeoff", "impact", "jam")
-SHOWN = (*MODES, NO_ANSWER)
+SHOWN = (*MODE_WORDS, NO_ANSWER)
 
 
 def phase_plane(
@@ -41,11 +41,11 @@ def phase_plane(
     angles: tuple[float, float] = (0.0, 2.0 * math.pi),
     speeds: tuple[float, float] | None = None,
 ) -> Axes:
-    """The mode that follows contact without slip, at every angle and angular velocity.
+    """Draw the mode that follows contact without slip, at every angle and angular velocity.
 
-    The solid border is where rolling needs all of the static friction, the dashed one where gravity no longer
-    holds the rim down (f_n = 0): above it a hoop that slips leaves the plane. Motions are drawn in their
-    modes' colours, dashed where they are those of another hoop or plane than the regions.
+    On the solid boundary rolling requires all of the static friction. On the dashed one gravity no longer holds
+    the rim down (f_n = 0); above it a slipping hoop leaves the plane. Motions are drawn in their modes'
+    colours, dashed if their hoop or plane differs from that of the regions.
 
     Parameters
     ----------
@@ -56,13 +56,13 @@ def phase_plane(
     motions : sequence of Trajectory, optional
         Drawn on the plane.
     labels : sequence of str, optional
-        One for each motion.
+        One per motion.
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
     angles : tuple of float, default (0, 2π)
-        Least and greatest θ [rad].
+        Minimum and maximum θ [rad].
     speeds : tuple of float, optional
-        Least and greatest θ̇; by default so that the motions fit [rad/s].
+        Minimum and maximum θ̇; by default so that the motions fit [rad/s].
 
     Returns
     -------
@@ -71,7 +71,7 @@ def phase_plane(
     Raises
     ------
     ValueError
-        If there are not as many labels as motions, or a range is empty.
+        If the numbers of labels and motions differ, or a range is empty.
     ImportError
         If Matplotlib is missing.
     """
@@ -111,13 +111,13 @@ def _speeds(hoop: Hoop, plane: Plane, motions: Sequence[Trajectory]) -> tuple[fl
 
 
 def _regions(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]) -> list[str]:
-    """Every pixel's mode, exactly, at its middle; returns the words in the picture."""
+    """Draw every pixel's mode, exact at its centre, and return the words in the picture."""
     columns, rows = GRID
     theta = angles[0] + (np.arange(columns) + 0.5) * (angles[1] - angles[0]) / columns
     omega = speeds[0] + (np.arange(rows) + 0.5) * (speeds[1] - speeds[0]) / rows
     modes = mode_words(theory.mode_of(theta[None, :], omega[:, None], hoop, plane), omega[:, None])
     to_rgb = need("matplotlib.colors", "plots").to_rgb
-    # over any background, light or dark
+    # works on light and dark backgrounds
     paint = np.array([(*to_rgb(_color(word)), TINT) for word in SHOWN])
     codes = np.zeros(modes.shape, dtype=int)
     for k, word in enumerate(SHOWN):
@@ -146,13 +146,13 @@ def _borders(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], sp
             values = np.where((border > 0.0) & (border < top), border, np.nan)
             ax.plot(across, sign * values, color="black", lw=1.1, zorder=2)
         for foot, k in feet:
-            # the border is upright where it comes down to rest: two points of the grid do not meet there
+            # the boundary is vertical where it reaches θ̇ = 0: two points of the grid do not meet there
             ax.plot([math.degrees(foot), across[k]], [0.0, sign * least[k]], color="black", lw=1.1, zorder=2)
         ax.plot(across, sign * lift, color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), zorder=2)
 
 
 def _feet(theta: Any, least: Any, hoop: Hoop, plane: Plane) -> list[tuple[float, int]]:
-    """Angles at which the lower border of rolling comes down to rest, each with the nearest point of the grid above it."""
+    """Return the angles at which the lower boundary of rolling reaches θ̇ = 0, each with the nearest grid point above."""
     found = []
     above = np.nan_to_num(least) > 0.0
     for k in np.flatnonzero(above[1:] != above[:-1]):
@@ -176,7 +176,7 @@ def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]
     words = shown_words(sample)
     changes = np.flatnonzero(words[1:] != words[:-1]) + 1
     for a, b in zip([0, *changes], [*changes, len(across)], strict=True):
-        piece = slice(max(a - 1, 0), b)  # from the last point of the phase before
+        piece = slice(max(a - 1, 0), b)  # from the last point of the previous phase
         ax.plot(
             across[piece],
             sample.omega[piece],

@@ -1,4 +1,4 @@
-"""A stroboscopic still: the hoop at equal steps in time or angle, in one picture, for print."""
+"""Stroboscopic picture: the hoop at equal steps of time or angle, for print."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
-from hophoop.vocabulary.words import FLIGHT
+from hophoop.vocabulary.modes import FLIGHT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 else:
     Axes = Any
 
-FLASHES = 12  # by default, about
+FLASHES = 12  # approximate default
 MOST_FLASHES = 400
-PIECES = 120  # of a ring, a colour each
+PIECES = 120  # of a ring, one colour each
 FIRST, LAST = 0.35, 1.0  # opacity of the first and last hoop
 WIDTH = 10.0  # inches
 
@@ -39,23 +39,23 @@ def strobe(
     forces: bool = False,
     ax: Axes | None = None,
 ) -> Axes:
-    """The hoop as a stroboscope shows it: at equal steps, with the traces of load and centre of gravity.
+    """Draw the hoop at equal steps, with the traces of load and centre of gravity.
 
     Parameters
     ----------
     motion : Trajectory
     every : float, optional
-        Time between two flashes; by default a round one that gives some twelve [s].
+        Time between two flashes; by default a round number that gives about 12 flashes [s].
     every_deg : float, optional
-        Turn between two flashes, instead of a time [°].
+        Rotation between two flashes, instead of a time [°].
     start, end : float, optional
-        Part of the motion that is shown [s].
+        Start and end of the part shown [s].
     color : {'speed', 'mode'}
         Colour the ring by the speed of its points, with a colour bar, or by its mode.
     forces : bool, default False
         Whether to draw the contact forces, to scale.
     ax : matplotlib.axes.Axes, optional
-        By default those of a new figure.
+        By default a new figure's.
 
     Returns
     -------
@@ -64,7 +64,7 @@ def strobe(
     Raises
     ------
     ValueError
-        If the part is not within the motion, a step is not positive, both are given, or flashes are too many.
+        If the part is not within the motion, a step is not positive, both steps are given, or there are too many flashes.
     ImportError
         If Matplotlib is missing.
     """
@@ -144,7 +144,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
     circle = radius * np.stack([np.sin(angles + slope), np.cos(angles + slope)], axis=-1)
     for i, alpha in enumerate(opacity):
         points = flashes.center[i] + circle
-        # three points a piece: neighbours overlap, so that no seam shows
+        # 3 points per piece: neighbours overlap, which hides seams
         pieces = np.stack([np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0)], axis=1)
         if color == "speed":
             paint = _over_white(shades(speeds[i] / top)[:, :3], alpha)
@@ -172,7 +172,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
 
 
 def _over_white(paint: Floats, alpha: float) -> Floats:
-    # as opacity would look on paper, but without adding up where pieces overlap
+    # like opacity on paper, but without adding up where pieces overlap
     return alpha * paint + (1.0 - alpha)
 
 
@@ -183,7 +183,7 @@ def _draw_traces(ax: Axes, way: Poses) -> None:
         (False, colors.GRAVITY_CENTER, "-", 2.0),
         (True, colors.GRAVITY_CENTER_AIRBORNE, (0, (5, 1)), 2.4),
     ):
-        # the stretch after a point is in that point's mode
+        # the part after a point has that point's mode
         shown = airborne == flies
         shown[1:] |= (airborne == flies)[:-1]
         line = np.where(shown[:, None], way.gravity_center, np.nan)
@@ -191,7 +191,7 @@ def _draw_traces(ax: Axes, way: Poses) -> None:
 
 
 def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> float:
-    """Arrows at the contact; returns the force of the longest one [N]."""
+    """Draw arrows at the contact and return the force of the longest one [N]."""
     hoop = motion.scenario.hoop
     greatest = max(float(np.hypot(*flashes.normal_force.T).max()), hoop.mass * motion.scenario.plane.gravity)
     scale = 1.2 * hoop.radius / (greatest or 1.0)
@@ -207,7 +207,7 @@ def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> float:
 
 
 def _say_times(ax: Axes, flashes: Poses, radius: float, width: float) -> None:
-    """The time over each hoop, as far as there is room."""
+    """Write the time above each hoop where it fits."""
     halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
     room = 0.055 * width
     last = -math.inf

@@ -1,4 +1,4 @@
-"""What all figures share: fresh axes, labels, modes as a ribbon and a tint, marks at events."""
+"""Common parts of all figures: new axes, labels, modes as a ribbon and a tint, marks at events."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ Against = Literal["time", "angle"]
 SIZE = (7.2, 4.0)
 LINE = 1.8
 SMALL = 8.5
-ON_COLOR = "on-color"  # id of what lies on a colour and keeps its ink where a page is dark
-ON_PAPER = "on-paper"  # id of axes whose colours fade into white paper, so that the whole picture keeps it
+ON_COLOR = "on-color"  # id of marks on a colour, which keep their ink on dark pages
+ON_PAPER = "on-paper"  # id of axes whose colours fade to white, so that the picture keeps a white background
 
 
 def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
-    """The axes given, or those of a new figure."""
+    """Return the given axes, or those of a new figure."""
     if ax is not None:
         return ax
     _, fresh = need("matplotlib.pyplot", "plots").subplots(figsize=size, layout="constrained")
@@ -36,17 +36,17 @@ def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
 
 
 def check_against(against: str) -> None:
-    """Refuse what is neither time nor angle."""
+    """Refuse a value other than time and angle."""
     if against not in ("time", "angle"):
         raise InputError.of_field("against", against, "'time' or 'angle'")
 
 
-# Inches that a legend's entry takes: its line with the space beside it, and a letter of its name.
+# Width of a legend's entry: its line with space, and one letter of its name [inch].
 HANDLE, LETTER = 0.7, 0.066
 
 
 def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
-    """Labels, a light grid, no frame where there is no scale, a legend outside of the curves' way."""
+    """Add labels, a light grid and a legend clear of the curves; remove the frame without a scale."""
     ax.set_xlabel(across)
     ax.set_ylabel(_scaled(ax, up))
     ax.grid(True, color="#000000", alpha=0.10, linewidth=0.6)
@@ -56,7 +56,7 @@ def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
     handles, names = ax.get_legend_handles_labels()
     if not legend or not handles:
         return
-    # below the axes, where no curve is, and no wider than they are: beside them may stand others
+    # below the axes, clear of the curves and of neighbouring axes
     columns = len(handles) if len(handles) <= 3 else math.ceil(len(handles) / 2)
     columns = min(columns, max(1, int(_width(ax) / (HANDLE + LETTER * max(len(name) for name in names)))))
     ax.legend(
@@ -74,9 +74,9 @@ def _width(ax: Axes) -> float:
 
 
 def _scaled(ax: Axes, label: str) -> str:
-    """The label, with the power of ten by which the numbers at the ticks are smaller than the quantity.
+    """Return the label with the power of ten that is factored out of the tick numbers.
 
-    Matplotlib writes it over the axes, where the ribbon of modes hides it.
+    Matplotlib writes it above the axes, under the ribbon of modes.
     """
     ticker = need("matplotlib.ticker", "plots")
     if ax.get_yscale() != "linear":
@@ -110,13 +110,13 @@ def abscissa(ax: Axes, motion: Trajectory, against: Against) -> str:
 
 
 def degrees(ax: Axes, span: float) -> None:
-    """Ticks at parts or multiples of a right angle."""
+    """Set ticks at fractions or multiples of a right angle."""
     step = next((step for step in (15, 30, 45, 90, 180, 360, 720, 1800, 3600) if span / step <= 9), 7200)
     ax.xaxis.set_major_locator(need("matplotlib.ticker", "plots").MultipleLocator(step))
 
 
 def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
-    """Modes as a tint behind the curves and a ribbon with their names above; events marked on the ribbon."""
+    """Draw modes as a tint behind the curves and as a ribbon with their names above; mark events on the ribbon."""
     if against == "angle" and turning(motion):
         return  # the angle does not order the phases
     pieces = phases(motion)
@@ -149,12 +149,12 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
 
 
 def _word(piece: Phase, share: float, ax: Axes) -> str:
-    # a letter takes some 5.5 points of the axes' width
+    # a letter takes about 5.5 points of the axes' width
     inches = cast("Any", ax.figure).get_figure(root=True).get_size_inches()[0]
     room = share * ax.get_position().width * inches * 72.0 / 5.0
     if room >= len(piece.word) + 1:
         return piece.word
-    return ""  # a letter would not do: the colour follows the word
+    return ""  # the word, since the colour follows the word, not the letter
 
 
 def _ink(word: str) -> str:
@@ -162,12 +162,12 @@ def _ink(word: str) -> str:
 
 
 def set_title(ax: Axes, title: str) -> None:
-    """A title that leaves room for the ribbon and its marks."""
+    """Set a title with space for the ribbon and its marks."""
     ax.set_title(title, fontsize=11, loc="left", pad=30)
 
 
 def as_list(motions: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
-    """One motion or several, as a list that is not empty."""
+    """Return one motion or several as a non-empty list."""
     many = [motions] if isinstance(motions, Trajectory) else list(motions)
     if not many:
         raise InputError("motions must hold at least one motion.", field="motions")

@@ -12,9 +12,9 @@ from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import EVENT_KINDS, EventKind, sequence_of
+from hophoop.vocabulary.modes import MODE_LETTERS, ModeLetter
 from hophoop.vocabulary.quantities import QUANTITIES
 from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
-from hophoop.vocabulary.words import MODE_LETTERS, ModeLetter
 
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 

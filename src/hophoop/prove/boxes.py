@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.kernel.physics.body import MODE_LETTERS, Mode
+from hophoop.kernel.physics.body import Mode
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline, Late
@@ -18,6 +18,7 @@ from hophoop.prove.motion import REVOLUTION, Run
 from hophoop.prove.physics.equations import FREE
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import phase_starts
+from hophoop.vocabulary.modes import ModeLetter, letter_of
 
 BITS = 48  # a box is much wider than rounding
 MOST_EVENTS = 40
@@ -159,9 +160,9 @@ def _prove_box(scenario: Scenario, ranges: Ranges, deadline: Deadline) -> Box:
             free = {path: parameter(*ends, k, count) for k, (path, ends) in enumerate(ranges.items())}
             run = _run(problem, free, deadline)
     marks = [run.facts[place] for place in phase_starts([fact.kind for fact in run.facts])]
-    letters = [MODE_LETTERS[fact.after_mode] for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]
+    letters = [letter_of(fact.after_mode) for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]
     if run.proved and run.ending == "takeoff":
-        letters.append("H")
+        letters.append(ModeLetter.FLIGHT)
     ending = run.ending if run.proved else ""
     return Box(dict(ranges), "".join(letters), ending, run.why)
 

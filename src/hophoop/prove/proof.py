@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from hophoop._support.files import replacing
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Mode, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
 from hophoop.prove.checker.check import Verdict, checked
@@ -19,6 +19,7 @@ from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
 from hophoop.prove.physics.equations import Model
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.vocabulary.events import sequence_of
+from hophoop.vocabulary.modes import letter_of
 
 SCHEMA = "hophoop-proof/1"
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
@@ -299,10 +300,6 @@ def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
     return Enclosure(middle, Context(prec=1, rounding=ROUND_CEILING).plus(radius))
 
 
-def _letter(mode: int) -> str:
-    return MODE_LETTERS[min(mode, int(Mode.SKIM))]
-
-
 def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int, deadline: Deadline) -> Proof:
     events = []
     for k, fact in enumerate(run.facts, 1):
@@ -310,8 +307,8 @@ def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int, dea
             deadline.late, run.why = True, str(Late())
             break
         numbers = {name: enclosure(value, unit, max(right, 1)) for name, (value, unit) in _values(fact, run.model).items()}
-        before = None if fact.before_mode is None else _letter(fact.before_mode)
-        events.append(ProvedEvent(EVENT_NAMES[fact.kind], before, _letter(fact.after_mode), **numbers))
+        before = None if fact.before_mode is None else letter_of(fact.before_mode)
+        events.append(ProvedEvent(EVENT_NAMES[fact.kind], before, letter_of(fact.after_mode), **numbers))
     status = Status(run.status).name.lower() if run.proved else ""
     kinds, modes = [fact.kind for fact in run.facts], [fact.after_mode for fact in run.facts]
     sequence = sequence_of(kinds, modes, [fact.state.t for fact in run.facts], run.ending == "takeoff")

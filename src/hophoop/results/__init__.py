@@ -17,8 +17,8 @@ if TYPE_CHECKING:
         Velocity,
     )  # fmt: skip
     from hophoop.vocabulary.events import EventKind
+    from hophoop.vocabulary.modes import ModeLetter
     from hophoop.vocabulary.statuses import MotionStatus
-    from hophoop.vocabulary.words import ModeLetter
 
 __all__ = [
     "ArraySample", "EventErrors", "EventKind", "EventRecord", "Events", "Ledger", "ModeLetter", "Motion", "MotionStatus",

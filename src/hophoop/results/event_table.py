@@ -7,6 +7,8 @@ import unicodedata
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from hophoop.vocabulary.words import plain
+
 if TYPE_CHECKING:
     from hophoop.precise import PreciseEvent
     from hophoop.prove.proof import ProvedEvent
@@ -30,8 +32,6 @@ def cells(event: EventRecord) -> list[str]:
     -------
     cells : list of str
     """
-    from hophoop.vocabulary.words import plain  # imports NumPy, which --help does not need
-
     numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
     return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
 

@@ -16,8 +16,8 @@ from hophoop.results.event_table import text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario
 from hophoop.vocabulary.events import EventKind
+from hophoop.vocabulary.modes import ModeLetter
 from hophoop.vocabulary.statuses import MotionStatus
-from hophoop.vocabulary.words import ModeLetter
 
 Side = Literal["left", "right"]
 Numbers = TypeVar("Numbers", float, NDArray[np.float64])

@@ -23,9 +23,10 @@ from hophoop._support.checksum import CHECKSUM, checksum, seal
 from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop.kernel.native.sources import stamp
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.results.records import ArraySample, Motion
 from hophoop.scenario import InputError
+from hophoop.vocabulary.modes import MODE_LETTERS, MODE_WORDS
 from hophoop.vocabulary.quantities import COLUMNS, EVENT_NUMBERS, EVENT_UNITS, held_by
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None = None) -> xarray.Dataset:
         name: ("time", _column(sample, name), {"units": quantity.unit, "long_name": quantity.meaning})
         for name, quantity in COLUMNS.items()
     }
-    variables["mode"][2].update(_flags(MODE_NAMES, np.int8), flag_letters=" ".join(MODE_LETTERS))
+    variables["mode"][2].update(_flags(MODE_WORDS, np.int8), flag_letters=" ".join(MODE_LETTERS))
     time = ("time", grid, {"units": "s", "long_name": "Time"})
     dataset: xarray.Dataset = xr.Dataset(variables, coords={"time": time}, attrs=_attributes(motion))
     return dataset
@@ -299,7 +300,7 @@ def _describe_events(dataset: Any, motion: Motion) -> None:
     for name, unit in EVENT_UNITS.items():
         if name in dataset:
             dataset[name].attrs.update(units=unit, scale_factor=motion.units.of(name.removeprefix("before_")))
-    for name, words in (("kind", EVENT_NAMES), ("before_mode", MODE_NAMES), ("after_mode", MODE_NAMES)):
+    for name, words in (("kind", EVENT_NAMES), ("before_mode", MODE_WORDS), ("after_mode", MODE_WORDS)):
         if name in dataset:
             dataset[name].attrs.update(_flags(words, dataset[name].dtype))
 

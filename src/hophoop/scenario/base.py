@@ -1,4 +1,4 @@
-"""What every part of a scenario shares: frozen models, kinds of numbers, errors of one sentence."""
+"""Common parts of a scenario's models: frozen models, kinds of numbers, one-sentence errors."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from hophoop.scenario.texts import TEXTS, say
 def plain_init(init: Callable[..., None]) -> Callable[..., None]:
     """Mark an ``__init__`` that only passes on to pydantic's.
 
-    Without the mark pydantic would call it for nested models too, where an error must keep its place in the
-    whole scenario instead of becoming a sentence of its own.
+    Without the mark pydantic would call it for nested models too, whose errors must keep their path in the
+    scenario.
     """
     init.__pydantic_base_init__ = True  # type: ignore[attr-defined]
     return init
@@ -28,7 +28,7 @@ def plain_init(init: Callable[..., None]) -> Callable[..., None]:
 class Frozen(BaseModel):
     """A validated model that never changes; a bad value raises `InputError`."""
 
-    place: ClassVar[str] = ""  # the path under which the model stands in a scenario, with its dot
+    place: ClassVar[str] = ""  # the model's path in a scenario, with a trailing dot
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -42,7 +42,7 @@ class Frozen(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, data: Any) -> Any:
-        # Pydantic forbids extra keys too, but does not say which ones there are.
+        # pydantic forbids extra keys too, but does not list the known ones
         known = [field.alias or name for name, field in cls.model_fields.items()]
         for key in data if isinstance(data, Mapping) else ():
             if key not in known:
@@ -55,7 +55,7 @@ class Frozen(BaseModel):
         return data
 
     def to_dict(self) -> dict[str, Any]:
-        """Its keys as in a scenario file, the way it was given.
+        """Return its keys as in a scenario file, in the way it was given.
 
         Returns
         -------
@@ -66,14 +66,14 @@ class Frozen(BaseModel):
         return {name: _plain(value) for name in self._written() if (value := getattr(self, name)) is not None}
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """The same model with other values, which are validated (pydantic itself would not).
+        """Return the same model with other values, which are validated (unlike in pydantic).
 
         Parameters
         ----------
         update : dict, optional
             Keys and their new values, in SI units.
         deep : bool, default False
-            Makes no difference: nothing in a frozen model can change.
+            Ignored, since a frozen model never changes.
 
         Returns
         -------
@@ -87,14 +87,14 @@ class Frozen(BaseModel):
         return type(self)(**{**self.to_dict(), **update}) if update else self
 
     def _written(self) -> Iterable[str]:
-        """Names of the fields that define it; the others follow from them."""
+        """Return the names of the fields that define it; the others follow from them."""
         return type(self).model_fields
 
     def __repr_args__(self) -> Iterable[tuple[str, Any]]:
         return [(name, value) for name in self._written() if (value := getattr(self, name)) is not None]
 
     def _settle(self, **values: Any) -> None:
-        """Fill in what follows from what was given; only for validators, before anyone has seen the model."""
+        """Set derived fields; only for validators, before the model is visible."""
         self.__dict__.update(values)
 
 
@@ -107,7 +107,7 @@ def _plain(value: Any) -> Any:
 
 
 def refuse(message: str, field: str | None = None) -> PydanticCustomError:
-    """An error whose message is already the whole sentence."""
+    """Return an error whose message is the whole sentence."""
     return PydanticCustomError("sentence", "{sentence}", {"sentence": plain(message), "field": field and plain(field)})
 
 
@@ -116,12 +116,12 @@ def _not(kind: Literal["number", "friction", "whole", "finite_number"]) -> Pydan
 
 
 def _number(value: Any) -> float:
-    # A switch is no number, and text must not become one unseen; NumPy's scalars become Python floats.
+    # booleans and text are refused; NumPy's scalars become Python floats
     scalar = getattr(value, "ndim", 0) == 0 and hasattr(value, "__float__")
     if not scalar or isinstance(value, bool | np.bool_):
         raise _not("number")
     try:
-        return float(value) + 0.0  # no −0.0: equal scenarios are equal to the last character of their link
+        return float(value) + 0.0  # no −0.0, so that equal scenarios have equal links
     except OverflowError:
         raise _not("finite_number") from None
     except (TypeError, ValueError):
@@ -129,7 +129,7 @@ def _number(value: Any) -> float:
 
 
 def _friction(value: Any) -> float:
-    # JSON has no infinity, so the word stands for it.
+    # JSON has no infinity, hence the word
     number = float("inf") if value == "inf" else _number(value)
     if not number >= 0.0:
         raise _not("friction")
@@ -152,5 +152,5 @@ Count = Annotated[int, BeforeValidator(_whole)]
 
 
 def quantity(default: Any, description: str, unit: str = "1", **limits: Any) -> Any:
-    """A pydantic field with its meaning and unit ("1" for a pure number, "" for a word)."""
+    """Return a pydantic field with its meaning and unit ("1" for a pure number, "" for a word)."""
     return Field(default, description=description, json_schema_extra={"unit": unit}, **limits)

@@ -1,4 +1,4 @@
-"""A scenario in a line of words, for the heads of figures, films and tables."""
+"""One-line description of a scenario, for the headings of figures, films and tables."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from hophoop.scenario.scenario import Scenario
 
 
 def describe(scenario: Scenario, without: Collection[str] = ()) -> str:
-    """The parameters of a scenario that matter most, in a line.
+    """Return the main parameters of a scenario in one line.
 
     Parameters
     ----------
     scenario : Scenario
     without : collection of str
-        Paths of parameters that are left out, such as those of a map's axes.
+        Paths of parameters to omit, such as those of a map's axes.
 
     Returns
     -------
@@ -30,7 +30,7 @@ def describe(scenario: Scenario, without: Collection[str] = ()) -> str:
     return ", ".join(words)
 
 
-Part = tuple[tuple[str, ...], str]  # paths of the parameters that a text tells of
+Part = tuple[tuple[str, ...], str]  # paths of the parameters in a text
 
 
 def _start(start: Start) -> Iterator[Part]:

@@ -1,4 +1,4 @@
-"""The texts a scenario is written as: TOML, JSON and the query of a link."""
+"""Texts of a scenario: TOML, JSON and the query of a link."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from hophoop.scenario.sentences import parse_reason
 from hophoop.scenario.texts import say
 
 MOST_BYTES = 1_000_000
-# A key of many steps, which tomllib takes long for; a scenario's has two.
+# A key with many parts is slow in tomllib; a scenario's keys have two.
 _DEEP_KEY = re.compile(r"""(?<![\w-])([\w-]+|"[^"\n]*"|'[^'\n]*')([ \t]*\.[ \t]*([\w-]+|"[^"\n]*"|'[^'\n]*')){16}""")
 
 
 def read_file(path: Path) -> str:
-    """The text of a file."""
+    """Return the text of a file."""
     with path.open("rb") as stream:
         return _decoded(stream, str(path), "text file")
 
 
 def read_standard_input() -> str:
-    """The text of standard input."""
+    """Return the text of standard input."""
     stream = getattr(sys.stdin, "buffer", None)
     return sys.stdin.read() if stream is None else _decoded(stream, "standard input", "text")
 
@@ -36,14 +36,14 @@ def _decoded(stream: IO[bytes], name: str, kind: str) -> str:
     if len(content) > MOST_BYTES:
         raise InputError(f"{name} is longer than {MOST_BYTES:,} bytes, which no scenario is.")
     try:
-        # lines end as Python's own text files let them end
+        # universal newlines, as in Python's text files
         return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError:
         raise InputError(f"{name} is not a {kind} in UTF-8.") from None
 
 
 def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
-    """Parse TOML or JSON; without a form, a text that starts with a brace is JSON."""
+    """Parse TOML or JSON; without a format, a text that starts with a brace is JSON."""
     if form is None:
         form = "json" if text.lstrip().startswith("{") else "toml"
     if form not in ("toml", "json"):
@@ -67,7 +67,7 @@ def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    # JSON would quietly keep the last of two equal keys; TOML refuses them.
+    # JSON would silently keep the last of two equal keys; TOML refuses them.
     table = dict(pairs)
     if len(table) < len(pairs):
         counts = Counter(name for name, _ in pairs)
@@ -77,7 +77,7 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def toml_text(data: Mapping[str, Any], units: Mapping[str, str]) -> str:
-    """TOML with the unit of each quantity as a comment; `units` maps paths to units."""
+    """Return TOML with the unit of each quantity as a comment; `units` maps paths to units."""
     lines = [_toml_line(key, value, units.get(key, "")) for key, value in data.items() if not _nested(value)]
     for section, table in data.items():
         if not _nested(table):
@@ -109,7 +109,7 @@ def _toml_value(value: Any) -> str:
 
 
 def query_text(data: Mapping[str, Any]) -> str:
-    """`plane.mu=0.5&start.speed=3.1`, in the order of the keys."""
+    """Return a query such as `plane.mu=0.5&start.speed=3.1`, in the order of the keys."""
     from urllib.parse import urlencode
 
     return urlencode([(path, _query_value(value)) for path, value in _leaves(data, "")])
@@ -133,7 +133,7 @@ def _query_value(value: Any) -> str:
 
 
 def read_query(query: str) -> dict[str, Any]:
-    """The nested keys that `query_text` wrote."""
+    """Return the nested keys of a query from `query_text`."""
     from urllib.parse import parse_qsl
 
     try:
@@ -147,7 +147,7 @@ def read_query(query: str) -> dict[str, Any]:
         for step in steps[:-1]:
             node = node.setdefault(step, {})
             if not isinstance(node, dict):
-                raise InputError(say("beside_a_value", path=path, above=path.rpartition(".")[0]))
+                raise InputError(say("value_above", path=path, above=path.rpartition(".")[0]))
         if steps[-1] in node:
             raise InputError(say("given_twice", path=path))
         node[steps[-1]] = _query_number(text)

@@ -21,21 +21,22 @@ from hophoop.scenario.base import (
     refuse,
 )
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
-from hophoop.scenario.ranges import RANGES, inside, schema_of
+from hophoop.scenario.ranges import RANGES, field_of, inside, schema_of
 from hophoop.scenario.texts import say
+from hophoop.vocabulary.parameters import TABLE
 
-Radius = Annotated[Positive, inside("hoop.radius", "m"), schema_of("hoop.radius")]
-Mass = Annotated[Positive, inside("hoop.mass", "kg"), schema_of("hoop.mass")]
+Radius = Annotated[Positive, inside("hoop.radius"), schema_of("hoop.radius")]
+Mass = Annotated[Positive, inside("hoop.mass"), schema_of("hoop.mass")]
 InertiaRatio = Annotated[NonNegative, inside("hoop.inertia_ratio"), schema_of("hoop.inertia_ratio")]
-Gravity = Annotated[NonNegative, inside("plane.gravity", "m/s²"), schema_of("plane.gravity")]
-Height = Annotated[NonNegative, inside("start.height", "m"), schema_of("start.height")]
-Place = Annotated[Number, inside("start.x", "m"), schema_of("start.x")]
-Angle = Annotated[Number, inside("start.angle", "rad"), schema_of("start.angle")]
-Speed = Annotated[Number, inside("start.speed", "m/s"), schema_of("start.speed")]
-Rate = Annotated[Number, inside("start.omega", "rad/s"), schema_of("start.omega")]
-Stiffness = Annotated[Positive, inside("contact.stiffness", "N/m"), schema_of("contact.stiffness")]
-Damping = Annotated[NonNegative, inside("contact.damping"), schema_of("contact.damping")]
-SlipSpeed = Annotated[Positive, inside("contact.slip_speed", "m/s"), schema_of("contact.slip_speed")]
+Gravity = Annotated[NonNegative, inside("plane.gravity"), schema_of("plane.gravity")]
+Height = Annotated[NonNegative, inside("start.height"), schema_of("start.height")]
+Place = Annotated[Number, inside("start.x"), schema_of("start.x")]
+Angle = Annotated[Number, inside("start.angle"), schema_of("start.angle")]
+Speed = Annotated[Number, inside("start.speed"), schema_of("start.speed")]
+Rate = Annotated[Number, inside("start.omega"), schema_of("start.omega")]
+Stiffness = Annotated[Positive, inside("contact.stiffness"), schema_of("contact.stiffness")]
+Damping = Annotated[NonNegative, inside("contact.damping", ""), schema_of("contact.damping")]
+SlipSpeed = Annotated[Positive, inside("contact.slip_speed"), schema_of("contact.slip_speed")]
 Tolerance = Annotated[Positive, inside("contact.rtol"), schema_of("contact.rtol")]
 RangedFriction = Annotated[Friction, inside("plane.mu")]
 
@@ -43,9 +44,8 @@ RangedFriction = Annotated[Friction, inside("plane.mu")]
 class Hoop(Frozen):
     """A rigid body with a circular rim: its radius, mass, eccentricity and moment of inertia.
 
-    Given in one of three ways, which it remembers: by `load_fraction` (the ideal hoop), by `eccentricity`
-    and `inertia_ratio`, or by `parts`. Without any of them it is the ideal hoop with three quarters of its
-    mass in the load.
+    Given in one of three ways, which it keeps: by `load_fraction` (the ideal hoop), by `eccentricity` and
+    `inertia_ratio`, or by `parts`. By default it is the ideal hoop with 75 % of its mass in the load.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class Hoop(Frozen):
     load_fraction : float, optional
         γ from 0 to 1, the share of the mass in a point load on a thin ring [1]; then ε = γ and κ = 1 − γ².
     parts : sequence of Ring, Disk, PointMass or Rod, optional
-        What the hoop is made of; all of it lies within the rim.
+        Its parts, all within the rim.
     eccentricity : float, optional
         ε from 0 to 1, the distance of the centre of gravity G from the rim's centre C over R [1].
     inertia_ratio : float, optional
@@ -77,11 +77,11 @@ class Hoop(Frozen):
 
     place: ClassVar[str] = "hoop."
 
-    radius: Radius = quantity(1.0, "Rim radius", "m")
-    mass: Mass = quantity(1.0, "Total mass", "kg")
-    load_fraction: Fraction | None = quantity(None, "Share of the mass in the load of an ideal hoop")
-    eccentricity: Fraction = quantity(0.75, "Distance of the centre of gravity from the centre, over the radius")
-    inertia_ratio: InertiaRatio = quantity(0.4375, "Moment of inertia about the centre of gravity over m R²")
+    radius: Radius = field_of("hoop.radius")
+    mass: Mass = field_of("hoop.mass")
+    load_fraction: Fraction | None = field_of("hoop.load_fraction")
+    eccentricity: Fraction = field_of("hoop.eccentricity")
+    inertia_ratio: InertiaRatio = field_of("hoop.inertia_ratio")
     parts: tuple[Part, ...] | None = quantity(None, "What the hoop is made of", "")
 
     @model_validator(mode="after")
@@ -97,7 +97,7 @@ class Hoop(Frozen):
         elif self.load_fraction is not None or not given:
             _alone("hoop", "load_fraction", given)
             gamma = 0.75 if self.load_fraction is None else self.load_fraction
-            # As a product: 1 − γ² would lose half its digits near γ = 1.
+            # a product, since 1 − γ² loses half its digits near γ = 1
             self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=ideal_inertia(gamma))
         elif len(given) == 1:
             missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
@@ -148,8 +148,8 @@ class Hoop(Frozen):
         radius : float
             Rim radius R [m].
         parts : sequence of Ring, Disk, PointMass or Rod
-            Each stands at a signed distance from C on the line towards the load. Should the centre of gravity
-            come out on the negative side, the line is taken the other way round: θ is the angle to G.
+            Each at a signed distance from C on the line towards the load. If the centre of gravity is on the
+            negative side, the line is reversed: θ is the angle to G.
 
         Returns
         -------
@@ -186,7 +186,7 @@ class Hoop(Frozen):
 
 
 def _check_derived(hoop: Hoop) -> None:
-    # what was not given itself: the mass of the parts, the inertia of an ideal hoop
+    # values that were not given themselves: the mass of the parts, the inertia of an ideal hoop
     if not RANGES["hoop.mass"].holds(hoop.mass):
         raise refuse(say("hoop_mass", mass=hoop.mass, words=RANGES["hoop.mass"].words("kg")))
     if not RANGES["hoop.inertia_ratio"].holds(hoop.inertia_ratio):
@@ -205,7 +205,7 @@ def _alone(section: str, way: str, given: Sequence[str]) -> None:
 
 
 class Plane(Frozen):
-    """The plane that the hoop moves on, gravity, friction and what an impact does.
+    """The plane of the motion: gravity, slope, friction and impacts.
 
     Parameters
     ----------
@@ -220,9 +220,9 @@ class Plane(Frozen):
     restitution : float, default 0
         e from 0 (plastic) to 1 [1].
     impact_law : {'stronge', 'newton', 'poisson'}, default 'stronge'
-        What ends the restitution of an impact.
+        Criterion that ends the restitution of an impact.
     painleve : {'flight', 'impact'}, default 'flight'
-        What follows where Painlevé's paradox leaves the motion indeterminate.
+        What follows if Painlevé's paradox leaves the motion indeterminate.
     rolling_resistance : float, default 0
         f from 0 to 1: in contact the couple f R N acts against the rotation [1].
 
@@ -234,19 +234,19 @@ class Plane(Frozen):
 
     place: ClassVar[str] = "plane."
 
-    gravity: Gravity = quantity(9.81, "Gravity", "m/s²")
-    slope: Number = quantity(0.0, "Slope of the plane, downhill along +x", "rad")
-    mu: RangedFriction | None = quantity(None, "Friction, static and kinetic")
-    mu_static: RangedFriction = quantity(1.0, "Static friction")
-    mu_kinetic: RangedFriction = quantity(1.0, "Kinetic friction")
-    restitution: Fraction = quantity(0.0, "Restitution of an impact")
-    impact_law: Literal["stronge", "newton", "poisson"] = quantity("stronge", "Law of restitution", "")
-    painleve: Literal["flight", "impact"] = quantity("flight", "What follows an indeterminate contact", "")
-    rolling_resistance: Fraction = quantity(0.0, "Rolling resistance: couple against the rotation over R N")
+    gravity: Gravity = field_of("plane.gravity")
+    slope: Number = field_of("plane.slope")
+    mu: RangedFriction | None = field_of("plane.mu")
+    mu_static: RangedFriction = field_of("plane.mu_static")
+    mu_kinetic: RangedFriction = field_of("plane.mu_kinetic")
+    restitution: Fraction = field_of("plane.restitution")
+    impact_law: Literal["stronge", "newton", "poisson"] = field_of("plane.impact_law")
+    painleve: Literal["flight", "impact"] = field_of("plane.painleve")
+    rolling_resistance: Fraction = field_of("plane.rolling_resistance")
 
     @model_validator(mode="after")
     def _complete(self) -> Plane:
-        # What was settled is not given: pydantic runs this again where a plane joins a scenario.
+        # derived values were not given: pydantic runs this again when a plane becomes part of a scenario
         if self.mu is not None and "mu" in self.model_fields_set:
             _alone("plane", "mu", [name for name in _FRICTIONS if name in self.model_fields_set])
             self._settle(mu_static=self.mu, mu_kinetic=self.mu)
@@ -263,12 +263,12 @@ class Plane(Frozen):
     def _written(self) -> Iterable[str]:
         apart = any(name in self.model_fields_set for name in _FRICTIONS)
         left_out = {"mu"} if apart else set(_FRICTIONS)
-        if self.rolling_resistance == 0.0:  # as in files of before there was one
-            left_out.add("rolling_resistance")
+        left_out |= {name for name, usual in LEFT_OUT.items() if getattr(self, name) == usual}
         return [name for name in type(self).model_fields if name not in left_out]
 
 
 _FRICTIONS = ("mu_static", "mu_kinetic")
+LEFT_OUT = {row.path.removeprefix("plane."): row.default for row in TABLE if row.left_out}
 
 
 class StartState(NamedTuple):
@@ -277,7 +277,7 @@ class StartState(NamedTuple):
     Attributes
     ----------
     x, height : float
-        Place of the centre along the plane, and gap between rim and plane [m].
+        Position of the centre along the plane, and gap between rim and plane [m].
     angle : float
         θ [rad].
     vx, vy : float
@@ -285,7 +285,7 @@ class StartState(NamedTuple):
     omega : float
         Angular velocity [rad/s].
     slip : float
-        Slip velocity [m/s]. It is kept apart, since a rolling start has exactly 0 and not v − R (v/R).
+        Slip velocity [m/s], stored because a rolling start has exactly 0, not v − R (v/R).
     """
 
     x: float
@@ -298,14 +298,14 @@ class StartState(NamedTuple):
 
 
 class Start(Frozen):
-    """Where the hoop starts and how fast.
+    """Position and velocity of the hoop at the start.
 
     Either a rolling start, with `speed`, or any state; `Start()` is at rest with the load at the top.
 
     Parameters
     ----------
     x : float, default 0
-        Place of the centre along the plane [m].
+        Position of the centre along the plane [m].
     height : float, default 0
         Gap between rim and plane, at least 0 [m].
     angle : float, default 0
@@ -327,13 +327,13 @@ class Start(Frozen):
 
     place: ClassVar[str] = "start."
 
-    x: Place = quantity(0.0, "Place of the centre along the plane", "m")
-    height: Height = quantity(0.0, "Gap between rim and plane", "m")
-    angle: Angle = quantity(0.0, "Angle from the plane's normal to the centre of gravity", "rad")
-    speed: Speed | None = quantity(None, "Velocity of the centre in a rolling start", "m/s")
-    vx: Speed = quantity(0.0, "Velocity of the centre along the plane", "m/s")
-    vy: Speed = quantity(0.0, "Velocity of the centre away from the plane", "m/s")
-    omega: Rate | None = quantity(0.0, "Angular velocity", "rad/s")
+    x: Place = field_of("start.x")
+    height: Height = field_of("start.height")
+    angle: Angle = field_of("start.angle")
+    speed: Speed | None = field_of("start.speed")
+    vx: Speed = field_of("start.vx")
+    vy: Speed = field_of("start.vy")
+    omega: Rate | None = field_of("start.omega")
 
     @model_validator(mode="after")
     def _complete(self) -> Start:
@@ -360,7 +360,7 @@ class Start(Frozen):
         angle : float, default 0
             θ [rad].
         x : float, default 0
-            Place of the centre along the plane [m].
+            Position of the centre along the plane [m].
 
         Returns
         -------
@@ -404,24 +404,24 @@ class Rigid(Frozen):
     Parameters
     ----------
     max_events : int, default 100000
-        After so many events the motion ends, at the last of them, with status 'event_limit'; from 1 to ten million [1].
+        Maximum number of events; the motion ends at the last one with status 'event_limit'. From 1 to 10 million [1].
 
     Raises
     ------
     ValueError
-        If max_events is not a whole number in that range.
+        If max_events is not an integer in that range.
     """
 
     place: ClassVar[str] = "contact."
 
-    model: Literal["rigid"] = quantity("rigid", "Contact model", "")
-    max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
+    model: Literal["rigid"] = field_of("contact.model")
+    max_events: Count = field_of("contact.max_events", ge=1, le=int(RANGES["contact.max_events"].most))
 
 
 class Compliant(Frozen):
     """Compliant contact: a unilateral spring and damper with regularised friction.
 
-    What is None follows from radius, mass and gravity (without gravity, 1 m/s² stands for it).
+    Values that are None follow from radius, mass and gravity (1 m/s² without gravity).
 
     Parameters
     ----------
@@ -432,7 +432,7 @@ class Compliant(Frozen):
     restitution : float, optional
         e from 0 to 1 that the damping is chosen for, in place of damping; by default the plane's. It is that
         of the whole mass on the contact, for Hunt and Crossley's law landing at √(g R). No finite damping
-        gives 0, so that √(m g/(k R)), at most 0.1, stands for all below it [1].
+        gives 0, so that smaller values count as √(m g/(k R)), at most 0.1 [1].
     law : {'kelvin-voigt', 'hunt-crossley'}, default 'kelvin-voigt'
         Normal force at the depth δ: N = kδ + cδ̇ or N = kδ(1 + dδ̇), never below 0.
     friction : {'tanh', 'linear', 'bristle'}, default 'tanh'
@@ -445,7 +445,7 @@ class Compliant(Frozen):
     rtol : float, optional
         Relative tolerance of the integration, above 0 and at most 0.1; by default 10⁻⁹ [1].
     max_events : int, default 100000
-        After so many events the motion ends, at the last of them, with status 'event_limit'; from 1 to ten million [1].
+        Maximum number of events; the motion ends at the last one with status 'event_limit'. From 1 to 10 million [1].
 
     Raises
     ------
@@ -456,15 +456,15 @@ class Compliant(Frozen):
     place: ClassVar[str] = "contact."
 
     model: Literal["compliant"] = quantity("compliant", "Contact model", "")
-    stiffness: Stiffness | None = quantity(None, "Stiffness of the contact", "N/m")
-    damping: Damping | None = quantity(None, "Damping of the contact", "N s/m or s/m")
-    restitution: Fraction | None = quantity(None, "Restitution that the damping is chosen for")
-    law: Literal["kelvin-voigt", "hunt-crossley"] = quantity("kelvin-voigt", "Normal force", "")
-    friction: Literal["tanh", "linear", "bristle"] = quantity("tanh", "Regularised friction", "")
-    slip_speed: SlipSpeed | None = quantity(None, "Slip velocity over which friction builds up", "m/s")
-    tangential_stiffness: Stiffness | None = quantity(None, "Stiffness of the bristle along the plane", "N/m")
-    rtol: Tolerance | None = quantity(None, "Relative tolerance")
-    max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
+    stiffness: Stiffness | None = field_of("contact.stiffness")
+    damping: Damping | None = field_of("contact.damping")
+    restitution: Fraction | None = field_of("contact.restitution")
+    law: Literal["kelvin-voigt", "hunt-crossley"] = field_of("contact.law")
+    friction: Literal["tanh", "linear", "bristle"] = field_of("contact.friction")
+    slip_speed: SlipSpeed | None = field_of("contact.slip_speed")
+    tangential_stiffness: Stiffness | None = field_of("contact.tangential_stiffness")
+    rtol: Tolerance | None = field_of("contact.rtol")
+    max_events: Count = field_of("contact.max_events", ge=1, le=int(RANGES["contact.max_events"].most))
 
     @model_validator(mode="after")
     def _one_damping(self) -> Compliant:
@@ -474,7 +474,7 @@ class Compliant(Frozen):
 
 
 def _model_of(value: Any) -> Any:
-    # A table without the key `model` is rigid; what is not a table has no model at all.
+    # a table without the key `model` is rigid; other values have no model
     if isinstance(value, dict):
         return value.get("model", "rigid")
     return getattr(value, "model", None)

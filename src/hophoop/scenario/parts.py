@@ -1,4 +1,4 @@
-"""Parts of a real hoop and the (ε, κ) they add up to."""
+"""Parts of a real hoop, and ε and κ of their sum."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ Length = Annotated[Positive, inside("hoop.parts.length", "m"), schema_of("hoop.p
 
 Row = tuple[int, float, float, float, float]
 
-# A part that just touches the rim, its place rounded, still lies within it.
+# Tolerance for a part that touches the rim, since its position is rounded.
 TOUCH = 1e-12
 
 
 class _Body:
-    """What all parts have."""
+    """Common base of all parts."""
 
     @property
     def row(self) -> Row:
-        """What it is as `physics.mass` takes it."""
+        """Its numbers for `physics.mass`."""
         raise NotImplementedError
 
     @property
@@ -83,7 +83,7 @@ class Ring(Frozen, _Body):
 
     @property
     def row(self) -> Row:
-        """What it is as `physics.mass` takes it."""
+        """Its numbers for `physics.mass`."""
         return mass.RING, self.mass, self.inner_radius, self.outer_radius, 0.0
 
 
@@ -118,7 +118,7 @@ class Disk(Frozen, _Body):
 
     @property
     def row(self) -> Row:
-        """What it is as `physics.mass` takes it."""
+        """Its numbers for `physics.mass`."""
         return mass.DISK, self.mass, self.radius, 0.0, self.at
 
 
@@ -150,7 +150,7 @@ class PointMass(Frozen, _Body):
 
     @property
     def row(self) -> Row:
-        """What it is as `physics.mass` takes it."""
+        """Its numbers for `physics.mass`."""
         return mass.POINT_MASS, self.mass, 0.0, 0.0, self.at
 
 
@@ -195,7 +195,7 @@ class Rod(Frozen, _Body):
 
     @property
     def row(self) -> Row:
-        """What it is as `physics.mass` takes it."""
+        """Its numbers for `physics.mass`."""
         kind = mass.RADIAL_ROD if self.direction == "radial" else mass.TANGENTIAL_ROD
         return kind, self.mass, self.length, 0.0, self.at
 
@@ -218,8 +218,8 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
     mass : float
         Their sum [kg].
     eccentricity : float
-        ε = distance of the centre of gravity G from C over R [1]. Never negative: should G come out on the
-        negative side of C, the line from C is taken the other way round, so that θ is still the angle to G.
+        ε = distance of the centre of gravity G from C over R [1]. Never negative: if G is on the negative side of
+        C, the line from C is reversed, so that θ is the angle to G.
     inertia_ratio : float
         κ = moment of inertia about G over m R² [1], by the parallel axis theorem.
 

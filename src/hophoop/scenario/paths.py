@@ -1,4 +1,4 @@
-"""Parameters of a scenario by dotted path, such as ``plane.mu``: what they mean, and how to change one."""
+"""Parameters of a scenario by dotted path, such as ``plane.mu``: their meanings, and how to replace one."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
 _PARTS = (Ring, Disk, PointMass, Rod)
 _Model = TypeVar("_Model", bound=Frozen)
 
-# Where a quantity can be given in more ways than one, giving it one way ends the others.
+# Keys that a path replaces, where a quantity can be given in several ways.
 ENDS: dict[str, Sequence[str]] = {
     "hoop.load_fraction": ("eccentricity", "inertia_ratio", "parts"),
     "hoop.eccentricity": ("load_fraction", "parts"),
@@ -46,7 +46,7 @@ ENDS: dict[str, Sequence[str]] = {
 
 
 class ParameterInfo(NamedTuple):
-    """What a path stands for.
+    """Meaning and unit of a path.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class ParameterInfo(NamedTuple):
 
 
 def parameter(path: str) -> ParameterInfo:
-    """Meaning and unit of a scenario's parameter.
+    """Return meaning and unit of a scenario's parameter.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def parameter(path: str) -> ParameterInfo:
 
 
 def paths() -> list[str]:
-    """Paths of all numbers and words in a scenario, parts of a hoop apart.
+    """Return the paths of all numbers and words in a scenario, except those of a hoop's parts.
 
     Returns
     -------
@@ -124,7 +124,7 @@ def _candidates(path: str) -> Iterator[ParameterInfo]:
 
 
 def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
-    """Two of some paths that say the same thing in two ways, as a scenario file must not.
+    """Return two of the paths that contradict each other by giving one quantity in two ways.
 
     Parameters
     ----------
@@ -145,17 +145,17 @@ def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
         section = path.partition(".")[0]
         ended = {f"{section}.{key}" for key in ENDS.get(path, ())}
         for other in known:
-            # a whole is named together with its parts
+            # a section given together with one of its keys
             if any(other == end or other.startswith(f"{end}.") for end in ended):
                 return path, other
     return None
 
 
 def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Keys of the scenario with other values at some paths, in whatever order, ready to be validated.
+    """Return the keys of the scenario with other values at some paths, in any order, for validation.
 
-    Whole sections come first, then what stands in them. Where a value is given in another way than before, what the
-    new way does not name keeps its value.
+    Whole sections come first, then their keys. If a value is given in another way than before, other quantities keep their
+    values.
     """
     pair = contradiction(values)
     if pair is not None:
@@ -171,7 +171,7 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
             data[section] = value
             continue
         if path == "contact.model":
-            # The two models share hardly a key.
+            # the two models have few keys in common
             data["contact"] = {"model": value}
             continue
         table = data.setdefault(section, {})
@@ -188,13 +188,13 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
 
 
 def _rank(path: str) -> tuple[int, int]:
-    # a start that is spelt out needs the new hoop; wholes come before their parts
+    # an expanded start needs the new hoop; sections come before their keys
     section, _, rest = path.partition(".")
     return (section == "start", 0 if not rest else 1 if path in ("contact.model", "hoop.parts") else 2)
 
 
 def _keys(value: Any) -> Any:
-    """A value as keys that may be written over without a change of what was given."""
+    """Return a value as a copy of its keys, which may be changed."""
     if isinstance(value, Frozen):
         return value.to_dict()
     if isinstance(value, Mapping):
@@ -203,7 +203,7 @@ def _keys(value: Any) -> Any:
 
 
 def _as_given(scenario: Scenario, values: Mapping[str, Any], section: str) -> Frozen:
-    """A section as it was before single values in it are replaced."""
+    """Return a section before single values in it are replaced."""
     kept: Frozen = getattr(scenario, section)
     return _validated(type(kept), values[section]) if section in values else kept
 
@@ -216,14 +216,14 @@ def _validated(model: type[_Model], value: Any) -> _Model:
 
 
 def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, Any]:
-    """The same section given the other way, where that keeps what the path does not name."""
+    """Return the same section given in the other way, to keep the quantities that the path does not name."""
     if isinstance(given, Hoop) and path != "hoop.parts":
         kept = ("mass",) if path == "hoop.load_fraction" else ("mass", "eccentricity", "inertia_ratio")
         return {name: getattr(given, name) for name in kept}
     if isinstance(given, Plane) and path != "plane.mu":
         return {"mu_static": given.mu_static, "mu_kinetic": given.mu_kinetic}
     if isinstance(given, Start) and path != "start.speed":
-        # a rolling start, as the free one of the hoop as it will be
+        # a rolling start as the free start of the new hoop
         state = given.state(_validated(Hoop, data["hoop"]))
         return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
     return {}

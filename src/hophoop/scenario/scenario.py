@@ -1,10 +1,11 @@
-"""One motion to be: hoop, plane, start, duration and contact, with its files and links."""
+"""A scenario: hoop, plane, start, duration and contact, with its files and links."""
 
 from __future__ import annotations
 
 import json
 import math
 from collections.abc import Mapping
+from operator import attrgetter, itemgetter
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -15,18 +16,20 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import STIFFNESS, sinking
 from hophoop.kernel.physics.resistance import most_resistance
-from hophoop.scenario.base import Frozen, Positive, quantity, refuse
+from hophoop.kernel.records.layout import CELL
+from hophoop.scenario.base import Frozen, Positive, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
-from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
+from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, field_of, inside, schema_of
 from hophoop.scenario.sentences import refusal
 from hophoop.scenario.texts import say
 from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.parameters import TABLE, section_of
 
 
 class Scenario(Frozen):
-    """Everything that a motion needs, validated, frozen and written to files and links.
+    """Everything that defines a motion: validated, frozen, and serialized to files and links.
 
     Without arguments it is the reference case: three quarters of the mass in the load, R = 1 m, m = 1 kg,
     μ = 1, plastic landings, rolling at 3.1 m/s with the load at the top, for 6 s.
@@ -56,7 +59,7 @@ class Scenario(Frozen):
     True
     """
 
-    duration: Annotated[Positive, inside("duration", "s"), schema_of("duration")] = quantity(6.0, "Duration of the motion", "s")
+    duration: Annotated[Positive, inside("duration"), schema_of("duration")] = field_of("duration")
     hoop: Hoop = Field(default_factory=Hoop, description="The hoop")
     plane: Plane = Field(default_factory=Plane, description="The plane")
     start: Start = Field(default_factory=lambda: Start.rolling(3.1), description="The start")
@@ -134,7 +137,7 @@ class Scenario(Frozen):
         Parameters
         ----------
         keys : dict
-            As `to_dict` gives them; what is left out has its default.
+            As `to_dict` gives them; missing keys have their defaults.
 
         Returns
         -------
@@ -231,7 +234,7 @@ class Scenario(Frozen):
         return cls.from_dict(read_query(query))
 
     def replace(self, path: str, value: Any) -> Scenario:
-        """The same scenario but for one parameter.
+        """Return the same scenario with one parameter replaced.
 
         Parameters
         ----------
@@ -255,7 +258,7 @@ class Scenario(Frozen):
         return self.with_values({path: value})
 
     def with_values(self, values: Mapping[str, Any]) -> Scenario:
-        """The same scenario but for some parameters, which only together must be allowed.
+        """Return the same scenario with several parameters replaced and validated together.
 
         Parameters
         ----------
@@ -304,7 +307,7 @@ def _check_resistance(hoop: Hoop, plane: Plane) -> None:
 
 
 def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
-    """Refuse a spring that is no contact any more: too soft or too stiff for this hoop, or for its start."""
+    """Refuse a spring that is too soft or too stiff for this hoop or its start."""
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
     second = time_unit(hoop, plane)
     stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED
@@ -372,14 +375,29 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     """
     hoop, plane = scenario.hoop, scenario.plane
     start = scenario.start.state(hoop)
-    return (
-        hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio,
-        plane.gravity, plane.slope, plane.mu_static, plane.mu_kinetic, plane.restitution,
-        LAWS[plane.impact_law].code, plane.painleve == "impact",
-        start.x, start.height, start.angle, start.vy, start.omega, start.slip,
-        scenario.duration, scenario.contact.max_events,
-        hoop.load_fraction is not None, plane.rolling_resistance, True,
+    cell: tuple[float, ...] = _IN_ORDER(
+        (
+            *_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), scenario.duration, scenario.contact.max_events,
+            LAWS[plane.impact_law].code, plane.painleve == "impact",
+            start.x, start.height, start.angle, start.vy, start.omega, start.slip, hoop.load_fraction is not None, True,
+        )
     )  # fmt: skip
+    return cell
+
+
+def _columns(section: str) -> tuple[list[str], list[str]]:
+    """Names of a section's numbers, and of the columns of a cell that they are."""
+    rows = [row for row in TABLE if row.column and section_of(row) == section]
+    return [row.path.partition(".")[2] for row in rows], [row.column for row in rows]
+
+
+(_hoop, _hoop_columns), (_plane, _plane_columns) = _columns("hoop"), _columns("plane")
+_HOOP_NUMBERS, _PLANE_NUMBERS = attrgetter(*_hoop), attrgetter(*_plane)
+_WRITTEN = (
+    *_hoop_columns, *_plane_columns, "duration", "max_events", "law", "strike",
+    "x", "height", "angle", "vy", "omega", "slip", "ideal", "allowed",
+)  # fmt: skip
+_IN_ORDER = itemgetter(*map(_WRITTEN.index, CELL))
 
 
 def time_unit(hoop: Hoop, plane: Plane) -> float:

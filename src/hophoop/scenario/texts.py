@@ -1,6 +1,6 @@
-"""The sentences that refuse a scenario, each once: Python fills them, and so does the page that computes by itself.
+"""Sentences that refuse a scenario, filled by Python and by the page.
 
-What stands in braces is filled as `str.format` does: ``{value!r}``, ``{least:g}``.
+Braces are filled as by `str.format`: ``{value!r}``, ``{least:g}``.
 """
 
 from __future__ import annotations
@@ -73,22 +73,22 @@ TEXTS: Final[dict[str, str]] = {
     "not_there": "{path} is not there to be replaced: the scenario has no {step!r}.",
     # links
     "unreadable_query": "The query cannot be read: {reason}.",
-    "beside_a_value": "{path} cannot stand beside a value for {above}.",
+    "value_above": "{path} cannot be given together with a value for {above}.",
     "given_twice": "{path} is given twice.",
     "parts_out_of_order": "hoop.parts.{name} is out of order: parts are numbered from 0 without a gap.",
 }
-"""By a name that stays."""
+"""By a stable name."""
 
 
 def say(name: str, /, **values: Any) -> str:
-    """A sentence, filled.
+    """Return a sentence with its values.
 
     Parameters
     ----------
     name : str
         A key of `TEXTS`.
     **values
-        What stands in its braces.
+        Values of its braces.
 
     Returns
     -------

@@ -27,7 +27,7 @@ from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.rigid import script_of
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.words import MODE_LETTERS, VERBS, ModeLetter, mode_word
+from hophoop.vocabulary.modes import MODE_LETTERS, VERBS, ModeLetter, mode_word
 
 
 @dataclass(frozen=True)

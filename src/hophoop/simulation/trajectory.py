@@ -17,9 +17,10 @@ from hophoop.results.records import ArraySample, EventErrors, EventRecord, Event
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.events import EVENT_KINDS, sequence_of
+from hophoop.vocabulary.modes import MODE_LETTERS
 from hophoop.vocabulary.quantities import EVENT_NUMBERS, LOSSES, held_by
 from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
-from hophoop.vocabulary.words import MODE_LETTERS, plain
+from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
     import xarray

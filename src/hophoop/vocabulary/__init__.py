@@ -1,1 +1,1 @@
-"""The words, letters, colours and labels of the project, each once: for plots, films, lab, maps and command line."""
+"""Tables of facts, one row per parameter, mode, kind of event, quantity, law and status, for all other packages."""

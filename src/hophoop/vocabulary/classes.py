@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from typing import Final
 
-from hophoop.vocabulary import colors, words
+from hophoop.vocabulary import modes, palette, words
 from hophoop.vocabulary.events import EVENTS
 from hophoop.vocabulary.statuses import STATUSES
 
@@ -13,33 +13,33 @@ SEQUENCE: Final = "sequence"
 
 # Colours of words of coded quantities, by quantity.
 CODES: Final[dict[str, dict[str, str]]] = {
-    "hop": {"no": colors.LIGHT_GRAY, "yes": colors.VERMILION},
-    "painleve": {"no": colors.LIGHT_GRAY, "yes": colors.BLACK},
+    "hop": {"no": palette.LIGHT_GRAY, "yes": palette.VERMILION},
+    "painleve": {"no": palette.LIGHT_GRAY, "yes": palette.BLACK},
     "ending": {
-        "duration": colors.GRAY, "revolutions": colors.BLUE, "reversal": colors.GREEN,
-        "takeoff": colors.VERMILION, "rest": colors.SKY, "jam": colors.BLACK,
-        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
+        "duration": palette.GRAY, "revolutions": palette.BLUE, "reversal": palette.GREEN,
+        "takeoff": palette.VERMILION, "rest": palette.SKY, "jam": palette.BLACK,
+        "undetermined": palette.YELLOW, "event_limit": palette.PURPLE,
     },
     "status": {str(status): facts.color for status, facts in STATUSES.items()},
     "first_event": {str(kind): facts.color for kind, facts in EVENTS.items() if facts.color},
 }  # fmt: skip
 # Colours of motions that do not hop, by their first slip and their last phase.
 FAMILIES: Final = {
-    "SR": colors.GREEN, "SS": colors.YELLOW, "SK": colors.ORANGE,
-    "KR": colors.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4",
+    "SR": palette.GREEN, "SS": palette.YELLOW, "SK": palette.ORANGE,
+    "KR": palette.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4",
 }  # fmt: skip
 # Colours of massless motions: by whether they roll before they skim, and whether they slip.
 MASSLESS: Final = {
-    "rolls": colors.YELLOW, "rolls, slips": colors.ORANGE, "": colors.GREEN, "slips": colors.PURPLE,
+    "rolls": palette.YELLOW, "rolls, slips": palette.ORANGE, "": palette.GREEN, "slips": palette.PURPLE,
 }  # fmt: skip
-HOPS: Final = colors.VERMILION
-ROLLS: Final = colors.BLUE
+HOPS: Final = palette.VERMILION
+ROLLS: Final = palette.BLUE
 
 
 def class_color(name: str, quantity: str = SEQUENCE) -> str:
-    """The colour of a class of motion, the same in every map.
+    """Return the colour of a class of motion, the same in every map.
 
-    A class is known by letters alone, so that its colour follows them; it is no mode's colour.
+    A class is given by letters alone, which determine its colour; it is no mode's colour.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     '#D55E00'
     """
     if quantity != SEQUENCE:
-        return CODES.get(quantity, {}).get(name, colors.GRAY)
+        return CODES.get(quantity, {}).get(name, palette.GRAY)
     first = next((letter for letter in name if letter in "SK"), "R")
     if "M" in name:
         does = [word for word, there in (("rolls", name.startswith("R")), ("slips", "S" in name or "K" in name)) if there]
@@ -72,7 +72,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
     middle = sum(base) / 3.0
     depth = min(len(name) - 1, 9) / 9.0
-    # classes of one length and family still differ a little, by their names
+    # classes of equal length and family differ slightly, by their names
     drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
     light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
     shades = []
@@ -83,7 +83,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
 
 
 def class_text(name: str, quantity: str = SEQUENCE) -> str:
-    """A class in words.
+    """Return a class in words.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def class_text(name: str, quantity: str = SEQUENCE) -> str:
     Returns
     -------
     text : str
-        Slip in a sequence is named by the sign of v_t, since its letters do not tell which way the hoop rolls.
+        Slip in a sequence is named by the sign of v_t, since its letters do not give the direction of rolling.
 
     Examples
     --------
@@ -103,4 +103,4 @@ def class_text(name: str, quantity: str = SEQUENCE) -> str:
     """
     if quantity != SEQUENCE:
         return words.plain(name)
-    return " → ".join(words.LETTERS[letter] for letter in name)
+    return " → ".join(modes.LETTERS[letter] for letter in name)

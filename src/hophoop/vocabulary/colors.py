@@ -1,5 +1,4 @@
-"""One meaning for each colour, in plots, films, maps and the lab. The set is that of Okabe and Ito (2008),
-told apart with every kind of colour blindness; modes also differ in lightness.
+"""One meaning for each colour, in plots, films, maps and the lab. Modes also differ in lightness.
 
 Plain strings and numbers, without Matplotlib, so that any front end can use them.
 """
@@ -9,36 +8,23 @@ from __future__ import annotations
 from typing import Final
 
 from hophoop._support.errors import InputError
-from hophoop.vocabulary import words
+from hophoop.vocabulary.modes import WORDS
 
-# Okabe and Ito's eight
-BLACK: Final = "#000000"
-ORANGE: Final = "#E69F00"
-SKY: Final = "#56B4E9"
-GREEN: Final = "#009E73"
-YELLOW: Final = "#F0E442"
-BLUE: Final = "#0072B2"
-VERMILION: Final = "#D55E00"
-PURPLE: Final = "#CC79A7"
+# other packages use these as `colors.GRAY`
+from hophoop.vocabulary.palette import (  # isort: skip
+    BLACK as BLACK, BLUE as BLUE, GRAY as GRAY, GREEN as GREEN, LIGHT_GRAY as LIGHT_GRAY, ORANGE as ORANGE,
+    PURPLE as PURPLE, SKY as SKY, VERMILION as VERMILION, YELLOW as YELLOW,
+)  # fmt: skip
 
-GRAY: Final = "#6E6E6E"
-LIGHT_GRAY: Final = "#D9D9D9"
-
-MODES: Final[dict[str, str]] = {
-    words.ROLL: BLUE,
-    words.SPIN: ORANGE,
-    words.SKID: PURPLE,
-    words.FLIGHT: VERMILION,
-    words.SKIM: YELLOW,  # of the massless hoop
-}
-"""Colour of each mode, by its word: what spins is orange whichever way the hoop rolls."""
+MODES: Final = {word: facts.color for word, facts in WORDS.items()}
+"""Colour of each mode, by its word: what spins is orange in both directions of rolling."""
 
 LOAD: Final = BLACK  # trace of the load, and the load itself
 GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
 GRAVITY_CENTER_AIRBORNE: Final = "#CC1F1A"  # the same while airborne: red, as in the article
 
-# Quantities in plots against time or angle: dark inks that are no mode's colour, told apart by dashes as well. Brown is
-# friction, as a force and as what it takes; black is the ink of what needs no colour.
+# Quantities in plots against time or angle: dark colours that no mode has, with different dashes. Brown is friction, both force
+# and loss; black needs no colour.
 CENTER_SPEED: Final = BLACK  # v, velocity of the centre
 ROTATION_SPEED: Final = "#00857A"  # Rθ̇
 KINETIC: Final = "#1B3A78"
@@ -48,13 +34,13 @@ FRICTION_LOSS: Final = "#8F3B0A"
 IMPACT_LOSS: Final = "#8E1B5F"
 NORMAL_FORCE: Final = "#5B3FA8"
 FRICTION_FORCE: Final = FRICTION_LOSS
-LIMIT: Final = GRAY  # a limit that is not to be crossed, such as full use of friction
+LIMIT: Final = GRAY  # a limit, such as a friction utilization of 1
 
 SERIES: Final = (BLACK, "#4A7A8C", "#A0522D", "#6A5A8C", "#5A7A3A", "#9A4A6A", GRAY)
-"""Lines that are told apart and mean no mode or quantity, such as several motions; markers and dashes differ too."""
+"""Lines without a meaning of their own, such as several motions; markers and dashes differ too."""
 
 RING_SPEED_MAP: Final = "viridis"
-"""Matplotlib's name of the colour map by which the ring's points show their speed."""
+"""Matplotlib's colour map for the speed of the ring's points."""
 
 SHADE: Final = 0.18
 """Opacity of a mode's colour as a background."""
@@ -64,7 +50,7 @@ LEAST_LIGHTNESS: Final = 0.48
 
 
 def lightness(color: str) -> float:
-    """How light a colour looks.
+    """Return the perceived lightness of a colour.
 
     Parameters
     ----------
@@ -81,7 +67,7 @@ def lightness(color: str) -> float:
 
 
 def on_dark(color: str) -> str:
-    """A colour light enough for a dark background: the same hue, with more white.
+    """Return a colour light enough for a dark background: the same hue, with more white.
 
     Parameters
     ----------
@@ -105,13 +91,12 @@ def on_dark(color: str) -> str:
 
 
 def mode_color(word: str) -> str:
-    """Colour of a mode.
+    """Return the colour of a mode.
 
     Parameters
     ----------
     word : str
-        roll, spin, skid, flight or skim, as `words.mode_word` gives it: the colour follows the word, not the
-        letter.
+        roll, spin, skid, flight or skim, as `modes.mode_word` returns it: the colour follows the word, not the letter.
 
     Returns
     -------
@@ -123,7 +108,6 @@ def mode_color(word: str) -> str:
     ValueError
         If there is no such mode.
     """
-    try:
-        return MODES[word]
-    except KeyError:
-        raise InputError.of_field("word", word, f"one of {', '.join(MODES)}") from None
+    if word not in MODES:
+        raise InputError.of_field("word", word, f"one of {', '.join(MODES)}")
+    return MODES[word]

@@ -1,7 +1,7 @@
 """Kinds of events, one row of a table each, and the sequence of letters that they make.
 
 A new kind of event needs a member of the kernel's `Event` (and of `PASSING`, where it does not end a phase), a member of
-`EventKind` and a row of `EVENTS`. The sentences that tell it are in `sentences.STORY`.
+`EventKind` and a row of `EVENTS`. Its sentence is in `sentences.STORY`.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, Final, NamedTuple
 
-from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Mode
-from hophoop.vocabulary import colors
+from hophoop.kernel.physics.body import PASSING
+from hophoop.vocabulary import palette
+from hophoop.vocabulary.modes import ModeLetter, letter_of
 from hophoop.vocabulary.words import Word
 
 
@@ -41,39 +42,39 @@ EVENT_KINDS: Final = tuple(EventKind)
 
 
 class EventFacts(NamedTuple):
-    """What is known of a kind of event."""
+    """Facts about a kind of event."""
 
     noun: str  # in figures and films
-    verb: str  # what the hoop does there, in summaries
+    verb: str  # in summaries
     label: str  # in the lab
     color: str | None = None  # of maps of the first event
-    mark: tuple[int, str] | None = None  # in figures: rank where marks are many, and Matplotlib's marker
-    sign: tuple[int, str] | None = None  # on the lab's bar of time: the same, and a character
+    mark: tuple[int, str] | None = None  # in figures: priority among many marks, and Matplotlib's marker
+    sign: tuple[int, str] | None = None  # on the lab's time bar: priority and character
     filmed: bool = False  # whether films mark it
     summed_up: bool = True  # whether a summary of the motion mentions it
 
 
 EVENTS: Final[dict[str, EventFacts]] = {
     EventKind.START: EventFacts("start", "starts", "start"),
-    EventKind.SLIP_START: EventFacts("slip starts", "slips", "slip begins", colors.ORANGE),
-    EventKind.STICK: EventFacts("slip ends", "rolls", "slip ends", colors.BLUE),
-    EventKind.SLIP_REVERSAL: EventFacts("slip reverses", "slips the other way", "slip turns round", colors.PURPLE),
-    EventKind.TAKEOFF: EventFacts("take-off", "hops", "take-off", colors.VERMILION, (4, "^"), (7, "▲"), filmed=True),
-    EventKind.IMPACT: EventFacts("landing", "lands", "landing", colors.YELLOW, (3, "v"), (8, "▼"), filmed=True),
-    EventKind.TURN: EventFacts("turns back", "turns back", "turns back", colors.GREEN, (5, "<"), (9, "↺"), summed_up=False),
+    EventKind.SLIP_START: EventFacts("slip starts", "slips", "slip starts", palette.ORANGE),
+    EventKind.STICK: EventFacts("slip ends", "rolls", "slip ends", palette.BLUE),
+    EventKind.SLIP_REVERSAL: EventFacts("slip reverses", "slips the other way", "slip reverses", palette.PURPLE),
+    EventKind.TAKEOFF: EventFacts("take-off", "hops", "take-off", palette.VERMILION, (4, "^"), (7, "▲"), filmed=True),
+    EventKind.IMPACT: EventFacts("landing", "lands", "landing", palette.YELLOW, (3, "v"), (8, "▼"), filmed=True),
+    EventKind.TURN: EventFacts("turns back", "turns back", "turns back", palette.GREEN, (5, "<"), (9, "↺"), summed_up=False),
     EventKind.APEX: EventFacts("apex", "is highest", "highest point", None, (7, "d"), (10, "•"), summed_up=False),
-    EventKind.BOUNCE_LIMIT: EventFacts("end of the bounces", "has bounced out", "bounces end", sign=(4, "≋")),
+    EventKind.BOUNCE_LIMIT: EventFacts("end of the bounces", "stops bouncing", "bounces end", sign=(4, "≋")),
     EventKind.PAINLEVE_INCONSISTENT: EventFacts(
         "Painlevé", "meets Painlevé's paradox", "Painlevé: no solution", None, (1, "X"), (1, "◆"), filmed=True
     ),
     EventKind.PAINLEVE_INDETERMINATE: EventFacts(
         "Painlevé", "meets Painlevé's indeterminacy", "Painlevé: several solutions", None, (2, "X"), (2, "◇"), filmed=True
     ),
-    EventKind.JAM: EventFacts("jam", "jams", "jam", colors.BLACK, (0, "X"), (0, "✖"), filmed=True),
+    EventKind.JAM: EventFacts("jam", "jams", "jam", palette.BLACK, (0, "X"), (0, "✖"), filmed=True),
     EventKind.KANE_GAIN: EventFacts("gain of energy", "gains energy (Kane)", "energy gain (Kane)", sign=(3, "✚")),
-    EventKind.SKIM: EventFacts("skims", "skims", "skimming begins", None, (6, "s"), (5, "◗")),
-    EventKind.REST: EventFacts("rest", "rests", "at rest", colors.LIGHT_GRAY, None, (6, "■")),
-    EventKind.END: EventFacts("end", "ends", "end", colors.SKY, summed_up=False),
+    EventKind.SKIM: EventFacts("skims", "skims", "skimming starts", None, (6, "s"), (5, "◗")),
+    EventKind.REST: EventFacts("rest", "rests", "at rest", palette.LIGHT_GRAY, None, (6, "■")),
+    EventKind.END: EventFacts("end", "ends", "end", palette.SKY, summed_up=False),
 }
 
 
@@ -83,7 +84,7 @@ def _ranked(facts: dict[str, tuple[int, str] | None]) -> dict[str, str]:
 
 
 MARKS: Final = _ranked({kind.value: EVENTS[kind].mark for kind in EVENT_KINDS})
-"""Matplotlib's markers by kind, the most telling first."""
+"""Matplotlib's markers by kind, highest priority first."""
 SIGNS: Final = _ranked({kind.value: EVENTS[kind].sign for kind in EVENT_KINDS})
 """Characters by kind, the rarest first."""
 PASSING_KINDS: Final = tuple(EVENT_KINDS[kind] for kind in PASSING)
@@ -91,7 +92,7 @@ PASSING_KINDS: Final = tuple(EVENT_KINDS[kind] for kind in PASSING)
 
 
 def phase_starts(kinds: Sequence[int]) -> list[int]:
-    """Places of the events that end a phase and start the next.
+    """Return the indices of the events that end a phase and start the next.
 
     Parameters
     ----------
@@ -100,7 +101,7 @@ def phase_starts(kinds: Sequence[int]) -> list[int]:
 
     Returns
     -------
-    places : list of int
+    indices : list of int
 
     Examples
     --------
@@ -112,9 +113,9 @@ def phase_starts(kinds: Sequence[int]) -> list[int]:
 
 
 def sequence_of(kinds: Sequence[int], modes: Sequence[int], times: Sequence[Any], takes_off: bool = False) -> str:
-    """Letters of the phases that last, in order.
+    """Return the letters of all phases of nonzero duration, in order.
 
-    The kernel of maps packs the same letters by itself (`maps.grid.kernel.reduce_motion`), the page's program too.
+    The kernel of maps (`maps.grid.kernel.reduce_motion`) and the page have their own implementations.
 
     Parameters
     ----------
@@ -123,32 +124,27 @@ def sequence_of(kinds: Sequence[int], modes: Sequence[int], times: Sequence[Any]
     modes : sequence of int
         The mode after each event.
     times : sequence
-        When each event happens, in any arithmetic that compares with <.
+        Time of each event, in any arithmetic with <.
     takes_off : bool, default False
-        Whether a take-off ended the motion: its flight counts though it does not last.
+        Whether a take-off ended the motion; its flight counts although it has no duration.
 
     Returns
     -------
     sequence : str
-        R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim. Where no phase lasts, the mode after the
-        last event; empty without events.
+        R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim. Without a phase of nonzero duration, the mode
+        after the last event; empty without events.
 
     Examples
     --------
-    >>> from hophoop.kernel.physics.body import Event
+    >>> from hophoop.kernel.physics.body import Event, Mode
     >>> kinds = [Event.START, Event.TURN, Event.SLIP_START, Event.END]
     >>> sequence_of(kinds, [Mode.ROLL, Mode.ROLL, Mode.SKID, Mode.SKID], [0.0, 1.0, 2.0, 3.0])
     'RK'
     """
     if not kinds:
-        return MODE_LETTERS[Mode.FLIGHT] if takes_off else ""
+        return ModeLetter.FLIGHT if takes_off else ""
     marks = [*phase_starts(kinds[:-1]), len(kinds) - 1]
-    letters = "".join(_letter(modes[a]) for a, b in pairwise(marks) if times[a] < times[b])
+    letters = "".join(letter_of(modes[a]) for a, b in pairwise(marks) if times[a] < times[b])
     if takes_off:
-        return letters + MODE_LETTERS[Mode.FLIGHT]
-    return letters or _letter(modes[-1])
-
-
-def _letter(mode: int) -> str:
-    # modes beyond skimming are those of a massless hoop's solver
-    return MODE_LETTERS[min(mode, int(Mode.SKIM))]
+        return letters + ModeLetter.FLIGHT
+    return letters or letter_of(modes[-1])

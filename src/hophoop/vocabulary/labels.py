@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from hophoop.vocabulary.parameters import TABLE
+
 TIME: Final = "Time (s)"
 ANGLE: Final = "Rotation angle θ (°)"
 ROTATION: Final = r"Angular velocity $\dot\theta$ (rad/s)"
@@ -13,28 +15,16 @@ FORCE: Final = "Force (N)"
 UTILIZATION: Final = "Friction utilization"
 GAP: Final = "Gap under the rim (m)"
 PLACE: Final = "Place along the plane (m)"
-DISTANCE: Final = "Level distance (m)"  # where a slope is drawn as a slope
+DISTANCE: Final = "Level distance (m)"  # in pictures with a tilted slope
 HEIGHT: Final = "Height (m)"
 POINT_SPEED: Final = "Speed of the ring's points (m/s)"
 
-PARAMETERS: Final = {
-    "plane.mu": "Friction μ",
-    "plane.mu_static": r"Static friction $\mu_s$",
-    "plane.mu_kinetic": r"Kinetic friction $\mu_k$",
-    "plane.slope": "Slope β",
-    "plane.restitution": "Restitution e",
-    "hoop.load_fraction": "Load fraction γ",
-    "hoop.eccentricity": "Eccentricity ε",
-    "hoop.inertia_ratio": "Inertia ratio κ",
-    "start.speed": r"Speed at the start $v_0$",
-    "start.angle": "Angle at the start θ",
-    "start.omega": r"Angular velocity at the start $\dot\theta$",
-}
-"""Short names of parameters, by path, as axes of maps show them."""
+PARAMETERS: Final = {row.path: row.figure for row in TABLE if row.figure}
+"""Short names of parameters by path, for the axes of maps."""
 
 
 def normal_loss(contact: str) -> str:
-    """What the energy is called that contact takes in the normal direction.
+    """Return the name of the energy lost in the normal direction of the contact.
 
     Parameters
     ----------
@@ -54,7 +44,7 @@ def normal_loss(contact: str) -> str:
 
 
 def with_unit(text: str, unit: str) -> str:
-    """A name with its unit, as axes and tables show it.
+    """Return a name with its unit, for axes and tables.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ class Quantity(NamedTuple):
     scale: str  # one of UNITS
     meaning: str
     held: tuple[str, ...]  # the results that have it: attributes of `Sample`, `EventRecord`, `Velocity` and so on
-    lost: bool = False  # whether it is energy that a rigid motion has lost so far
+    lost: bool = False  # whether it is an energy that a rigid motion loses
 
     @property
     def unit(self) -> str:
@@ -75,7 +75,7 @@ QUANTITIES: Final = {quantity.name: quantity for quantity in TABLE}
 
 
 def held_by(result: str) -> tuple[str, ...]:
-    """Names of the quantities that a result has.
+    """Return the names of a result's quantities.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ EVENT_UNITS: Final = {
 
 
 def sizes(scales: Scales) -> dict[str, float]:
-    """Kernel units in SI units, by quantity.
+    """Return the kernel units in SI units, by quantity.
 
     Parameters
     ----------

@@ -1,6 +1,4 @@
-"""Sentences that tell a motion and what theory says of its hoop, each once: Python fills them, and so does the page that
-computes by itself. Numbers stand in them as texts.
-"""
+"""Sentences about a motion and about the theory of its hoop, filled by Python and by the page, with numbers as texts."""
 
 from __future__ import annotations
 
@@ -11,10 +9,10 @@ STORY: Final[dict[str, str]] = {
     "started": "starts and {verb}",
     "started_flight": "starts in the air",
     "started_skim": "starts skimming",
-    "slip_start": "It {verb} at {where}; friction is used up: the rim slides ahead.",
-    "slip_start_spin": "It {verb} at {where}; friction is used up: the rim turns too fast for the way it goes.",
+    "slip_start": "It {verb} at {where}; friction reaches its limit: the rim slides ahead.",
+    "slip_start_spin": "It {verb} at {where}; friction reaches its limit: the rim turns too fast for its path.",
     "stick": "It rolls again at {where}; the slip has stopped.",
-    "slip_reversal": "The slip turns round at {where}; it {verb}.",
+    "slip_reversal": "The slip reverses at {where}; it {verb}.",
     "takeoff": "It hops at {where}.",
     "takeoff_and_landing": "It hops at {where}. It rises {top} and stays up for {time} s.",
     "impact": "It lands at {where} with {speed} m/s downwards and {verb}.",
@@ -23,7 +21,7 @@ STORY: Final[dict[str, str]] = {
     "turn": "It turns back at {where}.",
     "turn_in_slip": "It turns back at {where}, and {verb} now.",
     "apex": "The centre is highest at {where}: the gap is {gap}.",
-    "bounce_limit": "Bounces without number end here, at {where}.",
+    "bounce_limit": "Infinitely many bounces end here, at {where}.",
     "painleve_inconsistent": "Painlevé's paradox at {where}: no contact force agrees with this slip.",
     "painleve_indeterminate": "Painlevé's paradox at {where}: several contact forces agree with it.",
     "jam": "Dynamic jam at {where}: the contact force grows without bound.",
@@ -36,7 +34,7 @@ STORY: Final[dict[str, str]] = {
     "more_bounces": "It bounces {count} more times.",
     "left_out": "… and {count} more.",
 }
-"""A motion told event by event: by the kind of event, with what sets it apart behind it."""
+"""Sentences for events, by kind and variant."""
 
 SUMMARY: Final[dict[str, str]] = {
     "change": "{phrase} at {where}",
@@ -46,7 +44,7 @@ SUMMARY: Final[dict[str, str]] = {
     "more_changes": ", … ({count} more)",
     "sentence": "{phrases}. {ending}",
 }
-"""A motion in one sentence: its phrases and how they are put together."""
+"""Parts of the one-sentence summary of a motion."""
 
 THEORY: Final[dict[str, str]] = {
     "first_slip": "Slips",
@@ -57,7 +55,7 @@ THEORY: Final[dict[str, str]] = {
     "jam": "Dynamic jam",
     "rest": "Rests stably",
     "loss": "End of rolling",
-    "loss_by_friction": "at {where} friction is used up",
+    "loss_by_friction": "at {where} friction reaches its limit",
     "loss_of_contact": "at {where} the contact force is gone",
     "would_slip": "would slip",
     "would_hop": "would hop in its first turn",
@@ -75,12 +73,12 @@ THEORY: Final[dict[str, str]] = {
     "jam_at": "can end a slip at {places}",
     "rest_at": "with the load at {where}",
     "uphill": "Slips, hops",
-    "no_threshold": "no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it",
+    "no_threshold": "no single threshold uphill (β < 0): it depends on where the hoop turns back; see the map",
 }
-"""What theory says of a hoop: the names of its thresholds and what is said of each."""
+"""Thresholds of theory: their names and texts."""
 
 LEAST_SPEED: Final = 1e-9
-"""Below this a critical speed is the least number that doubles hold, and is not told as a speed [m/s]."""
+"""Critical speeds below this are not shown as speeds [m/s]."""
 
 LAB: Final[dict[str, str]] = {
     "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",
@@ -104,8 +102,8 @@ LAB: Final[dict[str, str]] = {
         "fewer cells, lower speeds or a shorter duration."
     ),
     "doubt": (
-        "What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as "
-        "many as it needs."
+        "After {time} s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the "
+        "exact result."
     ),
     "compliant_changes": "With a compliant contact no derivatives are computed: choose the rigid contact model.",
     "not_a_pair": "changes holds {change}, which is not a pair of path and value.",
@@ -115,4 +113,4 @@ LAB: Final[dict[str, str]] = {
     "number_path": "must be a number's path, not that of a word",
     "one_of": "must be one of {known}",
 }
-"""What the lab refuses; filled as `str.format` does."""
+"""Refusals of the lab, filled as by `str.format`."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import palette
 from hophoop.vocabulary.words import Word
 
 
@@ -26,11 +26,11 @@ MOTION_STATUSES: Final = tuple(MotionStatus)
 
 
 class StatusFacts(NamedTuple):
-    """What is known of a status."""
+    """Facts about a status."""
 
-    sentence: str  # empty where the motion just went on for as long as was asked
+    sentence: str  # empty if the motion reached its duration
     color: str  # in maps
-    stopped: str = ""  # in films, where the motion has no further answer: then the command line ends with status 1
+    stopped: str = ""  # in films, if the motion has no answer beyond; the command line then exits with status 1
 
     @property
     def ok(self) -> bool:
@@ -39,15 +39,17 @@ class StatusFacts(NamedTuple):
 
 
 STATUSES: Final[dict[str, StatusFacts]] = {
-    MotionStatus.COMPLETED: StatusFacts("", colors.BLUE),
-    MotionStatus.AT_REST: StatusFacts("It has come to rest.", colors.SKY),
+    MotionStatus.COMPLETED: StatusFacts("", palette.BLUE),
+    MotionStatus.AT_REST: StatusFacts("It has come to rest.", palette.SKY),
     MotionStatus.JAMMED: StatusFacts(
-        "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.", colors.BLACK, "jammed"
+        "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",
+        palette.BLACK,
+        "jammed",
     ),
-    MotionStatus.UNDETERMINED: StatusFacts("The model does not determine the motion beyond.", colors.YELLOW, "no answer"),
+    MotionStatus.UNDETERMINED: StatusFacts("The model does not determine the motion beyond.", palette.YELLOW, "no answer"),
     MotionStatus.EVENT_LIMIT: StatusFacts(
         "The limit of events (contact.max_events), or of work for one motion, was reached before the end.",
-        colors.PURPLE,
+        palette.PURPLE,
         "stopped",
     ),
 }

@@ -37,10 +37,6 @@ class Mode(IntEnum):
     SKIM = 4
 
 
-MODE_LETTERS = "RSKHM"
-MODE_NAMES = ("roll", "spin", "skid", "flight", "skim")
-
-
 class Event(IntEnum):
     """Kinds of events, in the order in which simultaneous ones are written."""
 

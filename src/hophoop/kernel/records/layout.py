@@ -68,6 +68,23 @@ class Tables(NamedTuple):
     segments: Any
 
 
+class MapRequest(NamedTuple):
+    """What a map needs of each motion."""
+
+    angle_span: float  # largest rotation from the start, nan for no limit [rad]
+    stop: int  # flags of the events that end the motion
+    timed: bool  # whether the cell's duration ends it
+    quantities: int  # flags of the quantities that take extra time
+
+
+class MapResults(NamedTuple):
+    """Results of a map, one row per cell."""
+
+    numbers: Any
+    words: Any
+    sequences: Any  # packed
+
+
 class Outcome(NamedTuple):
     """Result of a motion, apart from its tables."""
 

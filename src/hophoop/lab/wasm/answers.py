@@ -11,11 +11,11 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import CELL, EVENT
+from hophoop.kernel.records.layout import CELL, EVENT, MapRequest, MapResults
 from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.lab.wasm.layout import PART, THRESHOLDS
 from hophoop.lab.wasm.motions import FIELDS
-from hophoop.maps.grid.kernel import KEYS, NUMBERS, WORDS, evaluate_block
+from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS, evaluate_block
 from hophoop.theory.kernels.arcs import TURN, first_valley
 from hophoop.theory.kernels.critical import hop_speed, slip_speeds
 from hophoop.theory.kernels.painleve import border, minima
@@ -88,7 +88,7 @@ def thresholds(given, speed, out):
 
 
 def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
-    """Write the mode that follows each state of contact without slip, as an index into `vocabulary.words.MODES`."""
+    """Write the mode that follows each state of contact without slip, as an index into `vocabulary.modes.MODE_WORDS`."""
     cells = carray(given, (FIELDS, 1))
     codes = carray(modes, (lines, columns))
     sides = carray(paradox, (columns,))
@@ -117,13 +117,11 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
             codes[j, i] = mode
 
 
-def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
+def map_cells(cells, n, span, stop, timed, quantities, numbers, words, sequences):
     """Compute reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
     columns = carray(cells, (ROWS, n))
-    evaluate_block(
-        columns, 0, n, span, stop, timed != 0, wanted, np.empty(0, EVENT),
-        carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(keys, (n, KEYS)),
-    )  # fmt: skip
+    results = MapResults(carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(sequences, (n, INTEGERS)))
+    evaluate_block(columns, 0, n, MapRequest(span, stop, timed != 0, quantities), np.empty(0, EVENT), results)
 
 
 def ideal_hoop(load_fraction, out):

@@ -7,12 +7,13 @@ from typing import Any
 
 from hophoop.derivatives.layout import Reason
 from hophoop.kernel.compliant.records import WIDTH
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, ImpactLaw, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, ImpactLaw, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
-from hophoop.maps.grid.kernel import ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
-from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
+from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, LETTERS_PER_INTEGER, MORE, NUMBERS, WORDS
+from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
+from hophoop.vocabulary.modes import MODE_LETTERS
 
 # Data of a motion besides its events: SI units, and counts.
 HEADS = (
@@ -83,19 +84,19 @@ def layout() -> dict[str, Any]:
         "thresholds": THRESHOLDS,
         "numbers": NUMBERS,
         "words": WORDS,
-        "keys": KEYS,
-        "letters_a_key": LETTERS_A_KEY,
+        "keys": INTEGERS,
+        "letters_a_key": LETTERS_PER_INTEGER,
         "more": MORE,
         "endings": ENDINGS,
         "spans": {name: _span(name) for name in ("first_revolution", "takeoff", "reversal", "duration")},
-        "wanted": {name: wanted_of(choose_quantities([name])) for name in QUANTITIES},
+        "wanted": {name: flags_of(choose_quantities([name])) for name in QUANTITIES},
         "codes": {name: quantity.words for name, quantity in QUANTITIES.items() if quantity.words},
         "shapes": SHAPES,
         "part": PART,
         "impact_laws": [law.name.lower() for law in ImpactLaw],
         "kinds": EVENT_NAMES,
         "passing": [EVENT_NAMES[kind] for kind in PASSING],
-        "letters": MODE_LETTERS,
+        "letters": "".join(MODE_LETTERS),
         "statuses": [status.name.lower() for status in Status],
         "event_bytes": EVENT.itemsize,
         "segment_bytes": SEGMENT.itemsize,

@@ -1,4 +1,4 @@
-"""The class of a motion as a function on a plane of two parameters: what borders and refinement ask."""
+"""The class of a motion as a function on a plane of two parameters, for borders and refinement."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.numerics.elementwise import exponential, logarithm
+from hophoop.kernel.records.layout import MapResults
 from hophoop.maps.grid.axes import make_axes, ordered
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import Results, run_cells
+from hophoop.maps.grid.evaluate import run_cells
 from hophoop.maps.grid.kernel import BLOCK
 from hophoop.maps.grid.quantities import Quantity, choose_quantities, distinct_rows, make_span, unpack
 from hophoop.scenario import InputError, Scenario
@@ -20,7 +21,7 @@ Floats = NDArray[np.float64]
 
 
 class Window(NamedTuple):
-    """A rectangle in the plane of two parameters; within, places run from 0 to 1 along both.
+    """A rectangle in the plane of two parameters, with positions from 0 to 1 along both.
 
     Attributes
     ----------
@@ -39,7 +40,7 @@ class Window(NamedTuple):
     logarithmic: tuple[bool, bool] = (False, False)
 
     def values(self, u: Any, v: Any) -> tuple[Floats, Floats]:
-        """Values of the parameters at places of the window."""
+        """Return the parameters' values at positions of the window."""
         ranges = (self.x_range, self.y_range)
         x, y = (
             low * exponential(place * logarithm(high / low)) if by_ratio else low + (high - low) * place
@@ -48,7 +49,7 @@ class Window(NamedTuple):
         return x, y
 
     def places(self, x: Any, y: Any) -> tuple[Floats, Floats]:
-        """Places of values in the window."""
+        """Return the positions of values in the window."""
         ranges = (self.x_range, self.y_range)
         u, v = (
             logarithm(value / low) / logarithm(high / low) if by_ratio else (value - low) / (high - low)
@@ -62,12 +63,12 @@ def make_window(
     ranges: dict[str, tuple[float, float]],
     logarithmic: Sequence[str] = (),
 ) -> Window:
-    """A checked window."""
+    """Check a window and return it."""
     if len(ranges) != 2:
         raise InputError(f"ranges = {list(ranges)!r} must name two parameters.", field="ranges", value=list(ranges))
     for path, (low, high) in ranges.items():
         if not low < high:
-            raise InputError(f"range of {path} = {(low, high)!r} must be a smaller and a greater number.")
+            raise InputError(f"range of {path} = {(low, high)!r} must be two increasing numbers.")
     for path in logarithmic:
         if path not in ranges:
             raise InputError.of_field("logarithmic", path, f"one of {', '.join(ranges)}")
@@ -86,7 +87,7 @@ def make_window(
 
 
 class Classifier:
-    """Codes of the classes at places of a window; the table of classes grows as they are met.
+    """Codes of the classes at positions of a window; the table of classes grows as they occur.
 
     A class is the text of one coded quantity, or of several, joined by a blank.
     """
@@ -104,20 +105,22 @@ class Classifier:
         self._codes: dict[tuple[int, ...], int] = {}
 
     def __call__(self, u: Any, v: Any) -> NDArray[np.int64]:
-        """Codes at places, each from 0 to 1."""
+        """Return the codes at positions, each from 0 to 1."""
         u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
         return self.at(*self.window.values(u.reshape(-1), v.reshape(-1))).reshape(u.shape)
 
     def at(self, x: Floats, y: Floats) -> NDArray[np.int64]:
-        """Codes at values of the two parameters themselves, arrays of one length."""
+        """Return the codes at values of the two parameters, arrays of equal length."""
         values = {self.window.x: x, self.window.y: y}
         cells = make_cells(self.base, {path: values[path] for path in ordered(list(values))}, x.size)
         results = run_cells(cells, self.span, 0, "serial" if x.size <= 2 * BLOCK else "cpu")
         self.evaluated += x.size
         return self._encode(results)
 
-    def _encode(self, results: Results) -> NDArray[np.int64]:
-        columns = [results.keys if quantity.name == "sequence" else _as_keys(results, quantity) for quantity in self.quantities]
+    def _encode(self, results: MapResults) -> NDArray[np.int64]:
+        columns = [
+            results.sequences if quantity.name == "sequence" else _as_keys(results, quantity) for quantity in self.quantities
+        ]
         rows, place = distinct_rows(np.concatenate(columns, axis=1))
         return np.array([self._code(row) for row in rows], dtype=np.int64)[place]
 
@@ -140,6 +143,6 @@ class Classifier:
         return " ".join(words)
 
 
-def _as_keys(results: Results, quantity: Quantity) -> Any:
-    # from 0 on, for unsigned numbers
+def _as_keys(results: MapResults, quantity: Quantity) -> Any:
+    # from 0, for unsigned integers
     return (results.words[:, quantity.column : quantity.column + 1] + 1).astype(np.uint64)

@@ -1,8 +1,8 @@
-"""Borders between classes, followed point by point to rounding.
+"""Boundaries between classes, followed point by point to rounding.
 
-From a point on the border the classes on a small circle around it are looked at; where they change from the
-one to the other class ahead, the circle is divided until neighbouring numbers are told apart. The radius is
-smaller where the curve bends, and smaller and smaller where it ends in a junction with a third class.
+From a point on the boundary the classes on a small circle around it are computed. Where they change from one class to the
+other ahead, the circle is bisected to adjacent doubles. The radius decreases where the curve bends, and further and further
+where it ends in a junction with a third class.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 
 Curve = Callable[[Floats], tuple[Floats, Floats]]
 
-AHEAD, NARROW = 7, 0.35  # classes looked at first, and how far they reach to both sides [rad]
-AROUND, WIDE = 48, 0.75 * math.pi  # where the border is not among them
-PARTS = 4  # into which an arc is divided at a time
-# Where several events set in at once, rounding puts slivers of other classes between two: narrower than this,
-# in parts of the window, they are none.
+AHEAD, NARROW = 7, 0.35  # number of first samples, and their half angle [rad]
+AROUND, WIDE = 48, 0.75 * math.pi  # the same, if the boundary is not among them
+PARTS = 4  # per division of an arc
+# Where several events coincide, rounding puts slivers of other classes between two: below this width, relative to the window,
+# they are ignored.
 SLIVER = 1e-10
-SMALLEST = 1e-8  # radius at which a curve that cannot be followed is taken to end, in parts of the window
-BEND = 0.12  # rad between two steps at which the radius is halved
+SMALLEST = 1e-8  # radius at which a curve that cannot be followed ends, relative to the window
+BEND = 0.12  # angle between two steps above which the radius is halved [rad]
 
 
 class Border(NamedTuple):
@@ -43,12 +43,12 @@ class Border(NamedTuple):
     window : Window
         The plane of the two parameters.
     x, y : ndarray, shape (n,)
-        Points of the curve, each on the border to rounding, in the parameters' units [SI].
+        Points of the curve, each on the boundary to rounding, in the parameters' units [SI].
     classes : tuple of str
-        The classes to the right and to the left, seen along the curve with x to the right and y up.
+        The classes to the right and left of the curve, in its direction, with x to the right and y up.
     ends : tuple of str
-        What is at its first and last point: ``edge`` of the window, ``junction`` with another class,
-        ``closed`` (back where it began) or ``limit`` (the most points).
+        Its ends, first and last: ``edge`` of the window, ``junction`` with another class,
+        ``closed`` (back at its start) or ``limit`` (maximum number of points).
     """
 
     window: Window
@@ -69,27 +69,27 @@ def boundary(
     step: float = 0.02,
     most: int = 4000,
 ) -> Border:
-    """Follow a border between two classes, both ways, to its ends.
+    """Follow a boundary between two classes in both directions, to its ends.
 
     Parameters
     ----------
     base : Scenario or None
-        What is varied; None is the article's hoop.
+        The scenario to vary; None is the reference hoop.
     ranges : dict of str to tuple of float
         The two parameters by path, x first, and the window in which the curve is followed [SI].
     one, other : tuple of float
-        Two points (x, y) of different classes: the border is the first that the straight way from the one to
-        the other meets [SI].
+        Two points (x, y) of different classes: the boundary is the first one on the straight line from `one` to
+        `other` [SI].
     quantity : str or sequence of str, default 'sequence'
-        What tells the classes apart.
+        Quantities that define the classes.
     span : str, default 'first_revolution'
         As in `sweep`.
     logarithmic : sequence of str
-        Parameters along which equal steps are equal ratios.
+        Parameters with a logarithmic axis.
     step : float, default 0.02
-        Greatest distance of two points, in parts of the window [1].
+        Maximum distance of two points, relative to the window [1].
     most : int, default 4000
-        Most points each way [1].
+        Maximum number of points in each direction [1].
 
     Returns
     -------
@@ -128,10 +128,10 @@ def _place(window: Window, point: tuple[float, float]) -> Floats:
 
 
 def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: int) -> Border:
-    """`boundary` between two places of a window."""
+    """Follow a boundary between two positions of a window."""
     code = classify(one[0], one[1])
     if classify(other[0], other[1]) == code:
-        raise InputError(f"the two points are of one class, {classify.names[int(code)]}: a border must lie between them.")
+        raise InputError(f"the two points are of one class, {classify.names[int(code)]}: a boundary must lie between them.")
 
     def along(part: Floats) -> tuple[Floats, Floats]:
         place = one[:, None] + (other - one)[:, None] * part
@@ -140,7 +140,7 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
     parts, codes = _divide(classify, along, 0.0, 1.0, int(code), hypotenuse(*(other - one)))
     point = np.array(along(np.array([parts]))).reshape(2)
     way = other - one
-    # to the right of the way along the border lies the first class
+    # the first class is on the right in the direction of the boundary
     ahead = np.array([-way[1], way[0]]) / hypotenuse(*way)
     first, ends_first = _walk(classify, point, ahead, codes, step, most)
     if ends_first == "closed":
@@ -150,7 +150,7 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
         second, ends_second = _walk(classify, point, -ahead, codes[::-1], step, most)
     points = np.array([*second[::-1], point, *first])
     x, y = classify.window.values(points[:, 0], points[:, 1])
-    # ahead = the way turned left, so that `one` lies to the left
+    # `ahead` is the direction turned left, so that `one` is on the left
     names = (classify.names[codes[1]], classify.names[codes[0]])
     return Border(classify.window, x, y, names, (ends_second, ends_first))
 
@@ -158,9 +158,9 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
 def _divide(
     classify: Classifier, curve: Curve, low: float, high: float, code: int, length: float
 ) -> tuple[float, tuple[int, int]]:
-    """Where on a curve the class first changes from `code`, as far as seen, and the classes on both sides.
+    """Return where on a curve the class first changes from `code`, as far as sampled, and the classes on both sides.
 
-    `length` is that of the curve per unit of its parameter, in parts of the window.
+    `length` is that of the curve per unit of its parameter, relative to the window.
     """
     way = 1.0 if high > low else -1.0
     end = high
@@ -185,7 +185,7 @@ def _divide(
 def _walk(
     classify: Classifier, start: Floats, ahead: Floats, codes: tuple[int, int], step: float, most: int
 ) -> tuple[list[Floats], str]:
-    """Points after `start`, with the class codes[0] to the left, and what ends them."""
+    """Return the points after `start`, with the class codes[0] on the left, and the kind of end."""
     points: list[Floats] = []
     point = start
     radius = 0.25 * step
@@ -217,11 +217,11 @@ def _walk(
 
 
 def _next(classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, int], radius: float) -> Floats | None:
-    """The next point of the border, on a circle; None where it is not to be seen."""
+    """Return the next point of the boundary on a circle; None if there is none."""
     middle = arctangent2(ahead[1], ahead[0])
 
     def circle(phi: Floats) -> tuple[Floats, Floats]:
-        # outside of the window the classes go on as at its edge
+        # outside the window the classes are those of its edge
         sines, cosines = sine_and_cosine(phi)
         return np.clip(point[0] + radius * cosines, 0.0, 1.0), np.clip(point[1] + radius * sines, 0.0, 1.0)
 
@@ -241,7 +241,7 @@ def _next(classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, 
 
 
 def _leaving(point: Floats, found: Floats) -> float:
-    """Part of the way to a point outside at which the window is left."""
+    """Return the fraction of the step to a point outside at which the window ends."""
     part = 1.0
     for i in range(2):
         for edge in (0.0, 1.0):
@@ -251,7 +251,7 @@ def _leaving(point: Floats, found: Floats) -> float:
 
 
 def _on_edge(classify: Classifier, edge: Floats, codes: tuple[int, int], radius: float) -> Floats:
-    """The border's point on the edge of the window, near a guess."""
+    """Return the boundary's point on the edge of the window, near a guess."""
     across = 1 if min(abs(edge[0]), abs(edge[0] - 1.0)) < min(abs(edge[1]), abs(edge[1] - 1.0)) else 0
     edge = edge.copy()
     edge[1 - across] = round(float(edge[1 - across]))
@@ -273,18 +273,18 @@ def _on_edge(classify: Classifier, edge: Floats, codes: tuple[int, int], radius:
 
 
 def borders(dataset: xarray.Dataset, quantity: str = "sequence", step: float = 0.02, most: int = 4000) -> list[Border]:
-    """All borders between the classes of a map of two axes that its cells see.
+    """Follow all boundaries between the classes of a map of two axes that its cells show.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         A map over two parameters.
     quantity : str, default 'sequence'
-        What tells the classes apart.
+        Quantities that define the classes.
     step : float, default 0.02
-        Greatest distance of two points, in parts of the map [1].
+        Maximum distance of two points, relative to the map [1].
     most : int, default 4000
-        Most points of a curve, each way [1].
+        Maximum number of points of a curve in each direction [1].
 
     Returns
     -------
@@ -293,7 +293,7 @@ def borders(dataset: xarray.Dataset, quantity: str = "sequence", step: float = 0
     Raises
     ------
     ValueError
-        If the map has not two axes of numbers, each of one direction, or the quantity is none with classes.
+        If the map does not have two increasing axes of numbers, or the quantity has no classes.
     """
     plan = json.loads(dataset.attrs["plan"])
     paths = list(plan["axes"])
@@ -323,7 +323,7 @@ def borders(dataset: xarray.Dataset, quantity: str = "sequence", step: float = 0
 
 
 def _crossed(border: Border, xs: Floats, ys: Floats) -> set[tuple[int, int, int]]:
-    """Sides of the map's grid that a border crosses."""
+    """Return the sides of the map's grid that a boundary crosses."""
     result = set()
     points = np.stack([border.x, border.y], axis=1)
     for a, b in itertools.pairwise(points):

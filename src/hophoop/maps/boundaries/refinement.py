@@ -1,4 +1,4 @@
-"""Refinement: cells only where the class changes, halved again and again."""
+"""Refinement: cells only where the class changes, halved repeatedly."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ MOST_LEVELS = 24
 
 
 class Refined(NamedTuple):
-    """A plane of two parameters cut into squares of one class each, as small as they need to be.
+    """A plane of two parameters divided into squares of one class each, as small as necessary.
 
     Attributes
     ----------
     window : Window
         The plane.
     classes : list of str
-        What the codes stand for.
+        Meanings of the codes.
     x, y : ndarray, shape (n,)
-        Corners of least x and y of the squares, in the parameters' units [SI].
+        Lower corners of the squares, in the parameters' units [SI].
     width, height : ndarray, shape (n,)
         Their sides, in the parameters' units [SI].
     level : ndarray, shape (n,)
-        How often each was halved [1].
+        Number of halvings of each [1].
     codes : ndarray, shape (n, 4)
-        Classes at its corners: least x and y, greatest x, greatest y, both greatest [1].
+        Classes at its corners: (low x, low y), (high, low), (low, high), (high, high) [1].
     evaluated : int
         Motions computed [1].
     """
@@ -48,17 +48,17 @@ class Refined(NamedTuple):
 
     @property
     def mixed(self) -> NDArray[np.bool_]:
-        """Which squares a border crosses, as far as their corners tell [1]."""
+        """True for squares whose corners have different classes [1]."""
         return np.asarray((self.codes != self.codes[:, :1]).any(axis=1))
 
     def shares(self) -> dict[str, tuple[float, float]]:
-        """Share of the window that each class fills, and how far it may be off.
+        """Return the share of the window of each class, with its uncertainty.
 
         Returns
         -------
         shares : dict of str to tuple of float
-            Share and uncertainty by class, greatest first [1]; equal shares of the window count alike, also
-            along a logarithmic axis. The uncertainty is that of the squares that a border crosses.
+            Share and uncertainty by class, largest first [1], measured in the window, also along a logarithmic
+            axis. The uncertainty is the share of the squares that a border crosses.
         """
         area = np.ldexp(1.0, -2 * self.level) * self._unit
         mixed = self.mixed
@@ -73,7 +73,7 @@ class Refined(NamedTuple):
 
     @property
     def _unit(self) -> float:
-        # a square of level 0, as part of the window
+        # a square of level 0, relative to the window
         top = np.ldexp(1.0, -2 * self.level)
         return float(1.0 / top.sum())
 
@@ -88,26 +88,26 @@ def refine(
     logarithmic: Sequence[str] = (),
     progress: Callable[[int, int], None] | None = None,
 ) -> Refined:
-    """Cut a window into squares of one class each, halving those whose corners or neighbours differ.
+    """Divide a window into squares of one class each, halving those whose corners or neighbours differ.
 
     Parameters
     ----------
     base : Scenario or None
-        What is varied; None is the article's hoop.
+        The scenario to vary; None is the reference hoop.
     ranges : dict of str to tuple of float
         The two parameters by path, x first, and their ranges [SI].
     levels : int, default 6
-        How often a square is halved at most, from 0 to 24 [1].
+        Maximum number of halvings, from 0 to 24 [1].
     cells : int, default 64
-        Squares along each side to begin with [1].
+        Initial number of squares along each side [1].
     quantity : str or sequence of str, default 'sequence'
-        What tells the classes apart.
+        Quantities that define the classes.
     span : str, default 'first_revolution'
         As in `sweep`.
     logarithmic : sequence of str
-        Parameters along which equal steps are equal ratios.
+        Parameters with a logarithmic axis.
     progress : callable, optional
-        Called with every level and the squares in it.
+        Called with each level and its number of squares.
 
     Returns
     -------
@@ -144,7 +144,7 @@ def refine(
         codes = lattice.corners(i, j, size)
         split = (codes != codes[:, :1]).any(axis=1) if level < levels else np.zeros(i.size, bool)
         if level < levels:
-            split |= lattice.beside(i, j, size, split)
+            split |= lattice.next_to_split(i, j, size, split)
         whole = ~split
         kept.append((i[whole], j[whole], np.full(int(whole.sum()), level), codes[whole]))
         half = size >> 1
@@ -169,14 +169,14 @@ class _Lattice:
         self.codes = np.empty(0, np.int64)
 
     def at(self, i: Ints, j: Ints) -> Ints:
-        """Codes at lattice points."""
+        """Return the codes at lattice points."""
         keys = i * (self.total + 1) + j
-        wanted = np.unique(keys)
-        place = np.searchsorted(self.keys, wanted)
-        known = np.zeros(wanted.size, bool)
+        asked = np.unique(keys)
+        place = np.searchsorted(self.keys, asked)
+        known = np.zeros(asked.size, bool)
         inside = place < self.keys.size
-        known[inside] = self.keys[place[inside]] == wanted[inside]
-        fresh = wanted[~known]
+        known[inside] = self.keys[place[inside]] == asked[inside]
+        fresh = asked[~known]
         if fresh.size:
             u, v = fresh // (self.total + 1) / self.total, fresh % (self.total + 1) / self.total
             keys_all = np.concatenate([self.keys, fresh])
@@ -186,11 +186,11 @@ class _Lattice:
         return self.codes[np.searchsorted(self.keys, keys)]
 
     def corners(self, i: Ints, j: Ints, size: int) -> Ints:
-        """Codes at the four corners of squares."""
+        """Return the codes at the four corners of squares."""
         return np.stack([self.at(i, j), self.at(i + size, j), self.at(i, j + size), self.at(i + size, j + size)], axis=1)
 
-    def beside(self, i: Ints, j: Ints, size: int, split: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Squares of one class beside one that is split: a border may cut their side between two corners."""
+    def next_to_split(self, i: Ints, j: Ints, size: int, split: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Return which unsplit squares are next to a split one: a border may cross their side between two corners."""
         step = self.total + 1
         places = np.sort((i // size)[split] * step + (j // size)[split])
         result = np.zeros(i.size, bool)

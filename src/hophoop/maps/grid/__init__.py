@@ -1,1 +1,1 @@
-"""Grids of motions: axes, quantities, the kernel of a cell, stores that are resumed."""
+"""Grids of motions: axes, quantities, the kernel of a cell, resumable stores."""

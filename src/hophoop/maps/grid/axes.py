@@ -1,4 +1,4 @@
-"""The axes of a map: which parameter of the scenario, which values, and how a grid is cut into chunks."""
+"""Axes of a map: parameter and values; and the chunks of a grid."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from hophoop.scenario.paths import contradiction
 from hophoop.vocabulary.sentences import LAB
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
-MOST_VALUES = 100_000_000  # on one axis: they are in memory, whatever the map
-# Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
+MOST_VALUES = 100_000_000  # on one axis, since its values are in memory
+# Chunks are nearly square over the last two axes, so that rows and columns are read equally fast.
 SIDE = 256
 LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
 LOWEST_DECADE, HIGHEST_DECADE = -323, 308  # of doubles
@@ -48,14 +48,14 @@ class Axis(NamedTuple):
 
 
 def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
-    """Equally spaced values.
+    """Return equally spaced values.
 
     Parameters
     ----------
     first, last : float
         Ends, both included, in the parameter's unit [SI].
     count : int
-        How many, from 1 to 100,000,000.
+        Number of values, from 1 to 100,000,000.
 
     Returns
     -------
@@ -76,14 +76,14 @@ def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
 
 
 def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
-    """Values in equal ratios.
+    """Return values of equal ratios.
 
     Parameters
     ----------
     first, last : float
         Ends above 0, both included, in the parameter's unit [SI].
     count : int
-        How many, from 1 to 100,000,000.
+        Number of values, from 1 to 100,000,000.
 
     Returns
     -------
@@ -109,7 +109,7 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
 
 
 def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
-    """Return values of equal ratios, with powers of ten exact where they are among them."""
+    """Return values of equal ratios, the same bits on every machine; powers of ten among them are exact."""
     with localcontext(Context(prec=30)):
         low, high = (float(Decimal(float(end)).log10()) for end in (first, last))
     exponents = np.linspace(low, high, count)
@@ -121,17 +121,17 @@ def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
 
 def _count(count: int) -> int:
     if not 1 <= count <= MOST_VALUES or count != int(count):
-        raise InputError.of_field("count", count, f"a whole number from 1 to {MOST_VALUES:,}")
+        raise InputError.of_field("count", count, f"an integer from 1 to {MOST_VALUES:,}")
     return int(count)
 
 
 def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
-    """Read an axis as the command line gives it.
+    """Parse an axis of the command line.
 
     Parameters
     ----------
     text : str
-        ``path=first:last:count``, with ``:log`` behind it for equal ratios, or ``path=a,b,c``.
+        ``path=first:last:count``, followed by ``:log`` for equal ratios, or ``path=a,b,c``.
 
     Returns
     -------
@@ -221,7 +221,7 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
 
 
 def ordered(paths: Sequence[str]) -> list[str]:
-    """Paths in the order in which a map puts values in: by section, within one as given.
+    """Return paths in the order in which a map sets values: by section, within a section as given.
 
     Parameters
     ----------
@@ -235,12 +235,12 @@ def ordered(paths: Sequence[str]) -> list[str]:
 
 
 def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
-    """The scenario of one cell.
+    """Return the scenario of one cell.
 
     Parameters
     ----------
     base : Scenario
-        What the map varies.
+        The scenario that the map varies.
     values : mapping of str to float or str
         By path [SI].
 
@@ -264,7 +264,7 @@ def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
 def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
     values = axis.values
     if axis.unit != "" and values.size > 64 and axis.path != "contact.max_events":
-        # what a number may be is an interval; nan comes out of min and max too
+        # ranges are intervals; min and max return nan too
         values = np.array([values.min(), values.max()])
     for value in values:
         try:
@@ -272,7 +272,7 @@ def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
             continue
         except InputError as error:
             refused = error
-        # perhaps it goes together with values of the other axes: such cells are there, the rest is marked
+        # values of the other axes may allow it: then those cells exist, and the others are marked
         ends = [{other.values[0], other.values[-1], *_extremes(other)} for other in others]
         for combination in itertools.product(*ends):
             try:
@@ -306,7 +306,7 @@ class Chunk(NamedTuple):
 
 
 def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
-    """Shape of the chunks of a grid, with about so many cells each."""
+    """Return the shape of the chunks of a grid, with about `cells` cells each."""
     result = [1] * len(shape)
     left = max(cells, 1)
     side = min(SIDE, max(1, math.isqrt(left)))
@@ -314,7 +314,7 @@ def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
         wanted = side if i >= len(shape) - 2 else left
         result[i] = max(1, min(shape[i], wanted, left))
         left //= result[i]
-    # what a short last axis left over
+    # use what a short last axis has left over
     for i in reversed(range(len(shape))):
         more = min(shape[i], result[i] * max(left, 1))
         left //= max(1, more // result[i])
@@ -323,7 +323,7 @@ def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
 
 
 def chunk_at(index: int, shape: Sequence[int], chunk: Sequence[int]) -> Chunk:
-    """One chunk by its number."""
+    """Return a chunk by its number."""
     counts = [-(-n // c) for n, c in zip(shape, chunk, strict=True)]
     place = [int(i) for i in np.unravel_index(index, counts)]
     region = tuple(slice(p * c, min((p + 1) * c, n)) for p, c, n in zip(place, chunk, shape, strict=True))
@@ -331,12 +331,12 @@ def chunk_at(index: int, shape: Sequence[int], chunk: Sequence[int]) -> Chunk:
 
 
 def chunk_count(shape: Sequence[int], chunk: Sequence[int]) -> int:
-    """How many chunks a grid has."""
+    """Return the number of chunks of a grid."""
     return math.prod(-(-n // c) for n, c in zip(shape, chunk, strict=True))
 
 
 def chunk_values(axes: Sequence[Axis], chunk: Chunk) -> dict[str, NDArray[Any]]:
-    """Values of the axes in every cell of a chunk, flat, in C order."""
+    """Return the axes' values in every cell of a chunk, flat, in C order."""
     result = {}
     for i, (axis, part) in enumerate(zip(axes, chunk.region, strict=True)):
         shape = [1] * len(axes)

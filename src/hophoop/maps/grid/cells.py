@@ -1,4 +1,4 @@
-"""From scenarios to the kernel's cells: all cells of a chunk at once, as `scenario_at` would make each."""
+"""Cells of the kernel for a whole chunk at once, equal to those of `scenario_at` one by one."""
 
 from __future__ import annotations
 
@@ -12,55 +12,41 @@ from hophoop.kernel.physics.mass import ideal_inertia
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.kernel.records.layout import (
     ALLOWED,
-    ANGLE,
-    DURATION,
+    CELL,
     ECCENTRICITY,
-    GRAVITY,
     HEIGHT,
     IDEAL,
     INERTIA_RATIO,
     LAW,
     MASS,
-    MAX_EVENTS,
     MU_KINETIC,
     MU_STATIC,
     OMEGA,
     RADIUS,
-    RESTITUTION,
     ROLLING_RESISTANCE,
     SLIP,
     SLOPE,
     STRIKE,
     VY,
-    X,
 )
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.parameters import TABLE, section_of
 
 Array = NDArray[Any]
 
+_FREE = ("height", "vx", "vy", "omega")  # of a start that does not roll
 # Parameters whose value is one number of the cell.
 _PLAIN = {
-    "duration": DURATION,
-    "hoop.radius": RADIUS,
-    "hoop.mass": MASS,
-    "hoop.eccentricity": ECCENTRICITY,
-    "hoop.inertia_ratio": INERTIA_RATIO,
-    "plane.gravity": GRAVITY,
-    "plane.slope": SLOPE,
-    "plane.mu_static": MU_STATIC,
-    "plane.mu_kinetic": MU_KINETIC,
-    "plane.restitution": RESTITUTION,
-    "plane.rolling_resistance": ROLLING_RESISTANCE,
-    "start.x": X,
-    "start.angle": ANGLE,
-    "contact.max_events": MAX_EVENTS,
+    row.path: CELL.index(row.column)
+    for row in TABLE
+    if row.column and not (section_of(row) == "start" and row.path.removeprefix("start.") in _FREE)
 }
 
 
 def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArray[np.float64]:
-    """Cells of the kernel.
+    """Return the kernel's cells of a chunk.
 
     Parameters
     ----------
@@ -69,12 +55,12 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
     values : mapping of str to ndarray, shape (count,)
         Values of the varied parameters, by path [SI].
     count : int
-        How many cells.
+        Number of cells.
 
     Returns
     -------
     cells : ndarray, shape (len(CELL), count)
-        Rows as `records.layout.CELL` names them [SI]; those whose values do not go together are marked.
+        Rows as `records.layout.CELL` names them [SI]; cells with contradictory values are marked.
     """
     cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))
@@ -84,7 +70,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         paths = [path for path in paths if path not in hoop]
     start = base.start
     rolling = start.speed is not None
-    free: dict[str, Any] = {name: getattr(start, name) for name in ("height", "vx", "vy", "omega")}
+    free: dict[str, Any] = {name: getattr(start, name) for name in _FREE}
     for path in paths:
         array = values[path]
         if path in _PLAIN:
@@ -106,7 +92,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
             rolling = True
             free["vx"] = array
         else:
-            if rolling:  # the rolling start as a free one, of which one number changes
+            if rolling:  # a rolling start becomes a free one with one number changed
                 free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[RADIUS]}
             rolling = False
             free[path.partition(".")[2]] = array
@@ -125,14 +111,14 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
 
 
 def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:
-    """Whether radius and mass mean parts, so that ε and κ follow from them."""
+    """Return True if radius and mass are those of parts, from which ε and κ follow."""
     if any(path.startswith("hoop.parts") for path in paths):
         return True
     return base.hoop.parts is not None
 
 
 def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> None:
-    """Hoops made of parts, each combination once."""
+    """Write hoops made of parts, computing each combination once."""
     table = np.stack(list(values.values()))
     combinations, place = np.unique(table, axis=1, return_inverse=True)
     made = np.ones((6, combinations.shape[1]))
@@ -149,7 +135,7 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
 
 
 def _mark(cells: Array) -> None:
-    """The rules that tie parameters together, as the scenario's validators have them."""
+    """Mark cells that break the rules between parameters, the same as the scenario's validators."""
     massless = cells[INERTIA_RATIO] == 0.0
     bad = cells[MU_KINETIC] > cells[MU_STATIC]
     bad |= massless & ((cells[ECCENTRICITY] != 1.0) | (cells[SLOPE] != 0.0))

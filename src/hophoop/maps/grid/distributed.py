@@ -1,4 +1,4 @@
-"""The same sweep over a Dask cluster: workers compute chunks and write them into the store themselves."""
+"""Sweep on a Dask cluster: workers compute chunks and write them into the store themselves."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from hophoop.kernel.native.sources import stamp
 from hophoop.maps.grid.store import compute_chunk
 from hophoop.scenario import InputError
 
-# Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
+# Chunks queued at the scheduler per thread of the cluster, so that its memory does not grow with the map.
 WAITING = 4
-# How often a chunk is tried again after an error of its own; the death of a worker is for Dask to mend.
+# Retries of a chunk after an error of its own; Dask handles the death of a worker.
 RETRIES = 2
-# How long to wait for an answer [s].
+# Timeout of an answer [s].
 PATIENCE = 10
 
 
@@ -35,7 +35,7 @@ def compute_on_cluster(
     workers: int | None,
     report: Callable[[int], None],
 ) -> None:
-    """Compute chunks on the workers of a cluster; the store's own marks say what is there.
+    """Compute chunks on the workers of a cluster; the marks in the store list the finished ones.
 
     Parameters
     ----------
@@ -53,9 +53,9 @@ def compute_on_cluster(
     Raises
     ------
     InputError
-        If that is no address.
+        If it is not an address.
     OSError
-        If no scheduler answers at that address, or it is gone before all is done.
+        If no scheduler answers at that address, or it disappears before the end.
     """
     need("distributed", "cluster")
     place = str(path.resolve())
@@ -64,7 +64,7 @@ def compute_on_cluster(
         queue = iter(indices)
         running = as_completed(raise_errors=True)
 
-        # one thread a worker: the cluster is what runs in parallel
+        # one thread per worker: the cluster runs in parallel
         def submit() -> None:
             index = next(queue, None)
             if index is not None:
@@ -78,16 +78,16 @@ def compute_on_cluster(
                 future.release()
                 submit()
         except (OSError, CancelledError) as error:
-            # a worker may have met an error of its own, such as a disk that is full
+            # it may be an error of a worker, such as a full disk
             if _answers(client):
                 raise
             raise OSError(
-                f"The scheduler at {client.scheduler.address} is gone; what is done is kept, and resume goes on."
+                f"The scheduler at {client.scheduler.address} is gone; finished chunks are kept, and resume continues."
             ) from error
 
 
 def _compute(place: str, index: int, sources: str) -> int:
-    """A chunk of the map, on a worker whose kernels are those of the process that asks."""
+    """Compute a chunk on a worker, which must have the same kernels as this process."""
     own = stamp()
     if own != sources:
         raise OSError(
@@ -111,7 +111,7 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     if scheduler is not None:
         try:
             connected = distributed.Client(scheduler, timeout=PATIENCE)
-        except ValueError as error:  # what Dask makes of an address that is none
+        except ValueError as error:  # Dask's error for an invalid address
             raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
         with connected as client:
             client.wait_for_workers(1, timeout=6 * PATIENCE)
@@ -120,24 +120,24 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     others = set(multiprocessing.active_children())
     with temporary_folder() as scratch, contextlib.ExitStack() as stack:
         stack.enter_context(need("dask.config", "cluster").set({"temporary-directory": str(scratch)}))
-        # any port that is free, also where there is another cluster
+        # any free port, also next to another cluster
         options = {"threads_per_worker": 1, "dashboard_address": None, "scheduler_kwargs": {"dashboard_address": ":0"}}
         try:
             with ignored_by_children():
                 cluster = stack.enter_context(distributed.LocalCluster(n_workers=0, processes=True, **options))
-            # the thread that starts workers, and workers anew, is there now
+            # the thread that starts and restarts workers exists now
             stack.enter_context(when_stopped(lambda: _kill(cluster, others)))
             cluster.scale(workers)
             client = stack.enter_context(distributed.Client(cluster))
             client.wait_for_workers(workers)
             yield client
         except KeyboardInterrupt:
-            end_now()  # a cluster that closes while it computes takes seconds, and says so in many lines
+            end_now()  # closing a busy cluster takes seconds and prints many lines
             raise
 
 
 def _kill(cluster: Any, others: set[Any]) -> None:
-    """End the workers of a cluster at once, without a word."""
+    """End the workers of a cluster at once and silently."""
     logging.disable()
     frozen = threading.Event()
 
@@ -145,10 +145,10 @@ def _kill(cluster: Any, others: set[Any]) -> None:
         frozen.set()
         time.sleep(60.0)
 
-    cluster.loop.add_callback(freeze)  # else it starts others in their place
+    cluster.loop.add_callback(freeze)  # or it starts replacements
     frozen.wait(1.0)
     for process in set(multiprocessing.active_children()) - others:
         process.kill()
         process.join()
-    # else a process of multiprocessing says that they were left
+    # or a process of multiprocessing reports them as leaked
     util._run_finalizers(0)  # type: ignore[attr-defined]

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._version import __version__
 from hophoop.kernel.native import compiled
 from hophoop.kernel.panels.panel import RESOLVED
+from hophoop.kernel.records.layout import MapRequest, MapResults
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.axes import (
     Axis,
@@ -34,9 +35,9 @@ from hophoop.maps.grid.quantities import (
     Span,
     choose_quantities,
     distinct_rows,
+    flags_of,
     make_span,
     unpack,
-    wanted_of,
 )
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.simulation.exact_start import LATEST, NO_SCRIPT, Decisions
@@ -44,26 +45,20 @@ from hophoop.simulation.exact_start import LATEST, NO_SCRIPT, Decisions
 CHUNK_CELLS = 65536
 
 
-class Results(NamedTuple):
-    """What the kernel gives, one row a cell."""
-
-    numbers: NDArray[np.float64]
-    words: NDArray[np.int32]
-    keys: NDArray[np.uint64]
-
-    def of(self, quantity: Quantity) -> NDArray[Any]:
-        """One quantity, but for the sequence, which stays packed in `keys`."""
-        source = self.words if quantity.is_code else self.numbers
-        return source[:, quantity.column].astype(quantity.dtype)
+def values_of(results: MapResults, quantity: Quantity) -> NDArray[Any]:
+    """Values of one quantity, except the sequence, which stays packed in `results.sequences`."""
+    source = results.words if quantity.is_code else results.numbers
+    values: NDArray[Any] = source[:, quantity.column].astype(quantity.dtype)
+    return values
 
 
-# Cells of a chunk whose ties are decided in more digits, at some tenths of a second each; further ones stay as the
-# doubles have them.
+# Maximum number of cells per chunk decided in extended precision, at a few tenths of a second each; further ones keep the
+# results of doubles.
 MOST_DECIDED = 500
 
 
 class Plan(NamedTuple):
-    """A map to be: everything that its content depends on."""
+    """Specification of a map: everything its content depends on."""
 
     base: Scenario
     axes: tuple[Axis, ...]
@@ -79,15 +74,15 @@ class Plan(NamedTuple):
 
     @property
     def parts(self) -> int:
-        """How many chunks it has."""
+        """Number of chunks."""
         return chunk_count(self.shape, self.chunk)
 
     def part(self, index: int) -> Chunk:
-        """One of its chunks."""
+        """Return a chunk by its number."""
         return chunk_at(index, self.shape, self.chunk)
 
     def to_text(self) -> str:
-        """The plan as JSON, with what made it; equal plans have equal texts."""
+        """Return the plan as JSON, with the version; equal plans have equal texts."""
         return json.dumps(
             {
                 "hophoop": __version__,
@@ -133,20 +128,20 @@ def make_plan(
     chunk_cells: int = CHUNK_CELLS,
     device: str = "cpu",
 ) -> Plan:
-    """A checked plan of a map.
+    """Check the arguments of a map and return its plan.
 
     Parameters
     ----------
     base : Scenario or None
-        None is the article's hoop.
+        None is the reference hoop.
     axes : mapping of str to array_like
         Values by path [SI].
     quantities : sequence of str
     span : str
     chunk_cells : int, default 65536
-        About how many cells are computed and written at a time.
+        Approximate number of cells computed and written at a time.
     device : {'cpu', 'gpu'}
-        What computes it.
+        Device that computes it.
 
     Returns
     -------
@@ -155,7 +150,7 @@ def make_plan(
     Raises
     ------
     ValueError
-        If something in it is not allowed.
+        If an argument is not allowed.
     """
     base = Scenario() if base is None else base
     if chunk_cells < 1:
@@ -166,7 +161,7 @@ def make_plan(
     return Plan(base, made, choose_quantities(quantities), make_span(span), chunk, device)
 
 
-def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str = "cpu") -> Results:
+def run_cells(cells: NDArray[np.float64], span: Span, flags: int, device: str = "cpu") -> MapResults:
     """Run the kernel on all cells.
 
     Parameters
@@ -174,52 +169,57 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     cells : ndarray, shape (len(CELL), n)
         [SI].
     span : Span
-    wanted : int
-        Sum of the kernel's flags.
+    flags : int
+        Flags of the quantities that the kernel computes on request only.
     device : {'cpu', 'serial', 'gpu'}
         All cores, this thread only, or a GPU.
 
     Returns
     -------
-    results : Results
+    results : MapResults
     """
     count = cells.shape[1]
+    request = _request(span, flags)
     results = _empty_results(count)
     if device == "serial":
-        compiled(kernel.evaluate_block)(cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
+        compiled(kernel.evaluate_block)(cells, 0, count, request, NO_SCRIPT, results)
     elif device == "gpu":
         from hophoop.maps.grid import gpu
 
-        gpu.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)
+        gpu.evaluate(cells, request, results)
     else:
-        _on_all_cores(cells, span, wanted, results)
+        _on_all_cores(cells, request, results)
     return results
 
 
-def _empty_results(count: int) -> Results:
-    return Results(
+def _request(span: Span, flags: int) -> MapRequest:
+    return MapRequest(span.angle, span.stop, span.timed, flags)
+
+
+def _empty_results(count: int) -> MapResults:
+    return MapResults(
         np.empty((count, len(kernel.NUMBERS))),
         np.empty((count, len(kernel.WORDS)), np.int32),
-        np.empty((count, kernel.KEYS), np.uint64),
+        np.empty((count, kernel.INTEGERS), np.uint64),
     )
 
 
 def decide(
     cells: NDArray[np.float64],
     span: Span,
-    wanted: int,
-    results: Results,
+    flags: int,
+    results: MapResults,
     scenario_at: Callable[[int], Scenario],
 ) -> None:
-    """Compute those cells again, with their first events in more digits, where double precision cannot tell.
+    """Recompute cells that doubles do not decide, with their first events in extended precision.
 
     Parameters
     ----------
     cells : ndarray, shape (len(CELL), n)
         [SI].
     span : Span
-    wanted : int
-    results : Results
+    flags : int
+    results : MapResults
         Of these cells; changed in place.
     scenario_at : callable
         The scenario of a cell, by its index.
@@ -228,7 +228,7 @@ def decide(
     for k in np.flatnonzero(until <= LATEST)[:MOST_DECIDED].tolist():
         decisions = Decisions(scenario_at(k))
         while (script := decisions.script(float(until[k]))) is not None:
-            compiled(kernel.evaluate_block)(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)
+            compiled(kernel.evaluate_block)(cells, k, k + 1, _request(span, flags), script, results)
 
 
 def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> Scenario:
@@ -237,8 +237,8 @@ def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> 
     return base
 
 
-def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: Results) -> None:
-    """Blocks of cells for whichever thread is free; what a cell gives does not depend on which takes it."""
+def _on_all_cores(cells: NDArray[np.float64], request: MapRequest, results: MapResults) -> None:
+    """Compute blocks of cells on all threads; results do not depend on the thread."""
     count = cells.shape[1]
     evaluate = compiled(kernel.evaluate_block)
     begins = iter(range(0, count, kernel.BLOCK))
@@ -251,7 +251,7 @@ def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: 
             if low == count:
                 return
             high = min(low + kernel.BLOCK, count)
-            evaluate(cells, low, high, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
+            evaluate(cells, low, high, request, NO_SCRIPT, results)
 
     threads = min(_threads.get() or cores(), -(-count // kernel.BLOCK))
     if threads <= 1:
@@ -261,27 +261,27 @@ def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: 
         try:
             for done in [pool.submit(work) for _ in range(threads)]:
                 done.result()
-        except BaseException:  # Ctrl-C, too: the others end with the block they are at
+        except BaseException:  # Ctrl-C included: the other threads end after their block
             with lock:
                 begins = iter(())
             raise
 
 
 def cores() -> int:
-    """How many cores this process may use."""
+    """Number of cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
-def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, Results]:
+def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, MapResults]:
     """Compute one chunk of a plan."""
     chunk = plan.part(index)
     values = chunk_values(plan.axes, chunk)
     cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
-    wanted = wanted_of(plan.quantities)
-    results = run_cells(cells, plan.span, wanted, device)
-    decide(cells, plan.span, wanted, results, lambda k: _scenario_at(plan.base, values, k))
+    flags = flags_of(plan.quantities)
+    results = run_cells(cells, plan.span, flags, device)
+    decide(cells, plan.span, flags, results, lambda k: _scenario_at(plan.base, values, k))
     return chunk, results
 
 
@@ -296,7 +296,7 @@ def points(
     Parameters
     ----------
     base : Scenario or None
-        What is varied; None is the article's hoop.
+        What is varied; None is the reference hoop.
     values : mapping of str to array_like
         Values of the varied parameters by path, arrays that broadcast to one shape [SI].
     quantities : sequence of str
@@ -334,15 +334,15 @@ def points(
     device = "serial" if count <= kernel.BLOCK else "cpu"
     arranged = {path: flat[path] for path in ordered(list(flat))}
     cells = make_cells(base, arranged, count)
-    raw = run_cells(cells, make_span(span), wanted_of(chosen), device)
-    decide(cells, make_span(span), wanted_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
+    raw = run_cells(cells, make_span(span), flags_of(chosen), device)
+    decide(cells, make_span(span), flags_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":
-            rows, place = distinct_rows(raw.keys)
+            rows, place = distinct_rows(raw.sequences)
             column = np.array([unpack(row) for row in rows], dtype=str)[place]
         else:
-            column = raw.of(quantity)
+            column = values_of(raw, quantity)
             if quantity.words:
                 column = np.array([*quantity.words, ""])[column]
         results[quantity.name] = column.reshape(shape)

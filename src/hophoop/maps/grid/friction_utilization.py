@@ -1,4 +1,4 @@
-"""The greatest share of friction that a motion uses, in nopython mode."""
+"""The maximum friction utilization of a motion."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from hophoop.kernel.physics.contact import rolling_acceleration, rolling_forces
 from hophoop.kernel.physics.friction import utilization
 from hophoop.kernel.physics.roll import rolling_u
 
-SAMPLES_A_RADIAN = 24
-RESISTED_SAMPLES_A_RADIAN = 120
+SAMPLES_PER_RADIAN = 24
+RESISTED_SAMPLES_PER_RADIAN = 120
 
 ROLL, SPIN, SKID = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID)
 SLIP_START, TAKEOFF = int(Event.SLIP_START), int(Event.TAKEOFF)
 
 
-def friction_need(body, th0, u0, offset):
-    """abs(F)/N at an angle that rolling reaches."""
+def required_friction(body, th0, u0, offset):
+    """Return abs(F)/N at an angle that rolling reaches."""
     u = max(rolling_u(body, th0, u0, offset), 0.0)
     s, c = sine_and_cosine(th0 + offset)
     friction, normal = rolling_forces(body, s, c, u, 0.0)
@@ -28,13 +28,13 @@ def friction_need(body, th0, u0, offset):
 
 
 def resisted_slope(body, th, u, rho):
-    """dθ̇²/dθ of rolling with rolling resistance."""
+    """Return dθ̇²/dθ of rolling with rolling resistance."""
     s, c = sine_and_cosine(th)
     return 2.0 * rolling_acceleration(body, s, c, u, rho)
 
 
 def resisted_u(body, th, u, rho, step):
-    """θ̇² of rolling with rolling resistance a short way on, by Runge and Kutta's method."""
+    """Return θ̇² of resisted rolling after a small step of θ, by the classical Runge-Kutta method."""
     first = resisted_slope(body, th, u, rho)
     second = resisted_slope(body, th + 0.5 * step, u + 0.5 * step * first, rho)
     third = resisted_slope(body, th + 0.5 * step, u + 0.5 * step * second, rho)
@@ -42,24 +42,24 @@ def resisted_u(body, th, u, rho, step):
     return u + step * (first + 2.0 * (second + third) + last) / 6.0
 
 
-def resisted_use(body, th, u, rho, step):
-    """abs(F)/N a short way on from a state of rolling with rolling resistance."""
+def resisted_required_friction(body, th, u, rho, step):
+    """Return abs(F)/N of resisted rolling after a small step of θ."""
     u = max(resisted_u(body, th, u, rho, step), 0.0)
     s, c = sine_and_cosine(th + step)
     friction, normal = rolling_forces(body, s, c, u, rho)
     return abs(friction) / normal if normal > 0.0 else math.inf
 
 
-def greatest_between(body, th, u, rho, low, high, greatest):
-    """Greatest abs(F)/N between two ways on from a state of rolling, by golden section, if it is above `greatest`."""
+def maximum_between(body, th, u, rho, low, high, greatest):
+    """Return the maximum abs(F)/N between two offsets of θ, by golden section, or `greatest` if that is larger."""
     part = 0.5 * (math.sqrt(5.0) - 1.0)
     for _ in range(44):
         a = high - part * (high - low)
         b = low + part * (high - low)
         if rho != 0.0:
-            at_a, at_b = resisted_use(body, th, u, rho, a), resisted_use(body, th, u, rho, b)
+            at_a, at_b = resisted_required_friction(body, th, u, rho, a), resisted_required_friction(body, th, u, rho, b)
         else:
-            at_a, at_b = friction_need(body, th, u, a), friction_need(body, th, u, b)
+            at_a, at_b = required_friction(body, th, u, a), required_friction(body, th, u, b)
         if at_a > at_b:
             high = b
         else:
@@ -68,21 +68,21 @@ def greatest_between(body, th, u, rho, low, high, greatest):
     return greatest
 
 
-def resisted_need(body, th0, om0, turned):
-    """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, then golden section beside the greatest."""
+def resisted_maximum(body, th0, om0, turned):
+    """Return the maximum abs(F)/N of a resisted rolling arc: samples, then golden section around the largest."""
     if om0 == 0.0 and turned == 0.0:
-        # at rest, where as much of the couple acts as holds the hoop
+        # at rest the couple takes any value that holds the hoop
         return abs(body.gt) / body.gn if body.gn > 0.0 else math.inf
     rho = math.copysign(body.resist, turned)
-    count = 4 + int(abs(turned) * RESISTED_SAMPLES_A_RADIAN)
+    count = 4 + int(abs(turned) * RESISTED_SAMPLES_PER_RADIAN)
     step = turned / count
     th = th0
     u = om0 * om0
-    greatest = resisted_use(body, th, u, rho, 0.0)
+    greatest = resisted_required_friction(body, th, u, rho, 0.0)
     low_th = th0
     low_u = u
     for i in range(1, count + 1):
-        need = resisted_use(body, th, u, rho, step)
+        need = resisted_required_friction(body, th, u, rho, step)
         if need > greatest:
             greatest = need
             low_th = th
@@ -90,30 +90,30 @@ def resisted_need(body, th0, om0, turned):
         u = resisted_u(body, th, u, rho, step)
         th = th0 + step * i
     high = 2.0 * step if abs(low_th + 2.0 * step - th0) <= abs(turned) else step
-    return greatest_between(body, low_th, low_u, rho, 0.0, high, greatest)
+    return maximum_between(body, low_th, low_u, rho, 0.0, high, greatest)
 
 
-def greatest_need(body, th0, om0, turned):
-    """Greatest abs(F)/N of a rolling arc: samples, then golden section beside the greatest."""
+def maximum_required_friction(body, th0, om0, turned):
+    """Return the maximum abs(F)/N of a rolling arc: samples, then golden section around the largest."""
     if body.resist > 0.0:
-        return resisted_need(body, th0, om0, turned)
+        return resisted_maximum(body, th0, om0, turned)
     u0 = om0 * om0
-    count = 2 + int(abs(turned) * SAMPLES_A_RADIAN)
+    count = 2 + int(abs(turned) * SAMPLES_PER_RADIAN)
     step = turned / count
     best = 0
     greatest = -1.0
     for i in range(count + 1):
-        need = friction_need(body, th0, u0, step * i)
+        need = required_friction(body, th0, u0, step * i)
         if need > greatest:
             greatest = need
             best = i
     low = step * max(best - 1, 0)
     high = step * min(best + 1, count)
-    return greatest_between(body, th0, u0, 0.0, low, high, greatest)
+    return maximum_between(body, th0, u0, 0.0, low, high, greatest)
 
 
 def greatest_utilization(body, events, last):
-    """Greatest `utilization` in contact, from the events up to `last`; nan where there was none."""
+    """Return the maximum `utilization` in contact, from the events up to `last`; nan without contact."""
     result = math.nan
     for i in range(last + 1):
         row = events[i]
@@ -129,7 +129,7 @@ def greatest_utilization(body, events, last):
             used = 0.0
             if 0.0 < body.mu_s < math.inf:
                 turned = events[i + 1]["angle"] - row["angle"]
-                need = greatest_need(body, row["angle"], row["omega"], turned)
+                need = maximum_required_friction(body, row["angle"], row["omega"], turned)
                 used = utilization(False, need, 1.0, body.mu_s, body.mu_k)
         elif row["after_mode"] == SPIN or row["after_mode"] == SKID:
             used = utilization(True, body.mu_k, 1.0, body.mu_s, body.mu_k)

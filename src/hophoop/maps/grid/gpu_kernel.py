@@ -1,4 +1,4 @@
-"""What a thread of a GPU does. Importing this needs `numba.cuda`, so `gpu` does it where a GPU is wanted."""
+"""The kernel of a GPU's threads. Importing this needs `numba.cuda`, so `gpu` imports it on request."""
 
 from __future__ import annotations
 
@@ -10,34 +10,23 @@ from numba.core import config
 from hophoop.kernel.jit import jitted
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import ROWS
-from hophoop.kernel.records.layout import MOST_PANELS, PANEL_LIMIT
+from hophoop.kernel.records.layout import MOST_PANELS, PANEL_LIMIT, MapRequest, MapResults
 from hophoop.kernel.records.scratch import STACK_COLUMNS, STACK_ROWS, Scratch
 from hophoop.maps.grid import kernel as cells_kernel
+from hophoop.maps.grid.kernel import Workspace
 
-# What CUDA's simulator runs is Python.
+# CUDA's simulator runs Python.
 evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else jitted(cells_kernel.evaluate_cell)
 
-FLIGHT_EVENTS = 2  # events that a cell needs beside the motion's own
+FLIGHT_EVENTS = 2  # events that a cell needs in addition to the motion's own
 
 
 def evaluate_thread(
-    cells: Any,
-    todo: Any,
-    angle_span: float,
-    stop: int,
-    timed: bool,
-    wanted: int,
-    events: Any,
-    segments: Any,
-    numbers: Any,
-    words: Any,
-    keys: Any,
-    finished: Any,
+    cells: Any, todo: Any, request: MapRequest, events: Any, segments: Any, results: MapResults, finished: Any
 ) -> None:
-    """The cell that `todo` names for this thread; `finished` becomes 0 where its events are too many.
+    """Compute the cell that `todo` names for this thread; `finished` becomes 0 where it has too many events.
 
-    The scratch arrays are local memory, which the hardware lays out so that threads side by side find theirs
-    side by side.
+    The scratch arrays are local memory, which the hardware interleaves: neighbouring threads access neighbouring memory.
     """
     thread = cuda.grid(1)
     if thread < todo.shape[0]:
@@ -51,25 +40,11 @@ def evaluate_thread(
             cuda.local.array(4, int64),
         )
         scratch.counts[PANEL_LIMIT] = MOST_PANELS
-        room = events.shape[1] - FLIGHT_EVENTS
-        done = evaluate_cell(
-            cells,
-            todo[thread],
-            angle_span,
-            stop,
-            timed,
-            wanted,
-            events[thread, :room],
-            events[thread, room:],
-            segments[:0],
-            scratch,
-            events[thread, :0],
-            numbers,
-            words,
-            keys,
-        )
+        most = events.shape[1] - FLIGHT_EVENTS
+        workspace = Workspace(events[thread, most:], segments[:0], scratch)
+        done = evaluate_cell(cells, todo[thread], request, events[thread, :most], workspace, events[thread, :0], results)
         finished[thread] = 1 if done else 0
 
 
-# Optimising again at the link takes a minute and has nothing to gain from a single module.
+# Optimising again at the link takes a minute and gains nothing with a single module.
 kernel = cuda.jit(evaluate_thread) if config.ENABLE_CUDASIM else cuda.jit(evaluate_thread, lto=False)

@@ -1,4 +1,4 @@
-"""Many motions in nopython mode: a cell is a column of numbers in, a row of reduced quantities out."""
+"""Motions of a map: each cell is a column of numbers, each result a row of reduced quantities."""
 
 from __future__ import annotations
 
@@ -35,21 +35,21 @@ NUMBERS = (
 WORDS = ("status", "ending", "first_event", "hop", "painleve")
 STATUS_WORD, ENDING_WORD, FIRST_EVENT_WORD, HOP_WORD, PAINLEVE_WORD = range(len(WORDS))
 
-# How a span ended; `status` says it too where the physics ended it.
+# How a span ended.
 ENDINGS = ("duration", "revolutions", "reversal", "takeoff", "rest", "jam", "undetermined", "event_limit")
 BY_TIME, BY_ANGLE, BY_REVERSAL, BY_TAKEOFF, BY_REST, BY_JAM, BY_DOUBT, BY_EVENTS = range(len(ENDINGS))
 NOT_ALLOWED = -1
 
-# A sequence is packed into whole numbers, three bits a letter (0: no letter), 21 letters each.
-LETTERS_A_KEY, KEYS = 21, 4
-LONGEST = LETTERS_A_KEY * KEYS - 1
-MORE = 7  # the letter that says that the sequence was longer
+# A sequence is packed into integers, three bits per letter (0: no letter), 21 letters each.
+LETTERS_PER_INTEGER, INTEGERS = 21, 4
+LONGEST = LETTERS_PER_INTEGER * INTEGERS - 1
+MORE = 7  # the letter that marks a longer sequence
 
-FLIGHT_WANTED, UTILIZATION_WANTED = 1, 2
+FLIGHT_REQUESTED, UTILIZATION_REQUESTED = 1, 2
 
 BLOCK = 64  # cells that share one set of scratch arrays
-FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and of the next beside it
-# Stands for no limit of time: a motion that slides for ever must end too. In kernel units.
+FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and the factor to the next
+# Time limit where none is requested, so that endless sliding ends too. In kernel units.
 FOREVER = 1e9
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
@@ -62,26 +62,18 @@ COMPLETED, AT_REST, JAMMED = int(Status.COMPLETED), int(Status.AT_REST), int(Sta
 UNDETERMINED, EVENT_LIMIT = int(Status.UNDETERMINED), int(Status.EVENT_LIMIT)
 
 
-class Followed(NamedTuple):
-    """A motion that has been followed, or its part up to a limit."""
+class ComputedMotion(NamedTuple):
+    """A computed motion, possibly truncated."""
 
     body: Body
     status: int
     events: Any  # of which `length` are its own
     length: int
     cut: bool  # at its take-off at the very start, which the kernel does not look for
-
-
-class Asked(NamedTuple):
-    """What a map asks of a motion."""
-
-    angle_span: float  # turns by this at most, nan for no limit [rad]
-    stop: int  # the events that end it
     t_end: float
-    wanted: int  # the quantities that cost something
 
 
-class Room(NamedTuple):
+class Workspace(NamedTuple):
     """Memory of a thread."""
 
     passing: Any
@@ -89,36 +81,28 @@ class Room(NamedTuple):
     scratch: Any
 
 
-class Rows(NamedTuple):
-    """The results, one row a cell."""
-
-    numbers: Any
-    words: Any
-    keys: Any
-
-
 def is_passing(kind):
-    """Whether an event leaves the phase as it is."""
+    """Return True if an event does not end its phase."""
     return kind in PASSING
 
 
 def leaves_plane(row):
-    """Whether the rim leaves the plane at this event."""
+    """Return True if the rim leaves the plane at this event."""
     return row["after_mode"] == FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
-def add_letter(keys, k, length, mode):
-    """Append a mode to the packed sequence; returns its new length."""
+def add_letter(sequences, k, length, mode):
+    """Append a mode to the packed sequence and return its new length."""
     if length > LONGEST:
         return length
     letter = np.uint64(MORE if length == LONGEST else mode + 1)
-    place = np.uint64(3 * (length % LETTERS_A_KEY))
-    keys[k, length // LETTERS_A_KEY] |= letter << place
+    shift = np.uint64(3 * (length % LETTERS_PER_INTEGER))
+    sequences[k, length // LETTERS_PER_INTEGER] |= letter << shift
     return length + 1
 
 
-def reduce_flight(motion, hop, scales, room, numbers, k):
-    """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
+def reduce_flight(motion, hop, scales, workspace, numbers, k):
+    """Write height, time, distance, landing angle and loss of the hop that starts at an event."""
     body = motion.body
     row = motion.events[hop]
     numbers[k, TAKEOFF_TIME] = row["t"] * scales.time
@@ -127,11 +111,11 @@ def reduce_flight(motion, hop, scales, room, numbers, k):
     if body.gn == 0.0:
         return
     opening, zeros = opening_of(body, state)
-    log = new_log(room.passing, room.segments, room.scratch)
-    what, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log)
-    if what != Ending.LANDING:
+    log = new_log(workspace.passing, workspace.segments, workspace.scratch)
+    ending, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log)
+    if ending != Ending.LANDING:
         return
-    numbers[k, HOP_HEIGHT] = (room.passing[0]["height"] if log.counts[EVENTS] > 0 else 0.0) * scales.length
+    numbers[k, HOP_HEIGHT] = (workspace.passing[0]["height"] if log.counts[EVENTS] > 0 else 0.0) * scales.length
     numbers[k, FLIGHT_TIME] = (landed.t - state.t) * scales.time
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * scales.length
     numbers[k, LANDING_ANGLE] = whole_angle(landed)
@@ -141,7 +125,7 @@ def reduce_flight(motion, hop, scales, room, numbers, k):
 
 
 def first_beyond(events, count, angle_span):
-    """Index of the first event at which the motion has turned by the span, or the last one."""
+    """Return the index of the first event at which the rotation has reached the span, or of the last event."""
     if not math.isnan(angle_span):
         for i in range(count):
             if abs(events[i]["angle"] - events[0]["angle"]) >= angle_span:
@@ -149,8 +133,8 @@ def first_beyond(events, count, angle_span):
     return count - 1
 
 
-def ending_of(motion, asked):
-    """Which limit or event ended the span."""
+def ending_of(motion, request):
+    """Return the limit or event that ended the span."""
     if motion.cut:
         return BY_TAKEOFF
     status = motion.status
@@ -168,27 +152,27 @@ def ending_of(motion, asked):
     if count > 1:
         before = events[count - 2]
         if before["t"] == end["t"]:
-            if asked.stop & STOP_AT_TURN and before["kind"] == TURN:
+            if request.stop & STOP_AT_TURN and before["kind"] == TURN:
                 return BY_REVERSAL
-            if asked.stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
+            if request.stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
                 return BY_TAKEOFF
-    return BY_TIME if end["t"] >= asked.t_end else BY_ANGLE
+    return BY_TIME if end["t"] >= motion.t_end else BY_ANGLE
 
 
 def first_hop(events, count):
-    """Index of the event at which the rim first leaves the plane, or -1."""
+    """Return the index of the event at which the rim first leaves the plane, or -1."""
     for i in range(count):
         if leaves_plane(events[i]):
             return i
     return -1
 
 
-def reduce_motion(motion, asked, hop, scales, room, rows, k):
-    """Row k of the results, from the events of one motion; `hop` is the event at which it takes off first, or -1."""
-    numbers, words, keys = rows
+def reduce_motion(motion, request, hop, scales, workspace, results, k):
+    """Write row k of the results from the events of one motion; `hop` is the event of its first take-off, or -1."""
+    numbers, words, sequences = results
     events = motion.events
     last = motion.length - 1
-    ending = ending_of(motion, asked)
+    ending = ending_of(motion, request)
     painleve = 0
     first = -1
     rolled = 0.0
@@ -210,14 +194,14 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
         if is_passing(row["kind"]) and i < last:
             continue
         if mark >= 0 and row["t"] > events[mark]["t"]:
-            length = add_letter(keys, k, length, events[mark]["after_mode"])
+            length = add_letter(sequences, k, length, events[mark]["after_mode"])
         mark = i
         if row["after_mode"] == ROLL and mode != ROLL:
             rolling_since = row["angle"]
         mode = row["after_mode"]
     if ending == BY_TAKEOFF or length == 0:
-        length = add_letter(keys, k, length, events[last]["after_mode"])
-    begin = events[0]
+        length = add_letter(sequences, k, length, events[last]["after_mode"])
+    start = events[0]
     end = events[last]
     words[k, STATUS_WORD] = COMPLETED if motion.cut else motion.status
     words[k, ENDING_WORD] = ending
@@ -227,43 +211,43 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
     numbers[k, TIME] = ended * scales.time
     numbers[k, END_ANGLE] = end["angle"]
     numbers[k, END_SPEED] = end["vx"] * scales.speed
-    numbers[k, DISTANCE] = (end["x"] - begin["x"]) * scales.length
+    numbers[k, DISTANCE] = (end["x"] - start["x"]) * scales.length
     numbers[k, DISTANCE_ROLLED] = rolled * scales.length
     if mode == ROLL and ending <= BY_REST:
-        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin["angle"]) / (2.0 * math.pi)
+        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - start["angle"]) / (2.0 * math.pi)
     lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
     if motion.body.resist > 0.0:
         lost += end["rolling_resistance"]
     numbers[k, ENERGY_LOST] = lost * scales.energy
-    if asked.wanted & UTILIZATION_WANTED:
+    if request.quantities & UTILIZATION_REQUESTED:
         numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion.body, events, last)
-    if hop >= 0 and asked.wanted & FLIGHT_WANTED:
-        reduce_flight(motion, hop, scales, room, numbers, k)
+    if hop >= 0 and request.quantities & FLIGHT_REQUESTED:
+        reduce_flight(motion, hop, scales, workspace, numbers, k)
 
 
-def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, script, numbers, words,
-                  keys):  # fmt: skip
-    """One cell; False where `events` is too short for its motion.
+def evaluate_cell(cells, k, request, events, workspace, script, results):
+    """Compute one cell; return False where `events` is too short for its motion.
 
-    `passing` takes two events more, and `segments` is of length 0. This makes no arrays, so that a GPU can run it.
+    `workspace.passing` takes 2 more events, and `workspace.segments` has length 0. This allocates no arrays, so that a GPU can
+    run it.
     """
     for i in range(len(NUMBERS)):
-        numbers[k, i] = math.nan
+        results.numbers[k, i] = math.nan
     for i in range(len(WORDS)):
-        words[k, i] = NOT_ALLOWED
-    for i in range(KEYS):
-        keys[k, i] = np.uint64(0)
+        results.words[k, i] = NOT_ALLOWED
+    for i in range(INTEGERS):
+        results.sequences[k, i] = np.uint64(0)
     if cells[ALLOWED, k] == 0.0:
         return True
     scales = scales_of(cells, k)
     body = body_of(cells, k)
     start = start_of(cells, k, scales.time)
-    t_end = cells[DURATION, k] / scales.time if timed else FOREVER
-    asked = Asked(angle_span, stop, t_end, wanted)
+    t_end = cells[DURATION, k] / scales.time if request.timed else FOREVER
+    angle_span, stop, scratch = request.angle_span, request.stop, workspace.scratch
     most = int(cells[MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
-    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
+    status, count, _ = run(body, start, t_end, angle_span, stop, events, workspace.segments, scratch, script)
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1
@@ -273,22 +257,17 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
     hop = first_hop(events, count)
     # the kernel looks for a take-off after the start only
     cut = hop >= 0 and stop & STOP_AT_TAKEOFF != 0 and events[hop]["t"] == 0.0
-    motion = Followed(body, status, events, hop + 1 if cut else count, cut)
-    room = Room(passing, segments, scratch)
-    reduce_motion(motion, asked, hop, scales, room, Rows(numbers, words, keys), k)
-    numbers[k, DOUBT_UNTIL] = scratch.doubt[1]
+    motion = ComputedMotion(body, status, events, hop + 1 if cut else count, cut, t_end)
+    reduce_motion(motion, request, hop, scales, workspace, results, k)
+    results.numbers[k, DOUBT_UNTIL] = scratch.doubt[1]
     return True
 
 
-def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, script, numbers, words, keys):
-    """Cells from `low` to `high`, one after the other; a `script` of first events is for a single one."""
-    scratch = new_scratch()
+def evaluate_block(cells, low, high, request, script, results):
+    """Compute the cells from `low` to `high`; a `script` of first events is for a single cell."""
     usual = np.empty(FIRST_EVENTS, EVENT)
-    passing = np.empty(2, EVENT)
-    segments = np.empty(0, SEGMENT)
+    workspace = Workspace(np.empty(2, EVENT), np.empty(0, SEGMENT), new_scratch())
     for k in range(low, high):
         events = usual
-        while not evaluate_cell(
-            cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, script, numbers, words, keys
-        ):
+        while not evaluate_cell(cells, k, request, events, workspace, script, results):
             events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)

@@ -1,4 +1,4 @@
-"""Whether a map fits into memory, asked before it is computed: a system that runs out of memory kills without a word."""
+"""Check that a map fits in memory before it is computed: a system without memory kills processes without a message."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
 
-# Beside the result: cells, numbers and events of a chunk on every core.
+# In addition to the result: cells, numbers and events of a chunk on every core [bytes].
 WORKING = 200e6
 
 
@@ -40,7 +40,7 @@ def check_memory(shape: Sequence[int], kinds: Iterable[str], advice: str) -> Non
     kinds : iterable of str
         Types of its arrays.
     advice : str
-        What to do instead.
+        Alternatives, for the message.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What a map can hold of each motion, over which span of it, and how sequences become small numbers."""
+"""Quantities of a map, spans of a motion, and codes of sequences."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.maps.grid import kernel
 from hophoop.scenario import InputError
+from hophoop.vocabulary.modes import MODE_LETTERS
 from hophoop.vocabulary.statuses import MOTION_STATUSES
 
 NOT_ALLOWED = "not_allowed"
@@ -30,9 +31,9 @@ class Quantity(NamedTuple):
     unit : str
         Of a number; "" for a code.
     words : tuple of str
-        What the codes 0, 1, … stand for; empty for a number, and for the sequence, whose table is the map's.
+        Meanings of the codes 0, 1, …; empty for a number, and for the sequence, whose table belongs to the map.
     column : int
-        Where the kernel puts it.
+        Column of the kernel's results.
     """
 
     name: str
@@ -55,7 +56,7 @@ class Quantity(NamedTuple):
 
     @property
     def fill(self) -> Any:
-        """Its value where there is none."""
+        """Its value in a cell without one."""
         return kernel.NOT_ALLOWED if self.is_code else math.nan
 
 
@@ -73,36 +74,36 @@ QUANTITIES: Mapping[str, Quantity] = {
         Quantity(_SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
         _code("status", "How the motion ended", tuple(map(str, MOTION_STATUSES))),
         _code("ending", "What ended the span", kernel.ENDINGS),
-        _code("first_event", "First event after the start but for the apex of a flight", EVENT_NAMES),
+        _code("first_event", "First event after the start except the apex of a flight", EVENT_NAMES),
         _code("hop", "Whether the rim leaves the plane", ("no", "yes")),
         _code("painleve", "Whether Painlevé's paradox or the jam is met", ("no", "yes")),
         _number("time", "Time to the end of the span, or to rest", "s"),
         _number("end_angle", "Angle at the end of the span", "rad"),
         _number("end_speed", "Speed of the centre along the plane at the end of the span", "m/s"),
-        _number("distance", "Way of the centre along the plane", "m"),
-        _number("distance_rolled", "Length of the way that was rolled", "m"),
+        _number("distance", "Displacement of the centre along the plane", "m"),
+        _number("distance_rolled", "Distance covered in rolling", "m"),
         _number("revolutions_to_rolling", "Revolutions to the span's last phase, where that is rolling", "1"),
         _number("energy_lost", "Energy lost in slip, in impacts and to rolling resistance", "J"),
         _number(
-            "greatest_utilization", "Greatest friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"
+            "greatest_utilization", "Maximum friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"
         ),
         _number("takeoff_time", "Time of the first take-off", "s"),
         _number("takeoff_angle", "Angle at the first take-off", "rad"),
-        _number("hop_height", "Greatest gap in the first hop", "m"),
+        _number("hop_height", "Maximum gap in the first hop", "m"),
         _number("flight_time", "Duration of the first hop", "s"),
-        _number("flight_distance", "Way of the centre in the first hop", "m"),
+        _number("flight_distance", "Displacement of the centre in the first hop", "m"),
         _number("landing_angle", "Angle at the landing of the first hop", "rad"),
         _number("landing_loss", "Energy lost in the landing of the first hop", "J"),
     )
 }
-# Former names of quantities, which scripts may still ask for; the map then has them.
+# Former names of quantities, which scripts may still use; the map then has these names.
 FORMER = {"greatest_utilisation": "greatest_utilization"}
 _OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss", "takeoff_time",
               "takeoff_angle"}  # fmt: skip
 
 
 def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
-    """Quantities by name.
+    """Return quantities by name.
 
     Parameters
     ----------
@@ -130,13 +131,13 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
     return tuple(QUANTITIES[known]._replace(name=name) for name, known in zip(names, present, strict=True))
 
 
-def wanted_of(quantities: Sequence[Quantity]) -> int:
-    """What the kernel has to compute beyond the motion itself, as a sum of its flags."""
+def flags_of(quantities: Sequence[Quantity]) -> int:
+    """Return the flags of quantities that the kernel computes on request only."""
     names = {FORMER.get(quantity.name, quantity.name) for quantity in quantities}
-    wanted = kernel.FLIGHT_WANTED if names & _OF_FLIGHT else 0
+    flags = kernel.FLIGHT_REQUESTED if names & _OF_FLIGHT else 0
     if "greatest_utilization" in names:
-        wanted |= kernel.UTILIZATION_WANTED
-    return wanted
+        flags |= kernel.UTILIZATION_REQUESTED
+    return flags
 
 
 class Span(NamedTuple):
@@ -146,7 +147,7 @@ class Span(NamedTuple):
     ----------
     name : str
     angle : float
-        It ends when θ has changed by so much [rad]; nan for no such end.
+        Rotation at which it ends [rad]; nan for no such end.
     stop : int
         The kernel's flags for turn and take-off.
     timed : bool
@@ -163,13 +164,13 @@ SPANS = ("first_revolution", "takeoff", "reversal", "duration", "revolutions:N")
 
 
 def make_span(name: str) -> Span:
-    """A span by name.
+    """Return a span by name.
 
     Parameters
     ----------
     name : str
-        ``first_revolution`` (to a full turn, a reversal or take-off, whichever comes first, however long that
-        takes); ``takeoff``, ``reversal`` or ``revolutions:N`` (to that, within the scenario's duration);
+        ``first_revolution`` (to a full turn, a reversal or take-off, whichever comes first, without a time
+        limit); ``takeoff``, ``reversal`` or ``revolutions:N`` (to that, within the scenario's duration);
         ``duration``.
 
     Returns
@@ -205,17 +206,17 @@ def make_span(name: str) -> Span:
 
 
 def unpack(key: NDArray[np.uint64] | Sequence[int]) -> str:
-    """The sequence that the kernel packed into whole numbers.
+    """Return the sequence that the kernel packed into integers.
 
     Parameters
     ----------
     key : sequence of int
-        The kernel's numbers of one cell.
+        The kernel's integers of one cell.
 
     Returns
     -------
     sequence : str
-        One letter a phase, with a plus sign behind it where it was too long; empty for a cell that is not
+        One letter per phase, with a plus sign at the end of one that was too long; empty for a cell that is not
         allowed.
     """
     letters = []
@@ -234,18 +235,18 @@ def sequence_order(sequence: str) -> tuple[int, str]:
 
 
 def encode(keys: NDArray[np.uint64], codes: Mapping[tuple[int, ...], int]) -> NDArray[np.int64]:
-    """Codes of packed sequences."""
+    """Return the codes of packed sequences."""
     rows, place = distinct_rows(keys)
     return np.array([codes[row] for row in rows])[place]
 
 
 def distinct(keys: NDArray[np.uint64]) -> set[tuple[int, ...]]:
-    """The different packed sequences among many."""
+    """Return the distinct packed sequences."""
     return set(distinct_rows(keys)[0])
 
 
 def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int64]]:
-    """The different rows, and for every row which of them it is; much faster than np.unique over an axis."""
+    """Return the distinct rows and the index of each row among them; much faster than np.unique over an axis."""
     place = np.zeros(len(keys), np.int64)
     for column in keys.T:
         if column.any():
@@ -256,7 +257,7 @@ def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDAr
 
 
 def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
-    """All sequences of a map, short ones first, and the code of each packed one; −1 for none."""
+    """Return all sequences of a map, short ones first, and the code of each packed one; −1 for none."""
     texts = {key: unpack(key) for key in keys}
     names = sorted({text for text in texts.values() if text}, key=sequence_order)
     place = {name: i for i, name in enumerate(names)}
@@ -264,7 +265,7 @@ def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int
 
 
 def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, Any]:
-    """Attributes of a quantity's array, after the CF conventions."""
+    """Return the attributes of a quantity's array, following the CF conventions."""
     result: dict[str, Any] = {"long_name": quantity.meaning}
     if not quantity.is_code:
         return result | {"units": quantity.unit}
@@ -277,7 +278,7 @@ def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, A
 
 
 def words_of(array: Any) -> list[str]:
-    """What the codes 0, 1, … of a coded array of a map stand for.
+    """Return the meanings of the codes 0, 1, … of a coded array of a map.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
-"""A map as a Zarr store: made chunk by chunk, taken up again after any stop, and the same bytes in the end.
+"""A map as a Zarr store, written chunk by chunk: a resumed map has the same bytes as one written without a stop.
 
-While it grows, the store has a folder `unfinished` beside the arrays: the plan, a lock, and for every finished chunk
-its sequences (codes of the chunk's own) and a mark that lists them. A chunk counts once its mark is there,
-which is written last. When all are there the sequences get the codes of the whole map, and the folder goes.
+An incomplete store has a folder `unfinished` next to the arrays: the plan, a lock, and for every finished chunk its
+sequences (codes of the chunk's own) and a mark that lists them. The mark is written last and completes the chunk. After the
+last chunk the sequences get the codes of the whole map, and the folder is removed.
 
-Each chunk has a checksum of its own (CRC-32C), which is compared when it is read; the attributes have one of all that is
-not in chunks. A netCDF file has one of all its bytes.
+Each chunk has its own checksum (CRC-32C), which is compared on reading; the attributes have one of everything outside
+the chunks. A netCDF file has one of all its bytes.
 """
 
 from __future__ import annotations
@@ -25,20 +25,21 @@ from hophoop._support.checksum import CHECKSUM, checksum, is_broken
 from hophoop._support.extras import need
 from hophoop._support.files import ignore_foreign_zarr_files, replacing
 from hophoop._support.stopping import temporary
+from hophoop.kernel.records.layout import MapResults
 from hophoop.maps.grid.axes import Axis
-from hophoop.maps.grid.evaluate import Plan, Results, run_chunk
+from hophoop.maps.grid.evaluate import Plan, run_chunk, values_of
 from hophoop.maps.grid.quantities import Quantity, attributes, distinct, encode, table_of
 from hophoop.scenario import InputError
 
 UNFINISHED, PLAN, GONE, LOCK = "unfinished", "plan.json", "unfinished.gone", "lock"
 SCHEMA = "hophoop-map/1"
-CHUNKS = "chunks"  # the attribute that says how many chunks each array has; those that hold nothing are not written
+CHUNKS = "chunks"  # attribute with the number of chunks of each array; empty chunks are not written
 MOST_SHORT_CODES = 2**15 - 1
 
 
 @contextmanager
 def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, set[int]]]:
-    """Make the store, or take it up again; for no other process at the same time.
+    """Create or resume the store, locked against other processes.
 
     Parameters
     ----------
@@ -49,20 +50,20 @@ def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, set[int]
     Yields
     ------
     plan : Plan
-        The same, with the chunks that the store has.
+        The same, with the chunk shape of the store.
     todo : set of int
-        Chunks that are not there yet; empty for a map that is complete.
+        Missing chunks; empty for a complete map.
 
     Raises
     ------
     ValueError
-        If the store is there already (without `resume`), holds another map, or is being made by another process.
+        If the store exists (without `resume`), holds another map, or is being written by another process.
     """
     shutil.rmtree(path / GONE, ignore_errors=True)
     if not path.exists():
         _create(path, plan)
     elif not resume:
-        raise InputError(f"{path} is there already: take another name, remove it, or take it up with resume.")
+        raise InputError(f"{path} exists already: choose another name, remove it, or resume it with resume.")
     known = _known_plan(path)
     if known is None:
         raise InputError(f"{path} is not a map of hophoop.")
@@ -74,23 +75,23 @@ def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, set[int]
             yield plan, set()
             return
         plan = read_plan(path)
-        # one with a dot in front is not whole yet
+        # a name with a leading dot is not complete
         done = {int(file.stem) for file in working.glob("*.done") if not file.name.startswith(".")}
         yield plan, set(range(plan.parts)) - done
 
 
 @contextmanager
 def _locked(path: Path, working: Path) -> Iterator[None]:
-    """Hold the lock of a store that is not complete; the system takes it from a process that dies."""
+    """Hold the lock of an incomplete store; the system releases it when a process dies."""
     filelock = need("filelock", "maps")
     lock = filelock.FileLock(working / LOCK)
     if (working / PLAN).exists():
         try:
             lock.acquire(blocking=False)
         except filelock.Timeout:
-            raise InputError(f"{path} is being made by another process: wait until it is there, or stop that one.") from None
+            raise InputError(f"{path} is being written by another process: wait for it or stop it.") from None
         except FileNotFoundError:
-            pass  # the folder has gone meanwhile: the map is complete
+            pass  # the folder was removed meanwhile: the map is complete
     try:
         yield
     finally:
@@ -98,7 +99,7 @@ def _locked(path: Path, working: Path) -> Iterator[None]:
 
 
 def read_plan(path: Path) -> Plan:
-    """The plan of a store."""
+    """Return the plan of a store."""
     text = _known_plan(path)
     if text is None:
         raise InputError(f"{path} is not a map of hophoop.")
@@ -122,15 +123,15 @@ def _compare(path: Path, known: str, wanted: str) -> None:
     except ValueError:
         old = None
     if not isinstance(old, dict):
-        raise InputError(f"{path} holds a plan that is damaged, so that it cannot be taken up.")
+        raise InputError(f"{path} holds a damaged plan and cannot be resumed.")
     if old.get("hophoop") != new["hophoop"]:
         raise InputError(
-            f"{path} holds a map of hophoop {old.get('hophoop')}, which this version {new['hophoop']} cannot take up."
+            f"{path} holds a map of hophoop {old.get('hophoop')}, which this version {new['hophoop']} cannot resume."
         )
     for key in sorted({*old, *new} - {"chunk"}):  # the store keeps its own
         # as text, where the order of the axes counts
         if json.dumps(old.get(key)) != json.dumps(new.get(key)):
-            raise InputError(f"{path} holds a map with another {key}, so that it cannot be taken up.")
+            raise InputError(f"{path} holds a map with another {key} and cannot be resumed.")
 
 
 def _create(path: Path, plan: Plan) -> None:
@@ -149,7 +150,7 @@ def _create(path: Path, plan: Plan) -> None:
         try:
             fresh.rename(path)
         except OSError:
-            # another process may have just made it: that one has it
+            # another process may have just created it
             if not (path / UNFINISHED).exists():
                 raise
 
@@ -170,7 +171,7 @@ def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwr
 
 
 def write_axis(group: Any, axis: Axis) -> None:
-    """Put a coordinate into the store; words as codes with their table."""
+    """Write a coordinate into the store; words as codes with their table."""
     extra: dict[str, Any] = {"long_name": axis.description}
     values: NDArray[Any] = axis.values
     if axis.unit == "":
@@ -195,9 +196,9 @@ def write_axis(group: Any, axis: Axis) -> None:
 
 
 def provenance(plan: Plan) -> dict[str, Any]:
-    """Attributes that say what made a map; no date, so that equal maps are equal files."""
+    """Return the attributes that describe how a map was made; no date, so that equal maps are equal files."""
     data = json.loads(plan.to_text())
-    del data["chunk"]  # says how it was written, not what it is
+    del data["chunk"]  # describes the writing, not the content
     return {
         "Conventions": "CF-1.11",
         "schema": SCHEMA,
@@ -211,12 +212,12 @@ def provenance(plan: Plan) -> dict[str, Any]:
 
 
 def compute_chunk(path: str, index: int, device: str = "serial") -> int:
-    """Compute one chunk and write it; what a worker does. Returns the number of cells.
+    """Compute one chunk and write it, and return the number of cells.
 
     Parameters
     ----------
     path : str
-        The store, on a file system that all workers see.
+        The store, on a file system shared by all workers.
     index : int
     device : {'serial', 'cpu', 'gpu'}
 
@@ -234,7 +235,7 @@ _plans: dict[str, tuple[int, Plan]] = {}
 
 
 def _plan_of(path: str) -> Plan:
-    # A worker takes many chunks of one map.
+    # a worker computes many chunks of one map
     stamp = (Path(path) / UNFINISHED / PLAN).stat().st_mtime_ns
     if path not in _plans or _plans[path][0] != stamp:
         _plans[path] = (stamp, read_plan(Path(path)))
@@ -242,7 +243,7 @@ def _plan_of(path: str) -> Plan:
 
 
 def write_chunk(
-    path: Path, plan: Plan, index: int, region: tuple[slice, ...], shape: tuple[int, ...], results: Results
+    path: Path, plan: Plan, index: int, region: tuple[slice, ...], shape: tuple[int, ...], results: MapResults
 ) -> None:
     """Write a chunk of every quantity, and then its mark."""
     zarr = need("zarr", "maps")
@@ -250,19 +251,19 @@ def write_chunk(
     mark: list[Any] = []
     for quantity in plan.quantities:
         if quantity.name == "sequence":
-            keys = sorted(distinct(results.keys))
-            codes = encode(results.keys, {key: i for i, key in enumerate(keys)})
+            keys = sorted(distinct(results.sequences))
+            codes = encode(results.sequences, {key: i for i, key in enumerate(keys)})
             with replacing(path / UNFINISHED / f"{index}.npy") as file:
                 np.save(file, codes.astype(np.int32).reshape(shape))
             mark = [[str(word) for word in key] for key in keys]
         else:
-            group[quantity.name][region] = results.of(quantity).reshape(shape)
+            group[quantity.name][region] = values_of(results, quantity).reshape(shape)
     with replacing(path / UNFINISHED / f"{index}.done") as file:
         file.write_text(json.dumps(mark), encoding="utf-8")
 
 
 def finish(path: Path, plan: Plan) -> None:
-    """Give the sequences the codes of the whole map, and take away what was needed on the way."""
+    """Give the sequences the codes of the whole map, and remove the working files."""
     working = path / UNFINISHED
     if not working.exists():
         return
@@ -297,7 +298,7 @@ def _finish_sequences(path: Path, plan: Plan) -> None:
 
 
 def remove(path: Path) -> None:
-    """Remove a folder that may be there."""
+    """Remove a folder if it exists."""
     if path.exists():
         shutil.rmtree(path)
 
@@ -313,12 +314,12 @@ def open_map(path: str | Path) -> Any:
     Returns
     -------
     dataset : xarray.Dataset
-        Its arrays are read when they are used.
+        Its arrays are read on access.
 
     Raises
     ------
     ValueError
-        If it is not there, not complete, damaged, or of another schema.
+        If it does not exist, is incomplete or damaged, or has another schema.
     ImportError
         If xarray is missing.
     """
@@ -327,13 +328,13 @@ def open_map(path: str | Path) -> Any:
     if not place.exists():
         raise InputError(f"{place} is not there.")
     if (place / UNFINISHED).exists():
-        raise InputError(f"{place} is not complete: take it up with resume.")
+        raise InputError(f"{place} is not complete: continue it with resume.")
     try:
         _check_whole(place)
         dataset = with_words(_opened(place))
     except InputError:
         raise
-    except Exception as error:  # whatever a library makes of bytes that are not its format
+    except Exception as error:  # libraries raise many kinds of errors on malformed files
         lines = str(error).strip().splitlines() or [type(error).__name__]
         raise InputError(f"{place} cannot be read as a map of hophoop: {lines[0].rstrip('.: ')}.") from None
     return dataset
@@ -348,7 +349,7 @@ def _opened(place: Path, **options: Any) -> Any:
 
 
 def _checksum_of(place: Path) -> str:
-    """The checksum of all of a map but the numbers of its quantities, which their chunks have checksums for."""
+    """Return the checksum of a map except for the values of its quantities, whose chunks have their own."""
     with _opened(place, decode_cf=False) as dataset:
         return checksum({"/": dataset}, without=[name for name in dataset.variables if name not in dataset.dims])
 
@@ -359,7 +360,7 @@ def _chunks_of(place: Path, names: Sequence[str]) -> str:
 
 
 def _check_whole(place: Path) -> None:
-    """Refuse a map of another schema, and one that is not as it was written."""
+    """Refuse a map of another schema, and one that has changed since it was written."""
     damaged = f"{place} is damaged: its checksum is not that of its content."
     if place.suffix == ".nc" and is_broken(place):
         raise InputError(damaged)
@@ -371,7 +372,7 @@ def _check_whole(place: Path) -> None:
         if said.get("schema", SCHEMA) != SCHEMA:
             raise InputError(f"{place} has the schema {said['schema']!r}, but this version of hophoop reads {SCHEMA!r} only.")
         if CHECKSUM not in said:
-            return  # made before there were checksums
+            return  # from before checksums existed
     if said[CHECKSUM] != _checksum_of(place):
         raise InputError(damaged)
     if place.suffix != ".nc" and said[CHUNKS] != _chunks_of(place, names):
@@ -379,7 +380,7 @@ def _check_whole(place: Path) -> None:
 
 
 def with_words(dataset: Any) -> Any:
-    """The dataset with words, not codes, along axes of words."""
+    """Return the dataset with words instead of codes along axes of words."""
     dataset = dataset[json.loads(dataset.attrs["plan"])["quantities"]]
     for name in (CHECKSUM, CHUNKS):  # of the file
         dataset.attrs.pop(name, None)

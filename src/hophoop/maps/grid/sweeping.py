@@ -1,4 +1,4 @@
-"""The sweep: a map over a grid, in memory, in a file, over the cores or over a cluster."""
+"""Sweep a grid of scenarios: in memory or into a file, on all cores, a GPU or a cluster."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from hophoop._support.checksum import seal
 from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop.maps.grid import store
-from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit
+from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit, values_of
 from hophoop.maps.grid.memory import check_memory
 from hophoop.maps.grid.quantities import attributes, distinct, encode, table_of
 from hophoop.scenario import InputError, Scenario
@@ -46,7 +46,7 @@ def sweep(
     Parameters
     ----------
     base : Scenario, optional
-        What is varied; by default the article's hoop.
+        The scenario to vary; by default the reference hoop.
     axes : mapping of str to array_like
         At least two parameters by their path, such as ``{"plane.mu": …, "start.speed": …}``, each with its
         values [SI]. Cells whose values do not go together (such as μk above μs) are marked, not errors.
@@ -54,39 +54,39 @@ def sweep(
         Names of `QUANTITIES`.
     span : str, default 'first_revolution'
         How much of each motion counts. ``first_revolution`` ends at a full turn, at θ̇ = 0 or at take-off,
-        whichever comes first, however long it takes; ``takeoff``, ``reversal`` and ``revolutions:N`` end
-        there, at the latest after the scenario's duration; ``duration`` only then. The first hop is followed
-        to its landing in any case.
+        whichever comes first, without a time limit; ``takeoff``, ``reversal`` and ``revolutions:N`` end
+        there, at the latest after the scenario's duration; ``duration`` ends after it. The first hop is always
+        computed up to its landing.
     out : str or Path, optional
         Write to this file, ending in .zarr or .nc, chunk by chunk; else the map stays in memory.
     resume : bool, default False
-        Take up the map in `out` where it was stopped.
+        Resume the map in `out` where it was stopped.
     threads : int, optional
         How many cores; all by default [1].
     device : {'cpu', 'gpu'}
         Where to compute. A GPU rounds differently in the last digits; it needs the extra ``gpu``.
     workers : int, optional
-        Start a Dask cluster of so many processes on this machine [1].
+        Number of processes of a Dask cluster to start on this machine [1].
     scheduler : str, optional
         Address of a running Dask scheduler, such as ``"tcp://10.0.0.1:8786"``. Its workers must see `out`.
     progress : bool or callable, default False
-        Show progress on standard error; or be called with the cells done and the cells there are.
+        Show progress on standard error; a callable gets the number of cells done and of all cells.
     chunk_cells : int, default 65536
-        About how many cells are computed and written at a time [1].
+        Approximate number of cells computed and written at a time [1].
 
     Returns
     -------
     dataset : xarray.Dataset
-        One array a quantity over the axes' paths, with units and long_name; sequences and other codes as
-        small whole numbers with their table in ``flag_values`` and ``flag_meanings`` (see `words_of`). A
-        dataset that was written is read when it is used.
+        One array per quantity over the axes' paths, with units and long_name; sequences and other codes are
+        small integers with their table in ``flag_values`` and ``flag_meanings`` (see `words_of`). The arrays
+        of a file are read on access.
 
     Raises
     ------
     ValueError
-        If an axis, a quantity, the span or an option is not allowed, or memory is short for the map, or for its netCDF file.
+        If an axis, a quantity, the span or an option is not allowed, or the map or its netCDF file does not fit in memory.
     KeyboardInterrupt
-        Where it is stopped; what was written is kept, and `resume` goes on.
+        If it is stopped; finished chunks are kept, and `resume` continues.
     ImportError
         If xarray or Zarr, or for a cluster Dask, is missing.
 
@@ -119,13 +119,13 @@ def sweep(
     if clustered and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
     if resume and out is None:
-        raise InputError("out must name the file to take up again with resume.")
+        raise InputError("out must name the file to resume.")
     plan = make_plan(base, axes, quantities, span, chunk_cells, device)
     dataset: xarray.Dataset
     kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
     if out is None:
         check_memory(plan.shape, kinds, "name a file that ends in .zarr with out, or take fewer values")
-        with thread_limit(threads), _reporter(progress, plan) as report:
+        with thread_limit(threads), _Reporter(progress, plan) as report:
             dataset = _in_memory(plan, device, report)
             return dataset
     file = Path(out)
@@ -133,14 +133,14 @@ def sweep(
         raise InputError.of_field("out", str(file), ".zarr or .nc", rule="must end in")
     if file.suffix == ".nc" and file.exists():
         if not resume:
-            raise InputError(f"{file} is there already: take another name or remove it.")
+            raise InputError(f"{file} exists already: choose another name or remove it.")
         dataset = store.open_map(file)
         return dataset
     place = place_of(file)
     if place != file:  # netCDF is written at the end, all at once
         check_memory(plan.shape, 2 * kinds, "name a file that ends in .zarr")
     with thread_limit(threads), store.begun(place, plan, resume) as (plan, todo):
-        with _reporter(progress, plan) as report:
+        with _Reporter(progress, plan) as report:
             report(_cells_of(plan, set(range(plan.parts)) - todo))
             if clustered:
                 from hophoop.maps.grid.distributed import compute_on_cluster
@@ -157,17 +157,17 @@ def sweep(
 
 
 def place_of(file: Path) -> Path:
-    """Where the chunks of a map go while it is computed.
+    """Return where the chunks of a map are written while it is computed.
 
     Parameters
     ----------
     file : Path
-        Where the map goes, ending in .zarr or .nc.
+        The map's file, ending in .zarr or .nc.
 
     Returns
     -------
     place : Path
-        The Zarr store itself, or one beside the netCDF file.
+        The Zarr store itself, or one next to the netCDF file.
     """
     return file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
 
@@ -186,11 +186,11 @@ def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
         chunk, results = run_chunk(plan, index, device)
         for quantity in plan.quantities:
             if quantity.name == "sequence":
-                for key in distinct(results.keys):
+                for key in distinct(results.sequences):
                     seen.setdefault(key, len(seen))
-                values = encode(results.keys, seen)
+                values = encode(results.sequences, seen)
             else:
-                values = results.of(quantity)
+                values = values_of(results, quantity)
             arrays[quantity.name][chunk.region] = values.reshape(chunk.shape)
         report(int(np.prod(chunk.shape)))
     names, codes = table_of(seen)
@@ -222,17 +222,17 @@ def _to_netcdf(place: Path, file: Path) -> None:
     store.remove(place)
 
 
-class _reporter:
-    """Turns what is wanted as progress into one function, which is called with the cells just done."""
+class _Reporter:
+    """Context that gives one function to call with the number of cells just done, for a bar, a callable or neither."""
 
     def __init__(self, progress: bool | Progress, plan: Plan) -> None:
         self.total = int(np.prod(plan.shape))
         self.done = 0
-        self.wanted = progress
+        self.progress = progress
         self.bar: Any = None
 
     def __enter__(self) -> Callable[[int], None]:
-        if self.wanted is True:
+        if self.progress is True:
             self.bar = _bar()
             self.bar.start()
             self.task = self.bar.add_task("cells", total=self.total)
@@ -242,8 +242,8 @@ class _reporter:
         self.done += cells
         if self.bar is not None:
             self.bar.update(self.task, completed=self.done)
-        elif callable(self.wanted):
-            self.wanted(self.done, self.total)
+        elif callable(self.progress):
+            self.progress(self.done, self.total)
 
     def __exit__(self, *error: Any) -> None:
         if self.bar is not None:

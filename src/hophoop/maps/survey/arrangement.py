@@ -1,9 +1,9 @@
-"""A plane of two parameters cut into the regions of its classes, by following all borders from slice to slice.
+"""Subdivision of a plane of two parameters into the regions of its classes, following all borders from slice to slice.
 
-Along each line x = const the classes follow one another, with borders to rounding between them (`hophoop.maps.survey.slices`).
-From one line to the next the borders move and the list stays the same, until two borders meet, one turns back or one
-leaves the window: then the list differs. The line halfway differs from one of the two, and so the place where classes
-meet is followed to rounding, looking only between two classes that go on undisturbed below and above.
+Along each line x = const the classes form a list, with borders located to rounding (`hophoop.maps.survey.slices`).
+From one line to the next the borders move and the list stays the same, until two borders meet, a border turns back or one
+leaves the window: then the list differs. The line halfway differs from one of the two, so that bisection locates the meeting
+of classes to rounding. It searches only between two classes that continue below and above.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from hophoop.maps.survey.slices import Codes, Floats, Ints, Slice, middle, resolve
 
-BESIDE = tuple(float(f"1e-{k}") for k in range(2, 11))  # parts of y beside each border at which the lines are looked at again
-CLOSE = 1e-6  # parts of x
+NEAR_BORDERS = tuple(float(f"1e-{k}") for k in range(2, 11))  # relative distances from each border sampled again
+CLOSE = 1e-6  # relative to x
 WITHIN = np.linspace(0.0, 1.0, 27)[1:-1]
-CANDIDATES = 4  # classes below and above a difference at which it is tried to be enclosed
-PASSES = 12  # in which the first lines learn from one another
-BETWEEN = np.linspace(0.0, 1.0, 9)[1:-1]  # where classes are looked at first on a line halfway
+CANDIDATES = 4  # classes below and above a difference tried as its enclosure
+PASSES = 12  # over the first lines, each resampled where its neighbours differ
+BETWEEN = np.linspace(0.0, 1.0, 9)[1:-1]  # first samples on a line halfway
 FEW_ULPS = 64.0 * np.finfo(float).eps
 
 Pairs = list[tuple[int, int]]
@@ -37,7 +37,7 @@ class Meeting(NamedTuple):
     x, y : float
         [SI].
     codes : tuple of int
-        The classes about it [1].
+        The classes around it [1].
     """
 
     x: float
@@ -46,14 +46,14 @@ class Meeting(NamedTuple):
 
 
 class Seen(NamedTuple):
-    """Every stretch of one class between two borders on a line.
+    """Intervals of one class between two borders on a line.
 
     Attributes
     ----------
     code : ndarray, shape (n,)
         Its class [1].
     x, y, length : ndarray, shape (n,)
-        Its line, its middle and how long it is [SI].
+        Its line, its midpoint and its length [SI].
     """
 
     code: Ints
@@ -63,14 +63,14 @@ class Seen(NamedTuple):
 
 
 class Borders(NamedTuple):
-    """Places at which one class follows another on a line.
+    """Positions at which one class follows another on a line.
 
     Attributes
     ----------
     below, above : ndarray, shape (n,)
         The classes [1].
     x, y : ndarray, shape (n,)
-        The line, and the first place of the class above [SI].
+        The line, and the first position of the class above [SI].
     """
 
     below: Ints
@@ -80,21 +80,21 @@ class Borders(NamedTuple):
 
 
 class Arrangement(NamedTuple):
-    """What `arrange` finds.
+    """Result of `arrange`.
 
     Attributes
     ----------
     slices : list of Slice
         Along the first lines.
     seen : Seen
-        The stretches on all lines.
+        The intervals on all lines.
     areas : ndarray, shape (classes,)
         Area of each class [SI].
     meetings : list of Meeting
     borders : Borders
         Every border on every line.
     complete : bool
-        Whether every difference has been followed as far as was asked for.
+        Whether every difference was followed to the requested precision.
     """
 
     slices: list[Slice]
@@ -105,49 +105,55 @@ class Arrangement(NamedTuple):
     complete: bool
 
 
-def arrange(
-    codes_at: Codes,
-    lines: Floats,
-    seeds: Floats,
-    part: float,
-    thin: float = 0.0,
-    settled: Callable[[Ints, Ints], NDArray[np.bool_]] | None = None,
-    border_part: float = 0.0,
-    tidy: Callable[[Slice], Slice] | None = None,
-    most: int = 4000,
-) -> Arrangement:
-    """Cut the rectangle over `lines` and `seeds` into classes.
+class Options(NamedTuple):
+    """How a plane is subdivided.
+
+    Attributes
+    ----------
+    part : float
+        Meetings of classes are located to this part of x [1].
+    thin : float
+        Shorter intervals may exist on one line and not on the next: that alone is not followed [SI].
+    settled, border_part
+        As in `resolve`.
+    remove_spurious : callable, optional
+        Removes from a slice what is known to be rounding.
+    most : int
+        Maximum number of differences followed at once; with more, the result is not `complete`.
+    """
+
+    part: float
+    thin: float = 0.0
+    settled: Callable[[Ints, Ints], NDArray[np.bool_]] | None = None
+    border_part: float = 0.0
+    remove_spurious: Callable[[Slice], Slice] | None = None
+    most: int = 4000
+
+
+def arrange(codes_at: Codes, lines: Floats, seeds: Floats, options: Options) -> Arrangement:
+    """Subdivide the rectangle over `lines` and `seeds` into classes.
 
     Parameters
     ----------
     codes_at : callable
         Codes at pairs (x, y).
     lines : ndarray, shape (m,)
-        Growing x of the first lines, the ends of the rectangle among them [SI].
+        Increasing x of the first lines, both ends of the rectangle included [SI].
     seeds : ndarray, shape (n,)
-        Growing y at which each of them is looked at, the ends of the rectangle among them [SI].
-    part : float
-        Places where classes meet are followed to this part of x [1].
-    thin : float
-        Shorter stretches may be there on one line and not on the next: that alone is not followed [SI].
-    settled, border_part
-        As in `resolve`.
-    tidy : callable, optional
-        Takes out of a slice what is known to be rounding.
-    most : int
-        Most differences followed at once; where there are more, `complete` says so.
+        Increasing y of the first samples on each line, both ends of the rectangle included [SI].
+    options : Options
 
     Returns
     -------
     arrangement : Arrangement
     """
-    work = _Work(codes_at, part, thin, settled, border_part, tidy)
+    work = _Work(codes_at, options)
     slices = work.resolved(lines, [seeds] * len(lines), None)
-    slices = work.resolved(lines, [_beside(one) for one in slices], None)
-    # what one line shows, the next may have missed
+    slices = work.resolved(lines, [_samples_near_borders(one) for one in slices], None)
+    # a line may have missed classes that its neighbours show
     for _ in range(PASSES):
         shown = [one.codes.size for one in slices]
-        again = [_beside_others(slices, k) for k in range(len(slices))]
+        again = [_samples_from_neighbours(slices, k) for k in range(len(slices))]
         changed = [k for k, row in enumerate(again) if row is not None]
         if not changed:
             break
@@ -160,7 +166,7 @@ def arrange(
     gaps = list(itertools.pairwise(slices))
     complete = True
     while gaps:
-        if len(gaps) > most:
+        if len(gaps) > options.most:
             complete = False
             for left, right in gaps:
                 work.fill(left, right)
@@ -171,21 +177,21 @@ def arrange(
     code, area = (np.concatenate(column) for column in zip(*work.areas, strict=True))
     areas = np.zeros(int(seen.code.max()) + 1)
     np.add.at(areas, code, area)
-    return Arrangement(slices, seen, areas, _merged(work.meetings, part), borders, complete)
+    return Arrangement(slices, seen, areas, _merged(work.meetings, options.part), borders, complete)
 
 
-def _beside(one: Slice) -> Floats:
-    """Places between and closely beside the borders of a slice."""
+def _samples_near_borders(one: Slice) -> Floats:
+    """Return positions between and close to the borders of a slice."""
     inner = one.y[1:-1]
-    offsets = np.array([sign * size for size in BESIDE for sign in (-1.0, 1.0)])
+    offsets = np.array([sign * size for size in NEAR_BORDERS for sign in (-1.0, 1.0)])
     near = (inner[:, None] * (1.0 + offsets)).reshape(-1)
     near = near[(near > one.y[0]) & (near < one.y[-1])]
     just_below = np.nextafter(inner, 0.0)
     return np.unique(np.concatenate([one.y, just_below, middle(one.y[:-1], one.y[1:]), near]))
 
 
-def _beside_others(slices: list[Slice], k: int) -> Floats | None:
-    """Where to look again on a line, from what its neighbours show; None where they show the same."""
+def _samples_from_neighbours(slices: list[Slice], k: int) -> Floats | None:
+    """Return positions to sample again on a line, from its neighbours; None if they have the same classes."""
     own = slices[k]
     rows = [own.y, np.nextafter(own.y[1:-1], 0.0), middle(own.y[:-1], own.y[1:])]
     for way in (-1, 1):
@@ -208,36 +214,25 @@ def _beside_others(slices: list[Slice], k: int) -> Floats | None:
 
 
 class _Work:
-    """What grows while the plane is cut."""
+    """State of a subdivision in progress."""
 
-    def __init__(
-        self,
-        codes_at: Codes,
-        part: float,
-        thin: float,
-        settled: Callable[[Ints, Ints], NDArray[np.bool_]] | None,
-        border_part: float,
-        tidy: Callable[[Slice], Slice] | None,
-    ) -> None:
+    def __init__(self, codes_at: Codes, options: Options) -> None:
         self.codes_at = codes_at
-        self.part = part
-        self.thin = thin
-        self.settled = settled
-        self.border_part = border_part
-        self.tidy = tidy
-        self.stretches: list[tuple[Any, ...]] = []
+        self.options = options
+        self.intervals: list[tuple[Any, ...]] = []
         self.cut: list[tuple[Any, ...]] = []
         self.areas: list[tuple[Ints, Floats]] = []
         self.meetings: list[Meeting] = []
         self.borders: list[tuple[Ints, Ints, Floats, Floats]] = []
 
     def resolved(self, x: Sequence[float] | Floats, seeds: list[Floats], seen: list[Ints] | None) -> list[Slice]:
-        """`resolve` with the options of this work."""
-        slices = resolve(self.codes_at, x, seeds, seen, self.settled, self.border_part)
-        return slices if self.tidy is None else [self.tidy(one) for one in slices]
+        """Resolve slices with the options of this subdivision."""
+        options = self.options
+        slices = resolve(self.codes_at, x, seeds, seen, options.settled, options.border_part)
+        return slices if options.remove_spurious is None else [options.remove_spurious(one) for one in slices]
 
     def note(self, slices: list[Slice], whole: bool) -> None:
-        """Keep the stretches of slices; the first and the last one of those that are not whole go on outside."""
+        """Record the intervals of slices; the outer two of a partial slice continue beyond it."""
         for one in slices:
             low, high = one.y[:-1], one.y[1:]
             columns = one.codes, np.full(one.codes.size, one.x), middle(low, high), high - low
@@ -245,13 +240,13 @@ class _Work:
             if not whole:
                 ends[[0, -1]] = True
                 self.cut.append(tuple(column[ends] for column in columns))
-            self.stretches.append(tuple(column[~ends] for column in columns))
+            self.intervals.append(tuple(column[~ends] for column in columns))
             inner = one.y[1:-1]
             self.borders.append((one.codes[:-1], one.codes[1:], np.full(inner.size, one.x), inner))
 
     def seen(self) -> Seen:
-        """All whole stretches, and of classes that have none the others."""
-        whole = Seen(*(np.concatenate(column) for column in zip(*self.stretches, strict=True)))
+        """Return all complete intervals, and the cut ones of classes without complete intervals."""
+        whole = Seen(*(np.concatenate(column) for column in zip(*self.intervals, strict=True)))
         if not self.cut:
             return whole
         cut = Seen(*(np.concatenate(column) for column in zip(*self.cut, strict=True)))
@@ -259,22 +254,22 @@ class _Work:
         return Seen(*(np.concatenate([column, more[alone]]) for column, more in zip(whole, cut, strict=True)))
 
     def fill(self, left: Slice, right: Slice) -> None:
-        """Area between two slices, by trapezoids."""
+        """Add the area between two slices, by trapezoids."""
         half = 0.5 * (right.x - left.x)
         for one in (left, right):
             self.areas.append((one.codes, half * np.diff(one.y)))
 
     def halve(self, gaps: list[tuple[Slice, Slice]]) -> list[tuple[Slice, Slice]]:
-        """Fill the gaps between slices of one list; cut the others in two beside the differences."""
+        """Fill the gaps between slices with equal lists; bisect the others around their differences."""
         open_gaps = []
         for left, right in gaps:
             matched = self.match(left, right)
             if matched is None:
                 self.fill(left, right)
                 if right.x - left.x <= CLOSE * right.x and left.codes.tolist() != right.codes.tolist():
-                    # followed to where what ends there is too short to go on
+                    # the class that ends here has become too short to follow
                     self.meet(left, right, ([], []))
-            elif right.x - left.x <= self.part * right.x:
+            elif right.x - left.x <= self.options.part * right.x:
                 self.fill(left, right)
                 self.meet(left, right, matched)
             else:
@@ -283,7 +278,8 @@ class _Work:
             return []
         x = middle(np.array([left.x for left, _, _ in open_gaps]), np.array([right.x for _, right, _ in open_gaps]))
         looked = [
-            _places(left, right, matched, self.thin, float(at)) for (left, right, matched), at in zip(open_gaps, x, strict=True)
+            _places(left, right, matched, self.options.thin, float(at))
+            for (left, right, matched), at in zip(open_gaps, x, strict=True)
         ]
         sizes = [row.size for row, _, _ in looked]
         flat = self.codes_at(np.repeat(x, sizes), np.concatenate([row for row, _, _ in looked]))
@@ -301,7 +297,7 @@ class _Work:
         return [pair for (left, right), mid in zip(parts, slices, strict=True) for pair in ((left, mid), (mid, right))]
 
     def trim(self, one: Slice, low: float, high: float, other: Slice) -> Slice:
-        """A slice between two places; what is cut off goes into the areas."""
+        """Trim a slice to an interval, and add the rest to the areas."""
         half = 0.5 * abs(other.x - one.x)
         first = int(np.searchsorted(one.y, low, "right")) - 1
         last = int(np.searchsorted(one.y, high, "left"))
@@ -315,15 +311,15 @@ class _Work:
         return kept
 
     def match(self, left: Slice, right: Slice) -> Matched | None:
-        """Stretches of both slices that are the same from below and from above; None where all are."""
+        """Return the intervals of both slices that agree from below and from above; None if all agree."""
         if left.codes.size == right.codes.size and (left.codes == right.codes).all():
             return None
-        light = [_is_light(one, self.thin) for one in (left, right)]
+        negligible = [_is_negligible(one, self.options.thin) for one in (left, right)]
         codes = [one.codes for one in (left, right)]
-        below = _pairs(codes[0], codes[1], light[0], light[1])
+        below = _pairs(codes[0], codes[1], *negligible)
         if below[1]:
             return None
-        above = _pairs(codes[0][::-1], codes[1][::-1], light[0][::-1], light[1][::-1])
+        above = _pairs(codes[0][::-1], codes[1][::-1], negligible[0][::-1], negligible[1][::-1])
         sizes = codes[0].size - 1, codes[1].size - 1
         upper = [(sizes[0] - i, sizes[1] - j) for i, j in above[0]]
         if below[0]:
@@ -332,7 +328,7 @@ class _Work:
         return below[0], upper
 
     def meet(self, left: Slice, right: Slice, matched: Matched) -> None:
-        """Keep the place of a difference that has been followed to its end."""
+        """Record the position of a difference that has been located."""
         below, above = matched
         places, codes = [], set()
         for k, one in enumerate((left, right)):
@@ -344,70 +340,79 @@ class _Work:
         self.meetings.append(Meeting(0.5 * (left.x + right.x), place, tuple(sorted(codes))))
 
 
-def _is_light(one: Slice, thin: float) -> NDArray[np.bool_]:
-    """Stretches that may be there on one line and not on the next."""
+def _is_negligible(one: Slice, thin: float) -> NDArray[np.bool_]:
+    """Return which intervals are so short that the next line may lack them."""
     return np.asarray(np.diff(one.y) < thin + FEW_ULPS * one.y[1:])
 
 
-def _pairs(one: Ints, other: Ints, light: NDArray[np.bool_], lighter: NDArray[np.bool_]) -> tuple[Pairs, bool]:
-    """Equal stretches from the first on, light ones left out where they stand alone; and whether that is all."""
+def _pairs(one: Ints, other: Ints, negligible: NDArray[np.bool_], other_negligible: NDArray[np.bool_]) -> tuple[Pairs, bool]:
+    """Pair equal intervals from the first on, skipping negligible ones without a partner; and return True if none is left."""
     found: Pairs = []
     i = j = 0
     while i < one.size and j < other.size:
         if one[i] == other[j]:
             found.append((i, j))
             i, j = i + 1, j + 1
-        elif light[i]:
+        elif negligible[i]:
             i += 1
-        elif lighter[j]:
+        elif other_negligible[j]:
             j += 1
         else:
             return found, False
-    return found, bool(light[i:].all() and lighter[j:].all())
+    return found, bool(negligible[i:].all() and other_negligible[j:].all())
 
 
-Chosen = list[tuple[float, float, float, int]]
+class Enclosure(NamedTuple):
+    """A position in a class that may bound a difference from below or above."""
+
+    left: float  # y on the left slice
+    right: float  # y on the right slice
+    between: float  # y on the line between them
+    code: int
 
 
-def _places(left: Slice, right: Slice, matched: Matched, thin: float, x: float) -> tuple[Floats, Chosen, Chosen]:
-    """Where to look on the line between two slices, and the places among them that may enclose the difference."""
+Enclosures = list[Enclosure]
+
+
+def _places(left: Slice, right: Slice, matched: Matched, thin: float, x: float) -> tuple[Floats, Enclosures, Enclosures]:
+    """Return the positions to sample on the line between two slices, and those that may enclose the difference."""
     share = (x - left.x) / (right.x - left.x)
-    light = [_is_light(one, thin) for one in (left, right)]
+    negligible = [_is_negligible(one, thin) for one in (left, right)]
     below, above = matched
 
     def between(a: float, b: float) -> float:
         return a + share * (b - a)
 
-    def candidates(pairs: Pairs, others: Pairs) -> Chosen:
-        # a stretch that goes on both below and above the difference must not be left through its middle
+    def candidates(pairs: Pairs, others: Pairs) -> Enclosures:
+        # an interval that continues below and above the difference must not be cut in its middle
         shared = [{pair[k] for pair in others} for k in (0, 1)]
         result = []
-        firm = [(i, j) for i, j in pairs if not (light[0][i] or light[1][j])]
-        for i, j in firm[-CANDIDATES:]:
-            floor, roof = max(left.y[i], right.y[j]), min(left.y[i + 1], right.y[j + 1])
-            if floor < roof:
-                a = b = float(middle(floor, roof))
+        reliable = [(i, j) for i, j in pairs if not (negligible[0][i] or negligible[1][j])]
+        for i, j in reliable[-CANDIDATES:]:
+            lower, upper = max(left.y[i], right.y[j]), min(left.y[i + 1], right.y[j + 1])
+            if lower < upper:
+                a = b = float(middle(lower, upper))
             elif i in shared[0] or j in shared[1]:
                 continue
             else:
                 a = float(middle(left.y[i], left.y[i + 1]))
                 b = float(middle(right.y[j], right.y[j + 1]))
-            result.append((a, b, between(a, b), int(left.codes[i])))
+            result.append(Enclosure(a, b, between(a, b), int(left.codes[i])))
         return result
 
-    # from the farthest to the nearest
+    # farthest first
     low, high = candidates(below, above), candidates(above, below)
     ends = between(left.y[0], right.y[0]), between(left.y[-1], right.y[-1])
-    near = low[-1][2] if low else ends[0]
-    far = high[-1][2] if high else ends[1]
-    rows = [np.array(ends), np.array([row[2] for row in low + high]), near + (far - near) * BETWEEN]
+    bottom = low[-1].between if low else ends[0]
+    top = high[-1].between if high else ends[1]
+    rows = [np.array(ends), np.array([row.between for row in low + high]), bottom + (top - bottom) * BETWEEN]
     for k, one in enumerate((left, right)):
         first = below[-1][k] if below else 0
         last = above[-1][k] if above else one.codes.size - 1
         if first <= last:
             inner = one.y[first + 1 : last + 1]
             rows += [inner, middle(one.y[first : last + 1], one.y[first + 1 : last + 2])]
-            # between two stretches of one class nothing leads to the one that ends between the lines
+            # an interval amid one class may end between the lines, where bisection has no second class to find it by
             for m in range(max(first, 1), min(last, one.codes.size - 2) + 1):
                 if one.codes[m - 1] == one.codes[m + 1]:
                     rows.append(one.y[m] + (one.y[m + 1] - one.y[m]) * WITHIN)
@@ -415,17 +420,17 @@ def _places(left: Slice, right: Slice, matched: Matched, thin: float, x: float) 
     return places[(places >= ends[0]) & (places <= ends[1])], low, high
 
 
-def _enclosing(left: Slice, right: Slice, chosen: Chosen, row: Floats, codes: Ints, end: int) -> tuple[float, float, float]:
-    """Places on both slices and between them below (or above) which nothing differs: the nearest seen to hold."""
-    for a, b, place, code in reversed(chosen):
-        k = int(np.searchsorted(row, place))
-        if k < row.size and row[k] == place and codes[k] == code:
-            return a, b, place
+def _enclosing(left: Slice, right: Slice, chosen: Enclosures, row: Floats, codes: Ints, end: int) -> tuple[float, float, float]:
+    """Return the nearest confirmed positions, on both slices and between, below (or above) which nothing differs."""
+    for enclosure in reversed(chosen):
+        k = int(np.searchsorted(row, enclosure.between))
+        if k < row.size and row[k] == enclosure.between and codes[k] == enclosure.code:
+            return enclosure[:3]
     return float(left.y[end]), float(right.y[end]), float(row[end])
 
 
 def _merged(meetings: list[Meeting], part: float) -> list[Meeting]:
-    """Meetings at one place as one."""
+    """Merge meetings at one position."""
     result: list[Meeting] = []
     for one in sorted(meetings):
         for k in range(len(result) - 1, -1, -1):

@@ -1,10 +1,10 @@
-"""What can happen between two classes of the first revolution: on a border, one coincidence of events.
+"""Coincidences of events on borders between classes of the first revolution.
 
-On one side of a border an event comes just before another or is just there, on the other side just after it or just
-not. From what can coincide follows which classes can be neighbours. Neighbours that differ by more have something
+On one side of a border an event happens just before another, or just happens; on the other side just after it, or just
+not. The possible coincidences determine which classes can be neighbours. Neighbours that differ by more have another class
 between them, however narrow.
 
-One pair differs by more wherever it occurs, and `hophoop.maps.survey.strips` says what lies between.
+One pair always differs by more; `hophoop.maps.survey.strips` describes the classes between.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Class = tuple[str, str]
 
 @cache
 def coincidence(one: Class, other: Class) -> str:
-    """Which events coincide on a border between two classes.
+    """Return the name of the coincidence on a border between two classes.
 
     Parameters
     ----------
@@ -29,15 +29,15 @@ def coincidence(one: Class, other: Class) -> str:
     Returns
     -------
     name : str
-        '' where more than one coincidence would be needed, otherwise one of
+        '' if they differ by more than one coincidence, otherwise one of
 
         * ``start``: gravity just holds the rim down at the start;
         * ``cone``: rolling just touches the edge of the friction cone, within the phase or as slip ends;
-        * ``mirror``: rolling just touches the cone as far before the bottom as after it, where it needs as much friction
-          the other way round: what is lost at the first touch does not undo the second;
+        * ``mirror``: rolling just touches the cone at mirror angles before and after the bottom, with opposite friction:
+          the loss at the first contact does not prevent the second;
         * ``graze``: slip comes to zero as its rate does;
         * ``lift``: the normal force of slip just comes to zero;
-        * ``end``: the last event is at the end;
+        * ``end``: the last event coincides with the end;
         * ``top``: the hoop comes to rest just at the top, rolling or spinning.
     """
     (short, end), (long, other_end) = sorted((one, other), key=lambda item: len(item[0]))
@@ -47,8 +47,8 @@ def coincidence(one: Class, other: Class) -> str:
         return _grown(short)[long]
     if end == other_end != TAKEOFF and len(long) == len(short) + 1 and long.startswith(short):
         return "end"
-    for (sequence, ends), (beside, _) in (((short, end), (long, other_end)), ((long, other_end), (short, end))):
-        if ends == TAKEOFF and beside.startswith(sequence[:-1]):
+    for (sequence, ends), (neighbour, _) in (((short, end), (long, other_end)), ((long, other_end), (short, end))):
+        if ends == TAKEOFF and neighbour.startswith(sequence[:-1]):
             return "lift"
     if short == long and {end, other_end} == {REVERSAL, REVOLUTIONS} and short[-1] in "RS":
         return "top"
@@ -56,7 +56,7 @@ def coincidence(one: Class, other: Class) -> str:
 
 
 def _grown(sequence: str) -> dict[str, str]:
-    """Sequences with a phase more inside, and the coincidence at which it appears."""
+    """Return the sequences with one more phase inside, and the coincidence at which it appears."""
     found: dict[str, str] = {}
     for i, mode in enumerate(sequence):
         after = sequence[i + 1 : i + 2]

@@ -1,7 +1,7 @@
-"""What theory says about the classes along a line, and about which of them can be neighbours.
+"""Rules of theory for the classes along a line, and for which of them can be neighbours.
 
-Rounding decides within some 1e-12 of a border: there a line may show stretches that are no motions, or that lie between
-two events which are simultaneous in truth. `Rules.tidy` takes them out. `explain` looks at all borders for neighbours
+Rounding decides within about 1e-12 of a border: there a line may show intervals that are not motions, or that lie between
+two events that are exactly simultaneous. `Rules.remove_spurious` removes them. `explain` searches all borders for neighbours
 that theory does not allow.
 """
 
@@ -18,23 +18,23 @@ from hophoop.maps.survey.coincidences import REVERSAL, REVOLUTIONS, TAKEOFF, Cla
 from hophoop.maps.survey.slices import Ints, Slice
 from hophoop.maps.survey.strips import across, may_hold_strips
 
-MIRROR = 1e-3  # parts of the speed within which rounding may tell two simultaneous touches of the cone apart
-BESIDE = 1e-6  # parts of μ about a meeting within which neighbours are not asked for
-ISLAND = 1e-9  # parts of the speed below which a stretch amid one class is taken for that class
-TOP = 1e-11  # m/s within which rounding may decide whether a hoop that comes to rest at the top passes it
+MIRROR = 1e-3  # relative speed within which rounding may separate two simultaneous contacts with the cone
+NEAR_MEETING = 1e-6  # relative μ around a meeting in which neighbours are not checked
+ISLAND = 1e-9  # relative speed below which an interval amid one class counts as that class
+TOP = 1e-11  # speed range in which rounding may decide whether a hoop that stops at the top passes it [m/s]
 
 Place = tuple[float, float]
 
 
 class Rules:
-    """What theory says about codes."""
+    """Rules of theory, by code."""
 
     def __init__(self, classify: Classifier) -> None:
         self._names = classify.names
         self.classes: list[Class] = []
         self._settled: dict[tuple[int, int], bool] = {}
         self._count = 0
-        self._mirror: dict[tuple[int, int], frozenset[int]] = {}  # of each pair, what may stand between
+        self._mirror: dict[tuple[int, int], frozenset[int]] = {}  # of each pair, the classes that may lie between
 
     def _class(self, code: int) -> Class:
         while len(self.classes) < len(self._names):
@@ -43,7 +43,7 @@ class Rules:
         return self.classes[code]
 
     def settled(self, below: Ints, above: Ints) -> NDArray[np.bool_]:
-        """Whether no strips can lie between two classes."""
+        """Return True where no strips can lie between two classes."""
         result = np.zeros(below.size, bool)
         for k, pair in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
             if pair not in self._settled:
@@ -52,24 +52,24 @@ class Rules:
         return result
 
     def is_motion(self, code: int) -> bool:
-        """Whether a class can be one: it has an end, it rolls first or hops at once, and its phases are different ones."""
+        """Return True if a class can exist: it ends, starts rolling or hopping, and has no phase twice in a row."""
         sequence, ending = self._class(code)
         if ending in ("undetermined", "event_limit") or not (sequence[0] == "R" or sequence == "H"):
             return False
         return all(mode != following for mode, following in itertools.pairwise(sequence))
 
-    def tidy(self, one: Slice) -> Slice:
-        """A slice without stretches that are no motions, and with simultaneous touches of the cone as one border."""
+    def remove_spurious(self, one: Slice) -> Slice:
+        """Return the slice with spurious classes removed and simultaneous contacts with the cone merged into one border."""
         if self._count != len(self._names):
-            self._mirror.clear()  # there may be new halves
+            self._mirror.clear()  # new classes may be halves
             self._count = len(self._names)
         codes = one.codes.tolist()
         keep = [self.is_motion(code) for code in codes]
         if not all(keep):
             one = _without(one, keep)
             codes = one.codes.tolist()
-        # Within the rounding of little friction the class goes to and fro. A stretch wider than one of its neighbours is
-        # none of these: rounding at one of its borders would take a narrow class away.
+        # At small friction the class flickers within rounding error. An interval wider than a neighbour is not spurious:
+        # else rounding at its border would remove a narrow class.
         while True:
             width = np.diff(one.y)
             narrow = (width[1:-1] < ISLAND * one.y[-1]) & (width[1:-1] <= width[:-2]) & (width[1:-1] <= width[2:])
@@ -94,11 +94,11 @@ class Rules:
     def _is_one_border(self, one: Slice, codes: list[int], k: int, j: int) -> bool:
         if self._is_mirror(codes[k], codes[j], codes[k + 1 : j]):
             return True
-        # and a narrow strip of a skid may end in rolling to the top as well: that is wider than rounding
+        # a narrow strip of a skid may also end in rolling to the top, but is wider than rounding
         return bool(one.y[j] - one.y[k + 1] < TOP) and self._is_top(codes[k], codes[j], codes[k + 1 : j])
 
     def _is_mirror(self, one: int, other: int, between: list[int]) -> bool:
-        """Whether two classes part by two touches at once, and those between are what one of the touches would give."""
+        """Return True if two classes differ by two simultaneous contacts, and those between by one of the two."""
         if (one, other) not in self._mirror:
             first, last = self._class(one), self._class(other)
             self._mirror[one, other] = frozenset()
@@ -108,7 +108,7 @@ class Rules:
         return bool(allowed) and allowed.issuperset(between)
 
     def _is_top(self, one: int, other: int, between: list[int]) -> bool:
-        """Whether two classes part where the hoop comes to rest at the top, and those between are of its rounding."""
+        """Return True if the hoop comes to rest at the top between two classes, and those between are due to rounding."""
         first, last = self._class(one), self._class(other)
         if first[0] != last[0] or first[0][-1] != "R" or TAKEOFF in (first[1], last[1]):
             return False
@@ -126,7 +126,7 @@ class Rules:
 
 
 def _without(one: Slice, keep: list[bool]) -> Slice:
-    """A slice without some of its stretches: borders move into their middle, equal neighbours become one."""
+    """Return a slice without some intervals: borders move to their midpoints, equal neighbours merge."""
     kept = [k for k, is_kept in enumerate(keep) if is_kept]
     if not kept:
         return one
@@ -142,30 +142,29 @@ def _without(one: Slice, keep: list[bool]) -> Slice:
 def explain(
     arrangement: Arrangement, classes: list[Class]
 ) -> tuple[dict[Class, list[Place]], list[tuple[Class, Class, float, float]]]:
-    """The strips of skids, and the neighbours that no coincidence explains.
+    """Return the strips of skids, and the neighbours that no coincidence explains.
 
     Parameters
     ----------
     arrangement : Arrangement
         Of friction and speed.
     classes : list of tuple of str
-        What its codes stand for.
+        Meanings of its codes.
 
     Returns
     -------
     strips : dict
-        For each strip that theory lists, the places (μ, speed) of the borders beside or inside which it lies
-        [1], [m/s].
+        For each strip of theory, the positions (μ, speed) of the borders at which it lies [1], [m/s].
     unexplained : list of tuple
-        Neighbours that differ by more than one coincidence, with a place, where no class that was seen can lie between.
+        Neighbours that differ by more than one coincidence and between which no known class can lie, with a position.
     """
     strips: dict[Class, list[Place]] = {}
     unexplained = []
     borders = arrangement.borders
-    # lines within rounding of a meeting may step from one class to another past the ones that end there
+    # lines within rounding of a meeting may skip the classes that end there
     ends = np.array([-np.inf, *sorted(one.x for one in arrangement.meetings), np.inf])
     place = np.searchsorted(ends, borders.x)
-    apart = np.minimum(borders.x - ends[place - 1], ends[place] - borders.x) > BESIDE * borders.x
+    apart = np.minimum(borders.x - ends[place - 1], ends[place] - borders.x) > NEAR_MEETING * borders.x
     below, above, x, y = (column[apart] for column in borders)
     pairs, which = np.unique(np.stack([below, above]), axis=1, return_inverse=True)
     known = {classes[code] for code in np.unique(arrangement.seen.code)}

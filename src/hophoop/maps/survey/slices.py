@@ -1,8 +1,7 @@
 """Classes along lines of one parameter: every change from one class to another, bisected to rounding.
 
-Between two places of different classes something changes. The place in the middle is of the one class, of the other
-or of a third, and then there are two changes to look for: whatever lies between two different classes is found as
-long as it is wider than neighbouring numbers.
+Between two positions of different classes there is a change. The midpoint has the one class, the other or a third. A third
+class means two changes to find. Bisection finds a class between two different ones if it contains a bisection point.
 """
 
 from __future__ import annotations
@@ -24,11 +23,11 @@ class Slice(NamedTuple):
     Attributes
     ----------
     x : float
-        Where the line lies [SI].
+        Position of the line [SI].
     y : ndarray, shape (n + 1,)
-        The ends of the line and the borders between them, growing [SI].
+        Ends of the line and the borders between them, increasing [SI].
     codes : ndarray, shape (n,)
-        Class between one and the next [1].
+        Class between each and the next [1].
     """
 
     x: float
@@ -37,7 +36,7 @@ class Slice(NamedTuple):
 
 
 def middle(low: Floats, high: Floats) -> Floats:
-    """Between two positive numbers; by ratio where they are far apart."""
+    """Return the midpoint of two positive numbers; the geometric mean if they are far apart."""
     with np.errstate(invalid="ignore"):
         return np.where(high > 2.0 * low, np.sqrt(low) * np.sqrt(high), 0.5 * (low + high))
 
@@ -50,22 +49,22 @@ def resolve(
     settled: Callable[[Ints, Ints], NDArray[np.bool_]] | None = None,
     part: float = 0.0,
 ) -> list[Slice]:
-    """Slices along lines, from the places on each where the classes are looked at first.
+    """Return slices along lines, from the first samples on each.
 
     Parameters
     ----------
     codes_at : callable
         Codes at pairs (x, y).
     x : sequence of float
-        Of the lines [SI].
+        Positions of the lines [SI].
     seeds : sequence of ndarray
-        Growing y on each line, its ends first and last [SI].
+        Increasing y on each line, its ends first and last [SI].
     seen : sequence of ndarray, optional
-        Classes at the seeds where they are known already.
+        Classes at the seeds, if known already.
     settled : callable, optional
-        Whether nothing can lie between two classes: such a border is bisected to `part` only.
+        True where no class can lie between two classes: such a border is bisected to `part` only.
     part : float
-        Part of y to which settled borders are bisected; 0 is to rounding, as all others are [1].
+        Relative precision of settled borders; 0 means rounding, as for all others [1].
 
     Returns
     -------
@@ -86,7 +85,7 @@ def resolve(
             near = ~ready & (high - low <= part * high)
             ready[near] = settled(below[near], above[near])
         if ready.any():
-            # its place is the first of the class above, so that no two borders of a line are at one place
+            # its position is the first of the class above, so that borders of a line are distinct
             done.append((row[ready], high[ready], below[ready], above[ready]))
             left = ~ready
             row, below, above = row[left], below[left], above[left]
@@ -96,7 +95,7 @@ def resolve(
         found = codes_at(x[row], between)
         as_below, as_above = found == below, found == above
         third = ~as_below & ~as_above
-        # a third class: its border to the class above is looked for as well
+        # a third class: find its border to the class above as well
         row = np.concatenate([row, row[third]])
         below_more, above_more = found[third], above[third]
         low_more, high_more = between[third], high[third]

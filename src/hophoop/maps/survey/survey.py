@@ -1,4 +1,4 @@
-"""All classes of the first revolution of one hoop, each with its share, its width and an example."""
+"""Survey of all classes of the first revolution of one hoop, each with its share, its width and an example."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from hophoop.kernel.numerics.elementwise import logarithm, power
 from hophoop.maps.boundaries.classes import Classifier, make_window
 from hophoop.maps.grid.axes import LN_10, geometric
 from hophoop.maps.grid.evaluate import points
-from hophoop.maps.survey.arrangement import Arrangement, Seen, arrange
+from hophoop.maps.survey.arrangement import Arrangement, Options, Seen, arrange
 from hophoop.maps.survey.coincidences import Class
 from hophoop.maps.survey.rules import Place, Rules, explain
 from hophoop.maps.survey.slices import Floats, Ints
 from hophoop.maps.survey.strips import strips_at
 from hophoop.scenario import InputError, Scenario
 
-# Both parameters run from next to 0: on the edges themselves the hoop rests or nothing is friction. The immediate hop
-# begins at √(g R/γ) whatever the friction; beyond it there is nothing but H.
+# Both parameters start slightly above 0, where the hoop rests or has no friction. The immediate hop starts at √(g R/γ) for
+# every friction; above it H is the only class.
 MOST_FRICTION, FASTEST = 2.0, 1.06
-# What rolling needs is known to rounding, beside a friction that is less.
+# The required friction of rolling is known to rounding only, which matters below this friction.
 LEAST_FRICTION = 1e-5
-# Whether slower starts come back over the top depends on v0², beside the rounding of the work of friction.
+# Whether slower starts pass the top depends on v0², which is lost in the rounding of the work of friction.
 LEAST_SPEED = 1e-3
-BORDER_PART = 1e-12  # to which a border is bisected inside which theory lets nothing lie; the others to rounding
-THIN = 1e-11  # stretches of speed that need not be on two neighbouring lines, in parts of the range
-NARROWEST = 1e-14  # narrower classes hold only a few neighbouring numbers, whose rounding decides
-TRIES = 12  # stretches of a class at which its width is measured
-HALVINGS = 40  # of what then is known of an extent to a factor of four
-LISTED = 25  # places on the border of a skid at which the width of its strips is asked from theory
-NEAR = 1e-6  # parts of the speed beside such a place
-REACH = np.concatenate([np.ldexp(1.0, -2 * np.arange(26, 0, -1)), [0.5, 1.0]])  # parts of the range of friction
+BORDER_PART = 1e-12  # precision of borders in which theory excludes other classes; the others are bisected to rounding
+THIN = 1e-11  # intervals of speed that neighbouring lines need not share, relative to the range
+NARROWEST = 1e-14  # narrower classes hold only a few adjacent doubles, decided by rounding
+TRIES = 12  # intervals of a class at which its width is measured
+HALVINGS = 40  # bisections of an extent known to a factor of 4
+LISTED = 25  # positions on the border of a skid at which theory computes the width of its strips
+NEAR = 1e-6  # relative distance in speed from such a position
+REACH = np.concatenate([np.ldexp(1.0, -2 * np.arange(26, 0, -1)), [0.5, 1.0]])  # relative to the range of friction
 
 
 class Found(NamedTuple):
@@ -45,7 +45,7 @@ class Found(NamedTuple):
     area : float
         Share of the window [1].
     width : float
-        Twice the way from the example to the nearest end of the class, along friction and along speed, as parts of the
+        Twice the distance from the example to the nearest end of the class, along friction and along speed, relative to the
         window's sides [1].
     mu, speed : float
         The example [1], [m/s].
@@ -60,16 +60,16 @@ class Found(NamedTuple):
 
 
 class Narrow(NamedTuple):
-    """A class that is there by theory, and too narrow to be seen.
+    """A class that exists by theory but is too narrow to be found.
 
     Attributes
     ----------
     sequence, ending : str
         As in `Entry`.
     mu, speed : float
-        Where it is widest, as far as asked [1], [m/s].
+        The sampled position where it is widest [1], [m/s].
     log10_width : float
-        Decimal logarithm of its width by theory: along friction or speed, where it is less, as part of the window's
+        Decimal logarithm of its width by theory: the smaller of those along friction and speed, relative to the window's
         side [1].
     """
 
@@ -81,29 +81,29 @@ class Narrow(NamedTuple):
 
 
 class Survey(NamedTuple):
-    """What `survey` finds.
+    """Result of `survey`.
 
     Attributes
     ----------
     found : list of Found
-        Greatest area first; of a width of 1e-14 at least.
+        Largest area first; of width 1e-14 or more.
     meetings : list of tuple
-        μ and speed of the places where classes meet, and the classes [1], [m/s].
+        μ and speed where classes meet, and the classes [1], [m/s].
     strips : list of tuple of str
-        The strips beside skids that theory lists (`hophoop.maps.survey.strips`), sequences with endings.
+        The strips of skids by theory (`hophoop.maps.survey.strips`), sequences with endings.
     too_narrow : list of Narrow
-        Those of them that are not among `found`.
+        The strips that are not in `found`.
     unexplained : list of tuple
-        Neighbours that differ by more than one coincidence, with a place, where no class that was found can lie between.
+        Neighbours that differ by more than one coincidence and between which no class in `found` can lie, with a position.
     arrangement : Arrangement
     classes : list of tuple of str
-        What the arrangement's codes stand for.
+        Meanings of the arrangement's codes.
     mu_range, speed_range : tuple of float
         The window [1], [m/s].
     motions : int
-        How many were computed [1].
+        Number of motions computed [1].
     complete : bool
-        Whether every difference has been followed as far as was asked for.
+        Whether every difference was followed to the requested precision.
     """
 
     found: list[Found]
@@ -133,13 +133,13 @@ def survey(
     load_fraction : float, default 0.75
         γ [1].
     lines : int, default 60
-        How many lines of one friction are laid by ratio, and how many by difference; as many speeds on each [1].
+        Number of lines of constant friction spaced by ratio, and as many by difference; as many speeds on each [1].
     part : float, default 1e-10
-        Places where classes meet are followed to this part of μ [1].
+        Meetings of classes are located to this part of μ [1].
     least_friction : float, default 1e-5
-        Where the window begins [1].
+        Lower end of the window [1].
     least_speed : float, default 1e-3
-        Where the window begins [m/s].
+        Lower end of the window [m/s].
 
     Returns
     -------
@@ -172,7 +172,9 @@ def survey(
         )
     )
     speeds = np.unique(np.concatenate([geometric(least_speed, fastest, lines), np.linspace(least_speed, fastest, lines)]))
-    arrangement = arrange(classify.at, frictions, speeds, part, THIN * fastest, rules.settled, BORDER_PART, rules.tidy)
+    arrangement = arrange(
+        classify.at, frictions, speeds, Options(part, THIN * fastest, rules.settled, BORDER_PART, rules.remove_spurious)
+    )
     sides = MOST_FRICTION - least_friction, fastest - least_speed
     places = _widest(classify, arrangement.seen, ranges["plane.mu"], ranges["start.speed"])
     shares = arrangement.areas[places.code] / (sides[0] * sides[1])
@@ -193,7 +195,7 @@ def survey(
 
 
 class _Places(NamedTuple):
-    """A place in each class, and how wide the class is there."""
+    """A position in each class, and the width of the class there."""
 
     code: Ints
     width: Floats
@@ -202,12 +204,12 @@ class _Places(NamedTuple):
 
 
 def _widest(classify: Classifier, seen: Seen, x_range: tuple[float, float], y_range: tuple[float, float]) -> _Places:
-    """Where the smaller one of both extents of each class is greatest, as far as tried."""
+    """Return, for each class, the sampled point with the largest minimum extent."""
     picked = []
     for code in np.unique(seen.code):
         own = np.flatnonzero(seen.code == code)
         own = own[np.argsort(-seen.length[own], kind="stable")]
-        # the longest stretches, and ever fewer of the shorter ones
+        # the longest intervals, and fewer and fewer of the shorter ones
         ranks = np.minimum(power(float(own.size), np.arange(TRIES) / TRIES).astype(int) - 1, own.size - 1)
         picked.append(own[np.unique(np.concatenate([ranks, np.arange(min(TRIES // 2, own.size))]))])
     tries = np.concatenate(picked)
@@ -218,7 +220,7 @@ def _widest(classify: Classifier, seen: Seen, x_range: tuple[float, float], y_ra
     code, first = np.unique(seen.code[tries][order], return_index=True)
     best = order[first]
     width, x, y = widths[best], seen.x[tries][best], seen.y[tries][best]
-    # from there to the middle of both extents
+    # move to the middle of both extents
     for _ in range(2):
         left, right = _extents(classify, code, 0, x, y, x_range)
         mid_x = 0.5 * (left + right)
@@ -236,7 +238,7 @@ def _widest(classify: Classifier, seen: Seen, x_range: tuple[float, float], y_ra
 def _extents(
     classify: Classifier, code: Ints, along: int, x: Floats, y: Floats, ends: tuple[float, float]
 ) -> tuple[Floats, Floats]:
-    """How far each class goes on to both sides of its place, along x (0) or y (1)."""
+    """Return how far each class extends from its position in both directions, along x (0) or y (1)."""
     place = np.array([x, y])
     rows = np.arange(code.size)
     result = []
@@ -258,7 +260,7 @@ def _extents(
 
 
 def _by_theory(base: Scenario, strip: Class, places: list[Place], sides: Place) -> Narrow:
-    """A strip where it is widest."""
+    """Return a strip at the sampled position where it is widest."""
     places = sorted(places)
     asked = [places[k] for k in np.unique(np.linspace(0, len(places) - 1, LISTED).round().astype(int))]
     # on the border itself rounding decides
@@ -270,7 +272,7 @@ def _by_theory(base: Scenario, strip: Class, places: list[Place], sides: Place) 
         at = base.with_values({"plane.mu": mu, "start.speed": speed, "duration": 1.5 * time + 0.5})
         try:
             logs = [getattr(strips_at(at, path), strip[1]) for path in ("plane.mu", "start.speed")]
-        except InputError:  # beside the place where the skid begins or ends
+        except InputError:  # next to the position where the skid starts or ends
             continue
         width = min(log - logarithm(side) / LN_10 for log, side in zip(logs, sides, strict=True))
         best = max(best, Narrow(*strip, mu, speed, width), key=lambda one: one.log10_width)

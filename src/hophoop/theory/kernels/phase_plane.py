@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import MODE_LETTERS, Mode
+from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces
 from hophoop.kernel.physics.modes import can_roll, next_mode
 from hophoop.theory.kernels.rows import body_of
 
 ROLL, SKIM = int(Mode.ROLL), int(Mode.SKIM)
-NONE = len(MODE_LETTERS)
+NONE = len(Mode)
 
 
 def modes(bodies, angles, rates, out):
