@@ -67,9 +67,7 @@ def test_a_map_that_is_being_made_is_refused(tmp_path):
 
     def another(done, total):
         if len(refusals) < 2:
-            with pytest.raises(
-                ValueError, match=r"map\.zarr is being written by another process: wait for it"
-            ) as caught:
+            with pytest.raises(ValueError, match=r"map\.zarr is being written by another process: wait for it") as caught:
                 make(path, resume=True)
             refusals.append(caught)
 
