@@ -108,7 +108,8 @@ def test_a_new_quantity_needs_two_files(tmp_path):
 def test_words_are_those_of_the_kernels():
     """In their order: the kernels' numbers are places in it."""
     assert tuple(EventKind) == body.EVENT_NAMES
-    assert "".join(ModeLetter) == body.MODE_LETTERS
+    assert "".join(ModeLetter) == "RSKHM"
+    assert len(ModeLetter) == len(body.Mode)
     assert tuple(MotionStatus) == tuple(status.name.lower() for status in body.Status if status is not body.Status.BUFFER)
 
 

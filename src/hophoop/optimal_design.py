@@ -1,4 +1,4 @@
-"""The best hoop, plane or start for a purpose: `design` climbs by derivatives inside a class and goes on across its borders."""
+"""Optimal hoop, plane or start: `design` climbs by derivatives inside a class and continues across its boundaries."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ Floats = NDArray[np.float64]
 Label = tuple[tuple[int, int, int], ...]
 Limits = tuple[float | None, float | None]
 
-FLAT = 1e-6  # of the range of the values met: a steeper slope than that at the end means that a border stopped the climb
-NARROW = 1e-9  # of the range of a parameter: how near to a border it goes
+FLAT = 1e-6  # relative to the range of values met: a steeper final slope means that a boundary stopped the climb
+NARROW = 1e-9  # relative to the range of a parameter: final distance from a boundary
 
 
 @dataclass(frozen=True)
@@ -37,13 +37,13 @@ class Climb:
     Attributes
     ----------
     sequence : str
-        Of the motion where it ended.
+        Sequence of the final motion.
     value : float
-        There, of what was asked for [its unit].
+        Final value of the objective [its unit].
     parameters : dict of str to float
-        There [their units].
+        Final values [their units].
     at_border : bool
-        Whether the border of the class ended it, and not a maximum or a limit.
+        Whether it ended at the boundary of its class, not at a maximum or a limit.
     """
 
     sequence: str
@@ -54,26 +54,26 @@ class Climb:
 
 @dataclass(frozen=True)
 class Design:
-    """What `design` has found.
+    """Result of `design`.
 
     Attributes
     ----------
     scenario : Scenario
-        The best one.
+        The best scenario.
     motion : Trajectory
         Its motion.
     of : str
-        What was made as large or as small as possible.
+        The objective that was maximized or minimized.
     value : float
-        That of the best motion [its unit].
+        Its value in the best motion [its unit].
     parameters : dict of str to float
         The best values [their units].
     at_border : bool
-        Whether it lies at the border of its class: the least step over it is another motion.
+        Whether it is at the boundary of its class, beyond which the motion is another one.
     climbs : tuple of Climb
-        All, the best first.
+        All climbs, best first.
     motions : int
-        How many were computed.
+        Number of motions computed.
     """
 
     scenario: Scenario
@@ -88,13 +88,13 @@ class Design:
 
 @dataclass
 class _Trial:
-    """A scenario that was tried: what it gives, its class, and the slopes by the parameters in parts of their ranges."""
+    """A tried scenario: its values, its class, and its slopes by the parameters relative to their ranges."""
 
     place: Floats
     motion: Trajectory
     value: float
     label: Label
-    excess: Floats  # of each constraint, at least 0 where it is met
+    excess: Floats  # of each constraint, 0 or more where it is met
     names: list[str]
 
     @property
@@ -104,7 +104,7 @@ class _Trial:
 
 @dataclass
 class _Task:
-    """The purpose, the parameters and the limits, with a count of motions."""
+    """The objective, the parameters and the limits, with a counter of motions."""
 
     scenario: Scenario
     of: str
@@ -121,7 +121,7 @@ class _Task:
         return {path: float(value) for path, value in zip(self.paths, values, strict=True)}
 
     def try_at(self, place: Floats) -> _Trial | None:
-        """The motion at a place; None where it is no motion, or has not what is asked for."""
+        """Return the motion at a position; None if it is not allowed or lacks the objective."""
         self.motions += 1
         try:
             scenario = self.scenario.with_values(self.values_at(place))
@@ -137,7 +137,7 @@ class _Task:
         return _Trial(np.array(place), motion, value, _label(motion, last), excess, names)
 
     def slopes(self, trial: _Trial) -> tuple[Floats, Floats]:
-        """Of the value and of each constraint, by the parameters in parts of their ranges; 0 where there is none."""
+        """Return the slopes of the value and of each constraint, by the parameters relative to their ranges; 0 for none."""
         width = self.high - self.low
         rows: dict[str, Floats] = {}
         if trial.names:
@@ -165,7 +165,7 @@ def _value(motion: Trajectory, name: str) -> float:
 
 
 class _Plain:
-    """A motion without derivatives, from which quantities read their values; it notes the events that they need."""
+    """A motion without derivatives from which quantities read their values; it records the events that they need."""
 
     def __init__(self, motion: Trajectory) -> None:
         self.motion = motion
@@ -199,7 +199,7 @@ def _last_event(motion: Trajectory, name: str) -> int:
 
 
 def _label(motion: Trajectory, last: int) -> Label:
-    """The class of a motion as far as it counts: its events up to one of them."""
+    """Return the class of a motion: its events up to the last one that matters."""
     rows = motion.tables["events"][: last + 1]
     starts = rows[phase_starts(rows["kind"].tolist())]
     return tuple((int(r["kind"]), int(r["before_mode"]), int(r["after_mode"])) for r in starts)
@@ -226,28 +226,28 @@ def design(
     climbs: int = 8,
     seed: int = 0,
 ) -> Design:
-    """The parameters for which a quantity of the motion is largest, or smallest.
+    """Find the parameters that maximize or minimize a quantity of the motion.
 
-    From the best of scattered tries it climbs by the derivatives inside a class of motions, that is with the same events in
-    the same order, and begins again on the other side of the borders that it meets. It finds the best of the classes that
-    it has seen; there is no proof that there is no other.
+    From the best of scattered samples it climbs by derivatives inside a class of motions, those with the same events in the
+    same order. At a boundary it continues in the class beyond. It finds the best of the classes that it has met, without a
+    proof that there is no better one.
 
     Parameters
     ----------
     scenario : Scenario, optional
-        All that is not varied; the reference case by default.
+        All fixed parameters; by default the reference case.
     over : mapping of str to (float, float)
-        Lowest and highest value of each parameter that may change, by path [their units].
+        Minimum and maximum of each varied parameter, by path [their units].
     maximise, minimise : str
         One of them: a quantity, such as ``"hop_height"``, as `Trajectory.sensitivity` takes it, or a parameter.
     subject_to : mapping of str to (float or None, float or None), optional
-        Lowest and highest value of other quantities or parameters [their units].
+        Minimum and maximum of other quantities or parameters [their units].
     tries : int, default 64
-        How many scattered places it begins with [1].
+        Number of scattered samples at the start [1].
     climbs : int, default 8
-        Most climbs [1].
+        Maximum number of climbs [1].
     seed : int, default 0
-        Of the scattered places [1].
+        Seed of the scattered samples [1].
 
     Returns
     -------
@@ -256,7 +256,7 @@ def design(
     Raises
     ------
     ValueError
-        If not just one of maximise and minimise is given, a range is empty, or no motion that was tried has what is asked for.
+        If not just one of maximise and minimise is given, a range is empty, or no sampled motion has the objective.
     ImportError
         If SciPy is missing (extra ``design``).
 
@@ -320,7 +320,7 @@ def _task_of(
 
 
 def _scattered(task: _Task, tries: int, seed: int) -> dict[Label, _Trial]:
-    """The best allowed motion of each class among scattered ones."""
+    """Return the best allowed motion of each class among scattered samples."""
     qmc = need("scipy.stats", "design").qmc
     places = qmc.Halton(len(task.paths), seed=seed).random(tries)
     best: dict[Label, _Trial] = {}
@@ -341,7 +341,7 @@ def _scattered(task: _Task, tries: int, seed: int) -> dict[Label, _Trial]:
 
 
 def _refuse_unknown(task: _Task) -> None:
-    """Refuse a quantity that no motion can have, in the words of `quantity`."""
+    """Refuse a quantity that no motion can have, with the message of `quantity`."""
     motion = simulate(task.scenario)
     for name in (task.of, *task.limits):
         if not _is_path(name):
@@ -350,7 +350,7 @@ def _refuse_unknown(task: _Task) -> None:
 
 
 def _climb(task: _Task, begin: _Trial) -> tuple[_Trial, bool]:
-    """The best motion of a class that is reached from one of it, and whether a border stopped the climb."""
+    """Return the best motion reached from one of its class, and whether a boundary stopped the climb."""
     optimize = need("scipy.optimize", "design")
     best = begin
     worst = begin.value
@@ -394,7 +394,7 @@ def _climb(task: _Task, begin: _Trial) -> tuple[_Trial, bool]:
             }
         ]
     bounds = [(0.0, 1.0)] * len(task.paths)
-    for _ in range(2):  # once more where a border, at which the value falls, has stopped it too soon
+    for _ in range(2):  # again, since a boundary at which the value falls may have stopped it too early
         before = best.value
         options = {"ftol": 1e-13, "maxiter": 20}
         optimize.minimize(cost, best.place, jac=slope, method="SLSQP", bounds=bounds, constraints=constraints, options=options)
@@ -416,7 +416,7 @@ def _climb(task: _Task, begin: _Trial) -> tuple[_Trial, bool]:
 
 
 def _uphill(task: _Task, trial: _Trial) -> Floats:
-    """The slope of the value, less what leads out of the ranges and the constraints that are used up."""
+    """Return the slope of the value, without the components that leave the ranges or break active constraints."""
     slope, of_limits = task.slopes(trial)
     normals = [row for row, left in zip(of_limits, trial.excess, strict=True) if left <= 1e-7 * (1.0 + np.abs(row).max())]
     at_low, at_high = trial.place <= 0.0, trial.place >= 1.0
@@ -432,12 +432,12 @@ def _uphill(task: _Task, trial: _Trial) -> Floats:
 
 def _is_stopped(task: _Task, trial: _Trial, size: float) -> bool:
     if not _is_path(task.of) and np.isnan(trial.motion.sensitivity(task.of, task.paths).larger).any():
-        return True  # so near to the border that doubles cannot tell
+        return True  # too close to the boundary for doubles
     return bool(np.abs(_uphill(task, trial)).max() > FLAT * size)
 
 
 def _approach(task: _Task, trial: _Trial, at: Any) -> None:
-    """Go uphill from a motion as far as its class and the limits reach, by halving."""
+    """Go uphill from a motion as far as its class and the limits allow, by bisection."""
     slope = _uphill(task, trial)
     way = slope / (np.abs(slope).max() or 1.0)
     inside, outside = 0.0, 1.0
