@@ -108,7 +108,8 @@ def _format(number: float) -> str:
 
 
 def _summary(motion: Trajectory) -> Table:
-    from hophoop.vocabulary.modes import LETTERS_SENTENCE, plain
+    from hophoop.vocabulary.modes import LETTERS_SENTENCE
+    from hophoop.vocabulary.words import plain
 
     ledger = motion.ledger
     impacts = ledger.impact_normal + ledger.impact_tangential

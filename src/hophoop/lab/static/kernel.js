@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources eb84f109f8fd66f1c121917e85422610 */
-var c={sources:"d3b5d09f74b889132582f1808db2b1e0",module:"c9414452e8170b05",derivatives:"81f6b18d9fa1fddb",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 047f7e15bf086f1de19c041793b1caec */
+var c={sources:"1f9723488a26ca70d7f680189494ddd7",module:"e045e09ff889a038",derivatives:"7456312d7e2f753e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
