@@ -134,7 +134,7 @@ def _check_whole(file: Path, groups: dict[str, Any]) -> None:
     if any("layout" not in groups[name].attrs for name in TABLES if name in groups) or len(groups) <= len(TABLES):
         raise InputError(f"{file} is not whole: a table of the motion is missing.")
     said = {group.attrs.get(CHECKSUM) for group in groups.values()}
-    # files of before there were checksums have none
+    # older files have no checksums
     if said != {None} and said != {checksum(groups)}:
         raise InputError(DAMAGED.format(file))
 
@@ -156,7 +156,7 @@ def _unpacked(dataset: Any) -> np.ndarray:
 
 
 def _completed(table: np.ndarray) -> np.ndarray:
-    """The table with the columns that files of before rolling resistance do not have: nothing was lost to it."""
+    """Add zero rolling-resistance columns to tables from older files."""
     names = table.dtype.names or ()
     if any(name.startswith(_LATER) for name in names):
         return table
@@ -169,7 +169,7 @@ def _completed(table: np.ndarray) -> np.ndarray:
 
 
 def _counted(table: np.ndarray) -> np.ndarray:
-    """The segments with turns, which those of a compliant motion of before do not have: their angles are whole ones."""
+    """Add the column `turns` to segments of a compliant motion from an older file, whose angles are whole ones."""
     names = table.dtype.names or ()
     if "origin" not in names:
         return table

@@ -159,9 +159,11 @@ MAP = ("map", "--axis", "start.speed=1:2:2", "--axis")
     ],
 )
 def test_a_refusal_names_the_option(words, said):
+    if words[0] == "lab":
+        pytest.importorskip("uvicorn")
     done = run(*words)
     assert done.exit_code == 2
-    assert done.stderr.startswith(f"Error: {said}")
+    assert done.stderr.lstrip("\n").startswith(f"Error: {said}")  # Rich 13.0 leaves the line of its bar
 
 
 @pytest.mark.parametrize(

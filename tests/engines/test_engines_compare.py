@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 
 import hophoop as hh
 from hophoop import engines
-from hophoop.animate.words import draw_state
+from hophoop.animate.words import StateLine, draw_state
 from hophoop.cli import app
 from hophoop.engines import comparing, registry, tables
 from hophoop.engines.external import job_text, run_command
@@ -384,10 +384,10 @@ def test_words_of_a_narrow_view_stay_in_it():
         text=lambda x, y, words, *_, **__: drawn.append(words),
         text_width=lambda words, size, *_: 0.6 * size * len(words),
     )
-    poses = poses_of(hh.simulate(HOP.scenario), [0.5])
+    line = StateLine("roll", t=0.5, angle=0.3, extra="v = 1.00 m/s")
     for room, count in ((1000.0, 4), (288.0, 2)):
         drawn.clear()
-        draw_state(canvas, SimpleNamespace(ink="#000000"), (0.0, 0.0), poses, 0, False, "v = 1.00 m/s", room)
+        draw_state(canvas, SimpleNamespace(ink="#000000"), (0.0, 0.0), line, room)
         assert len(drawn) == count
 
 

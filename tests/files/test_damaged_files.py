@@ -91,7 +91,7 @@ def test_a_name_that_is_damaged_is_said_in_one_sentence_without_a_warning(motion
     path = tmp_path / name
     motion.save(path)
     with_a_name_changed(path, "events", "evgnts")
-    with pytest.raises(ValueError, match=r" cannot be read as Zarr: No group found in store .* at path 'events'\.$"):
+    with pytest.raises(ValueError, match=r" cannot be read as Zarr: .*\bevents'?\.$"):
         hh.load(path)
 
 

@@ -133,11 +133,11 @@ def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     ("change", "message"),
     [
         ({"scale": 0.0}, "a track has a view whose scale = 0 must be a number above 0"),
-        ({"scale_error": "much"}, "a track is not whole: could not convert string to float: 'much'"),
-        ({"scale_error": [1.0]}, "a track is not whole"),
-        ({"strange": 1.0}, "a track is not whole: .*strange"),
+        ({"scale_error": "much"}, "a track is incomplete: could not convert string to float: 'much'"),
+        ({"scale_error": [1.0]}, "a track is incomplete"),
+        ({"strange": 1.0}, "a track is incomplete: .*strange"),
         ({"camera": {"width": 1280, "height": 720, "focal": -1.0}}, "whose focal = -1 must be"),
-        ({"chroma": [1.0]}, "a track is not whole"),
+        ({"chroma": [1.0]}, "a track is incomplete"),
     ],
 )
 def test_a_view_that_is_none(hop, change, message):

@@ -297,7 +297,7 @@ def solving(monkeypatch, change):
         solved.append(panel.extent)
         return change(solve(body, panel, work), len(solved))
 
-    for name in ("solve", "solve_aside"):
+    for name in ("solve", "solve_noinline"):
         monkeypatch.setattr(panel_choice, name, changed)
     return solved
 
@@ -341,7 +341,7 @@ def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
 def test_a_turning_point_is_moved_so_often_and_no_more(monkeypatch):
     """Where moving it never brings θ̇² to what it is at the start."""
     body = hh.Scenario().to_body()
-    begin = panel_choice.Begin(-1.0, 0.0, math.sin(-1.0), math.cos(-1.0), 0.5, 1.0, 1.0, 0.0)
+    begin = panel_choice.PanelStart(-1.0, 0.0, math.sin(-1.0), math.cos(-1.0), 0.5, 1.0, 1.0, 0.0)
     before = panel_choice.linear_panel(0, 0, 1.0, begin)
     scratch = new_scratch()
     solved = solving(monkeypatch, lambda totals, count: totals._replace(tail=0.0, u=1.1 if count % 2 else 0.9))

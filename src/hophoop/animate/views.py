@@ -66,7 +66,7 @@ def whole_path_view(rectangle: Rectangle, extent: Extent, radius: float, slope: 
     left, bottom, width, height = rectangle
     least, most = _corners(extent, radius, slope)
     middle = 0.5 * (least + most)
-    # spare room goes above the plane
+    # spare height goes above the plane
     spare = height - scale * (most[1] - least[1])
     return View(rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height - 0.2 * spare))
 

@@ -37,7 +37,7 @@ def shades_of(speeds: Floats, top: float) -> Floats:
 
 
 def shorten(canvas: Canvas, words: str, size: float, room: float) -> str:
-    """Shorten a line of parameters to the room [pixels]; the last ones are dropped first."""
+    """Shorten a line of parameters to a width [pixels]; the last ones are dropped first."""
     if canvas.text_width(words, size) <= room:
         return words
     parts = words.split(", ")
@@ -60,7 +60,7 @@ class StateLine(NamedTuple):
 
 
 def draw_state(canvas: Canvas, theme: Theme, place: tuple[float, float], line: StateLine, room: float = math.inf) -> None:
-    """Write a line on the state of a motion from a point on [pixels]; texts beyond `room` pixels are dropped."""
+    """Write a line on the state of a motion from a point on [pixels]; texts wider than `room` pixels are dropped."""
     u = canvas.unit
     x, y = place
     spot = np.array([x + 7.0 * u, y + 6.0 * u])
@@ -80,7 +80,7 @@ def draw_state(canvas: Canvas, theme: Theme, place: tuple[float, float], line: S
 
 
 def draw_label(canvas: Canvas, theme: Theme, place: tuple[float, float], label: str, room: float) -> None:
-    """Write a motion's label, shortened to the room [pixels]."""
+    """Write a motion's label, shortened to a width [pixels]."""
     canvas.text(*place, shorten(canvas, label, LABEL_FONT, room), TextStyle(theme.muted, LABEL_FONT))
 
 
@@ -122,7 +122,7 @@ def longest_pace(rates: Floats) -> str:
 
 
 def draw_pace(canvas: Canvas, theme: Theme, layout: Layout, rate: float) -> None:
-    """Write the speed of the film if the layout has room."""
+    """Write the speed of the film if it fits into the layout."""
     if layout.pace is not None:
         x, y, room, _ = layout.pace
         words = pace_words(rate)

@@ -215,7 +215,7 @@ def positive_potential(runs: Runs) -> Statement:
         article="between 350° and 395°",
         ours=f"between {angles[0]:.3f}° and {angles[1]:.3f}°, up to {highest:.4f} J",
         verdict=WITHIN_READING if near else difference(False),
-        why="The article's bounds are read off its plot, to some 5°.",
+        why="The article's bounds are read off its plot, to about 5°.",
         numbers={"angles_deg": angles[:2], "largest": highest},
     )
 

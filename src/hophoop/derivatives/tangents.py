@@ -92,7 +92,7 @@ def begin_lifted(body, mode, state, tangents, reasons, k):
 
 @apart
 def begin_changes(body, row, parameter_tangents, tangents, reasons):
-    """Propagate a changed start to the begin of its first piece."""
+    """Propagate a changed start to the start of its first piece."""
     state = state_of(row)
     if state.y > 0.0 or state.vn != 0.0:
         return
@@ -295,7 +295,7 @@ def keep_after(row, tangents, event_tangents):
 
 @apart
 def pass_apex(body, row, piece, parameter_tangents, tangents, event_tangents, reasons):
-    """All directions from the begin of a flight to its apex, which is an event inside of it."""
+    """Propagate all directions from the start of a flight to its apex, an event inside it."""
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
     state = follow_without_panel(body, piece, tau, parameter_tangents, tangents)
     state = with_velocities(state, state.vt, 0.0, state.om)

@@ -12,7 +12,7 @@ from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import STRETCH, TIME
 from hophoop.kernel.panels.slip import from_reference
 
-# By θ̇² at the begin (of an arriving panel: by θ there), by θ at the begin (by the turning point), by the parameters.
+# By θ̇² at the start (of an arriving panel: by θ there), by θ at the start (by the turning point), by the parameters.
 BEGIN, SHIFT, BY_EPS, BY_KAP, BY_MU, BY_GN, BY_GT, BY_RESIST = range(8)
 LOCAL = 8
 # Rows of the array that a panel is worked out in.

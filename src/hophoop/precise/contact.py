@@ -48,7 +48,7 @@ class Stiff(Exception):
 
 
 def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int, t_end: Number, rolled: bool) -> Done:
-    """Roll or slip from a fresh phase (or a turning point in one) up to the next event.
+    """Roll or slip from the start of a phase, or from a turning point in it, up to the next event.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ class Landing(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A step of flight: its begin, and the series of the gap over 2^exponent with coefficients in units of 2^−bits."""
+    """A step of flight: its start, and the series of the gap over 2^exponent with coefficients in units of 2^−bits."""
 
     state: PreciseState
     series: list[int]

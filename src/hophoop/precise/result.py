@@ -92,7 +92,7 @@ class PreciseMotion:
     status : MotionStatus
         How the motion ended: completed, at_rest, jammed, undetermined or event_limit.
     sequence : str
-        One letter a phase: R roll, S spin, K skid, H flight (hop), M skim.
+        One letter per phase: R roll, S spin, K skid, H flight (hop), M skim.
     events : tuple of PreciseEvent
         All events in order.
     energy : dict of Decimal

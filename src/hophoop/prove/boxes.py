@@ -36,7 +36,7 @@ class Box:
     ranges : dict of str to tuple of float
         Minimum and maximum of each parameter, by its path [SI units].
     sequence : str
-        One letter a phase; as far as it is proved.
+        One letter per phase; as far as it is proved.
     ending : str
         revolutions, reversal or takeoff; empty where it is undecided.
     why : str

@@ -85,7 +85,7 @@ class Run:
         self.state = self.model.start()
         self.origin = self.state.th
         self.mode = int(Mode.FLIGHT)
-        self.zeros = 0  # slip: known zeros of v_t at its begin; flight: of the gap
+        self.zeros = 0  # slip: known zeros of v_t at its start; flight: of the gap
         self.last_bounce: Ball = arb(0)
         self.energy: Ball | None = None
         duration = self.until == DURATION

@@ -114,7 +114,7 @@ class Proof:
     why : str
         What could not be shown, as a clause; empty where all is.
     sequence : str
-        One letter a phase, as far as it is proved.
+        One letter per phase, as far as it is proved.
     status, ending : str
         How the motion ended, where it is proved.
     digits : int

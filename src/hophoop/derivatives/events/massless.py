@@ -26,7 +26,7 @@ from hophoop.kernel.physics.massless import strike
 
 
 def load_changes(begin, tangents, k):
-    """Changes of the load: (its height at the begin, its rate of sinking, its speed along the plane)."""
+    """Changes of the load: (its height at the start, its rate of sinking, its speed along the plane)."""
     s, c = sine_and_cosine(begin.th)
     dth = tangents[TH, k]
     fallen = s * dth
@@ -61,7 +61,7 @@ def follow_skim(body, begin, end, tau, tangents):
 
 @apart
 def follow_strike(body, begin, tau, parameter_tangents, tangents, event_tangents):
-    """Propagate all directions from the begin of the skimming to just after the load has struck, at the time tau."""
+    """Propagate all directions from the start of the skimming to just after the load has struck, at the time tau."""
     s, c = sine_and_cosine(begin.th)
     sink = s * begin.om + body.gn * tau
     speed = begin.vt + begin.om * (1.0 + c)

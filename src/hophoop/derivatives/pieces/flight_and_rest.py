@@ -83,7 +83,7 @@ def step_along(tangents, k, dt, state, rates):
 
 @apart
 def follow_flight(body, opening, begin, end, tau, parameter_tangents, tangents):
-    """Propagate all directions over the time tau of a flight whose f_n at the begin is `opening`, 0 after a lift-off."""
+    """Propagate all directions over the time tau of a flight whose f_n at the start is `opening`, 0 after a lift-off."""
     s0, c0 = sine_cosine(begin.th, begin.th_low)
     s1, c1 = sine_cosine(end.th, end.th_low)
     om = begin.om

@@ -46,7 +46,7 @@ def state_after_skim(body, row, begin, tau):
 
 @apart
 def follow_without_panel(body, row, tau, parameter_tangents, tangents):
-    """Propagate all directions to the time tau after the begin of a piece that needs no panel; returns the state there."""
+    """Propagate all directions to the time tau after the start of a piece without panel; return the state there."""
     begin = state_of(row)
     if row["kind"] == FLY:
         end = state_after_flight(body, row, begin, tau)

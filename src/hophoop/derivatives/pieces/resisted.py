@@ -111,7 +111,7 @@ def resistance_rates(body, panel, work, local):
 
 @apart
 def weigh(panel, work, local):
-    """Fill the row WEIGHED: how ∫ cos θ θ̇² dθ, of which the angles stay, changes from the begin of a panel to a place on it.
+    """Fill the row WEIGHED: how ∫ cos θ θ̇² dθ, of which the angles stay, changes from the start of a panel to a position on it.
 
     `changes_at` has left the weights of that place, without the integrand. Returns the integral itself.
     """

@@ -109,7 +109,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
 
 
 def run_into(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached, kept):
-    """Compute as `run` does and copy the segments into `kept` as far as it has room; return (status, events, segments)."""
+    """Compute as `run` does and copy the segments into `kept` as far as they fit; return (status, events, segments)."""
     status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached)
     for k in range(min(pieces, kept.shape[0])):
         kept[k] = rows[k]

@@ -114,7 +114,7 @@ class Equations:
             return self.turning(1 if om > 0 else -1)
         if not om.is_zero():
             raise Refused("the direction of rotation is certain")
-        # at θ̇ = 0 the moment without the couple, over N or over g cos β, beside the most that the couple can hold
+        # at θ̇ = 0 the moment without the couple, over N or over g cos β, relative to the maximum of the couple
         s, c = th.sin_cos()
         moment, most = self.eps * s, self.resist
         if sigma:

@@ -63,7 +63,7 @@ def no_top(equations: Equations, state: State, begin: Ball, end: Ball, zeros: in
     """Refuse unless the gap has no top from one time to another, or only such as are lower than a height.
 
     On each part the gap rises, or falls, or is convex, or is lower. `zeros` counts the derivatives of the gap that vanish
-    at the begin, its value included: there the first that does not says which way it goes.
+    at the start, its value included; there the first one that does not vanish gives the direction.
     """
     low, high = begin.lower(), end.upper()
     work = [(low, high, True)] if low < high else []

@@ -21,8 +21,8 @@ def require(fact: bool, what: str) -> None:
 def positive(functions: Functions, begin: Ball, end: Ball, what: str, zeros: Sequence[int] | None = None) -> None:
     """Refuse unless all functions are positive on (begin, end].
 
-    `zeros` counts, per function, the derivatives that vanish at the begin (the value included): the next one is then
-    shown to be positive on the part that begins there. Such a `begin` may be a ball.
+    `zeros` counts, per function, the derivatives that vanish at the start (the value included): the next one is then
+    shown to be positive on the part that starts there. Such a `begin` may be a ball.
     """
     low = begin.lower()
     if end.upper() <= low:

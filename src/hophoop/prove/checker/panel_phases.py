@@ -64,14 +64,14 @@ def _along(
 def _through_turn(
     phase: Slip | Roll, at: Way, one: dict[str, Any], bits: int, limits: dict[str, Any], what: str | None
 ) -> State | None:
-    """A panel about a turning point, or about the begin where θ̇ = 0 there."""
+    """A panel about a turning point, or about a start with θ̇ = 0."""
     if at.u.is_zero():
         panel, begin = TurnPanel(phase, one, -at.way, bits, at.th), arb(0)
         panel.offset = at.t
     else:
         turn = _turning_angle(phase, at, one["link"], bits)
         panel, begin = TurnPanel(phase, one, at.way, bits, turn), -(at.way * (turn - at.th)).sqrt()
-        require(bool(begin * begin <= panel.reach), "a panel reaches back to the begin")
+        require(bool(begin * begin <= panel.reach), "a panel reaches back to the start")
         panel.offset = at.t - panel.time(begin)
         early = what if what is not None and one["ends"] == "before" else None
         stop = _stretch(panel, at.known, begin, arb(0), limits, early, one)

@@ -1,7 +1,7 @@
 """Panels of a phase that a certificate names: their polynomials satisfy the equations up to a small residual.
 
-With u' = b − a u and a polynomial U for which Π U' − … is at most η Π in size, abs(u − U) grows from what it is at the
-begin by at most e^(αL) L η on a way L (Grönwall).
+With u' = b − a u and a polynomial U for which Π U' − … is at most η Π in size, abs(u − U) grows from its value at the
+start by at most e^(αL) L η over a length L (Grönwall).
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ WORDS = {
     "part.shape": {"ring", "disk", "rod", "point_mass"},
     "part.direction": {"radial", "tangential"},
 }
-PARTS: dict[str, tuple[set[str], set[str]]] = {  # what a part has beside its mass, and what it may have
+PARTS: dict[str, tuple[set[str], set[str]]] = {  # what a part has in addition to its mass, and what it may have
     "ring": ({"inner_radius", "outer_radius"}, set()),
     "disk": ({"radius"}, {"at"}),
     "rod": ({"length"}, {"at", "direction"}),

@@ -60,7 +60,7 @@ def first_root(
     ----------
     evaluate : callable
     zeros : sequence of int
-        Per function, how many derivatives (the value is the zeroth) are known to be zero at the begin; the next one
+        Per function, how many derivatives (the value is the zeroth) are known to be zero at the start; the next one
         is then shown to be positive on the first interval.
     begin, end : Ball
         Exact numbers.

@@ -17,7 +17,7 @@ class Flight:
     Attributes
     ----------
     zeros : int
-        How many derivatives of the gap are zero at the begin, its value included.
+        How many derivatives of the gap are zero at the start, its value included.
     """
 
     model: Model
@@ -87,9 +87,9 @@ class Flight:
         way = 1
         at, zeros = arb(0), max(self.zeros - 1, 0)
         if self.zeros == 0 or self.zeros == 1:
-            zeros, way = 0, sign(self.begin.vn, "ẏ at the begin of a flight")
+            zeros, way = 0, sign(self.begin.vn, "ẏ at the start of a flight")
             if way == 0:
-                zeros, way = 1, sign(self.gap(arb(0), 3)[2], "ÿ at the begin of a flight")
+                zeros, way = 1, sign(self.gap(arb(0), 3)[2], "ÿ at the start of a flight")
         best: tuple[State, Root] | None = None
         while True:
             root = first_root(partial(self._rate, way), [zeros], at, end, arb(0.125))

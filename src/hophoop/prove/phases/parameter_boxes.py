@@ -37,7 +37,7 @@ def travel_box(run: PhaseInput, sigma: int) -> Iterator[Ended]:
         turning = panel_at(phase.plain(), centre, way, over(u), over(t))
         if isinstance(turning, TurnPanel):  # it ends the revolution: how it varies is not wanted any more
             if not begun:
-                raise Undecided("a turning point is near the begin of a phase")
+                raise Undecided("a turning point is near the start of a phase")
             x = -(way * (turning.turn - centre)).sqrt()
             found = search(turning, [-1] * len(known), x.lower(), arb(0), limits)
             at_turn = replace(turning.state(arb(0)), om=arb(0))

@@ -279,7 +279,7 @@ def square_at(phase: PhaseEquations, th: Ball, u: Ball, centre: Ball, energy: Ba
             break
         box = (u + 2 * slope * symmetric(spread)).union(box)
     else:
-        raise Undecided("the begin of a phase has no enclosure")
+        raise Undecided("the start of a phase has no enclosure")
     if energy is None:
         return found, box
     # d/dθ* of u(centre), for slip that begins in θ*: what the slopes differ by, carried on by exp(∫ A)

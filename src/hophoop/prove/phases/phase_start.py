@@ -34,7 +34,7 @@ def move_start(
 def _along(phase: PhaseEquations, centre: Ball, way: int) -> tuple[Ball, Ball]:
     """(θ̇², t) there, along the phase itself.
 
-    With the begin (θ*, u*, t*) and C = exp(∫ A): ∂u/∂p = C (∂u*/∂p − 2 θ̈ ∂θ*/∂p) + ∫ C (∂A/∂p u + ∂B/∂p) dθ.
+    With the start (θ*, u*, t*) and C = exp(∫ A): ∂u/∂p = C (∂u*/∂p − 2 θ̈ ∂θ*/∂p) + ∫ C (∂A/∂p u + ∂B/∂p) dθ.
     """
     begin, count = phase.begin, phase.model.varying
     first = begin.om * begin.om
