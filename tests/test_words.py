@@ -19,7 +19,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "hophoop"
 
 _COUNTED = "line|row|column|record|number|letter|file|segment|thread|entry|sample|value|cell|process|word|name|call"
 NEVER = {
-    "beside": r"\bbeside\b",
+    "beside": r"(?<!#)\bbeside\b",
     "mended": r"\bmend(?:s|ed|ing)?\b",
     "booked": r"\bbooked\b",
     "but for": r"\bbut for\b",
@@ -31,7 +31,7 @@ NEVER = {
     "begin (noun)": r"(?:\b(?:the|an?|its|their|each|every|this)|['’]s) begins?\b"
     r"(?! (?:with|to|at|in|here|there|again|anew)\b)",
     "house": r"\bhouses?\b",
-    "room": r"(?<!\bno )(?<!\benough )(?<!\bmore )(?<!\bis )(?<!\bwithout )\brooms?\b(?! (?:for|to)\b)",
+    "room": r"(?<!\bno )(?<!\benough )(?<!\bmore )(?<!\bis )(?<!\bwithout )(?<!`)\brooms?\b(?! (?:for|to)\b)",
 }
 
 

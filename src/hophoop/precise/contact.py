@@ -53,7 +53,7 @@ def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int
     Parameters
     ----------
     zeros : int
-        How many leading coefficients of v_t are zero at the begin of a slip phase.
+        How many leading coefficients of v_t are zero at the start of a slip phase.
     rolled : bool
         Whether the phase goes on from a turning point: its margins are not zero there.
     """
