@@ -1,43 +1,12 @@
-"""What derivatives cost, and what they take from the motion instead of computing it again."""
+"""What derivatives take from the motion instead of computing it again; benchmarks/derivatives.py measures their cost."""
 
 import math
-import statistics
-import time
 
 import numpy as np
-import pytest
 
 import hophoop as hh
 from hophoop.derivatives.results.propagation import doubtful_from
 from hophoop.kernel.native import forced
-
-PATHS = (
-    "hoop.load_fraction", "hoop.radius", "hoop.mass", "plane.gravity", "plane.slope", "plane.mu_static",
-    "plane.mu_kinetic", "plane.restitution", "start.x", "start.angle", "start.speed", "duration",
-)  # fmt: skip
-QUANTITIES = (
-    "takeoff.t", "takeoff.angle", "hop.height", "hop.distance", "hop.duration", "impact.slip", "end.x", "energy_lost",
-)  # fmt: skip
-MOST = 8.0  # plain motions
-
-
-@pytest.mark.slow
-@pytest.mark.compiled
-@pytest.mark.parametrize("resistance", [0.0, 0.005])
-def test_twelve_directions_of_eight_quantities_cost_less_than_eight_motions(resistance):
-    """Medians of calls in turn, so that a busy machine slows both."""
-    with forced("compiled"):
-        scenario = hh.Scenario(plane=hh.Plane(rolling_resistance=resistance), duration=2.0)
-        motion = hh.simulate(scenario)
-        calls = (lambda: hh.simulate(scenario), lambda: motion.sensitivity(QUANTITIES, PATHS))
-        seconds = [[], []]
-        for _ in range(300):
-            for call, taken in zip(calls, seconds, strict=True):
-                began = time.perf_counter()
-                call()
-                taken.append(time.perf_counter() - began)
-    plain, derived = (statistics.median(taken[20:]) for taken in seconds)
-    assert derived < MOST * plain
 
 
 def graze():
