@@ -434,6 +434,13 @@ def test_every_module_of_physics_cites_its_section_of_the_model(module):
     assert sections <= anchors("model.md")
 
 
+def test_every_section_of_the_model_is_cited_by_code():
+    cited = {anchor for place, page, anchor in cited_sections() if page == "model.md" and place.startswith("src")}
+    sections = re.findall(r"^## (.*)$", (ROOT / "docs" / "model.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(sections) > 10
+    assert {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in sections} <= cited
+
+
 def test_nothing_outside_the_repository_is_cited():
     missing = "physics" + ".md"
     for folder in ("src", "tests", "docs", "examples", "benchmarks"):

@@ -36,7 +36,8 @@ EVENT = np.dtype(
     + [(name, "f8") for name in _POSITION]
     + [("rolling_resistance", "f8")]
 )
-# All numbers needed to compute the motion inside the segment again, bit for bit.
+# All numbers needed to compute the motion inside the segment again, bit for bit; those of a panel are explained in
+# panels.panel.Panel. `opening`: f_n at the start of a flight, v̇_t of slip without rotation, duration of a skim.
 SEGMENT = np.dtype(
     [("t", "f8"), ("t_end", "f8"), ("mode", "i8"), ("kind", "i8"), ("sigma", "i8"), ("level", "i8")]
     + [("way", "f8"), ("ref", "f8"), ("sine", "f8"), ("cosine", "f8"), ("extent", "f8")]

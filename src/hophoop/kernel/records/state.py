@@ -1,4 +1,4 @@
-"""The state that passes through the event loop, and changes of it."""
+"""The state that passes through the event loop, and changes of it (docs/model.md#coordinates)."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources ff870dcb0fbecd11584391aac4ff25af */
-var c={sources:"a7255e3048a620b5bfff06825ba45fc5",module:"e045e09ff889a038",derivatives:"7456312d7e2f753e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 3bd9d0c313ac7d0dde328866ccf1270a */
+var c={sources:"d71c8b07585884d2a30cbf0ed3f7c21a",module:"e045e09ff889a038",derivatives:"7456312d7e2f753e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources ff870dcb0fbecd11584391aac4ff25af */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 3bd9d0c313ac7d0dde328866ccf1270a */
 var ql=Object.create;var ao=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Bl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,Wl=Object.prototype.hasOwnProperty;var $l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Hl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Bl(e))!Wl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
 return s};var Gl=(s,e,t)=>(t=s!=null?ql(Fl(s)):{},Hl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var Ha=$l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function Fa(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1765,7 +1765,7 @@ file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","pl\
 ane.mu_static","plane.mu_kinetic","plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start\
-.vx","start.vy","start.omega"]};var E=Bo,je=s=>s==="inf"?1/0:s;var x={sources:"a7255e3048a620b5bfff06825ba45fc5",module:"e045e09ff889a038",derivatives:"7456312d7e2f753e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+.vx","start.vy","start.omega"]};var E=Bo,je=s=>s==="inf"?1/0:s;var x={sources:"d71c8b07585884d2a30cbf0ed3f7c21a",module:"e045e09ff889a038",derivatives:"7456312d7e2f753e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
 "angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
 ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
