@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from operator import attrgetter, itemgetter
+from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -16,7 +16,6 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import STIFFNESS, sinking
 from hophoop.kernel.physics.resistance import most_resistance
-from hophoop.kernel.records.layout import CELL
 from hophoop.scenario.base import Frozen, Positive, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
@@ -371,33 +370,23 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     Returns
     -------
     cell : tuple of float, length len(CELL)
-        As `records.cells.CELL` names them [SI].
+        In the order of `kernel.records.layout.CELL` [SI].
     """
     hoop, plane = scenario.hoop, scenario.plane
     start = scenario.start.state(hoop)
-    cell: tuple[float, ...] = _IN_ORDER(
-        (
-            *_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), scenario.duration, scenario.contact.max_events,
-            LAWS[plane.impact_law].code, plane.painleve == "impact",
-            start.x, start.height, start.angle, start.vy, start.omega, start.slip, hoop.load_fraction is not None, True,
-        )
+    return (
+        *_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), scenario.duration, scenario.contact.max_events,
+        LAWS[plane.impact_law].code, plane.painleve == "impact",
+        start.x, start.height, start.angle, start.vy, start.omega, start.slip, hoop.load_fraction is not None, True,
     )  # fmt: skip
-    return cell
 
 
-def _columns(section: str) -> tuple[list[str], list[str]]:
-    """Names of a section's numbers, and of the columns of a cell that they are."""
-    rows = [row for row in TABLE if row.column and section_of(row) == section]
-    return [row.path.partition(".")[2] for row in rows], [row.column for row in rows]
+def _numbers(section: str) -> attrgetter[tuple[float, ...]]:
+    """Return what reads the numbers of a section that are columns of a cell, in the order of the table of parameters."""
+    return attrgetter(*(row.path.partition(".")[2] for row in TABLE if row.column and section_of(row) == section))
 
 
-(_hoop, _hoop_columns), (_plane, _plane_columns) = _columns("hoop"), _columns("plane")
-_HOOP_NUMBERS, _PLANE_NUMBERS = attrgetter(*_hoop), attrgetter(*_plane)
-_WRITTEN = (
-    *_hoop_columns, *_plane_columns, "duration", "max_events", "law", "strike",
-    "x", "height", "angle", "vy", "omega", "slip", "ideal", "allowed",
-)  # fmt: skip
-_IN_ORDER = itemgetter(*map(_WRITTEN.index, CELL))
+_HOOP_NUMBERS, _PLANE_NUMBERS = _numbers("hoop"), _numbers("plane")
 
 
 def time_unit(hoop: Hoop, plane: Plane) -> float:

@@ -26,7 +26,11 @@ class _Own(threading.local):
     """Tables of this thread into which every motion is written first; the results are copied from them."""
 
     def __init__(self) -> None:
-        self.tables = Tables(np.empty((len(CELL), 1)), new_table(FIRST_EVENTS, EVENT), new_table(FIRST_SEGMENTS, SEGMENT))
+        self.tables = Tables(
+            np.ndarray((len(CELL), 1), float, bytearray(8 * len(CELL))),
+            new_table(FIRST_EVENTS, EVENT),
+            new_table(FIRST_SEGMENTS, SEGMENT),
+        )
 
 
 _own = _Own()
@@ -71,7 +75,7 @@ def simulate_rigid(scenario: Scenario) -> RigidMotion:
 def _ran(scenario: Scenario, script: np.ndarray) -> tuple[Outcome, Tables, np.ndarray]:
     """Run the kernel, with larger tables until they are long enough."""
     tables = _own.tables
-    _fill(tables.cell, 0, *cell_of(scenario))
+    _fill(tables.cell.base, 0, *cell_of(scenario))
     while True:
         outcome = _run(tables, script)
         if outcome.status == BUFFER:

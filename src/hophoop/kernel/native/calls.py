@@ -25,8 +25,8 @@ def _address(array: np.ndarray) -> int:
     return int(array.ctypes.data)
 
 
-class Memory(threading.local):
-    """The memory block of an entry in this thread, and a cache of arrays that are passed repeatedly."""
+class Memory:
+    """The memory block of an entry, and a cache of arrays that are passed repeatedly."""
 
     def __init__(self, size: int) -> None:
         self.block = ctypes.create_string_buffer(size)
@@ -62,6 +62,13 @@ class Memory(threading.local):
         if len(self.known) >= MOST_KNOWN:
             self.known.clear()
         self.known[id(given)] = given, found
+
+
+class ThreadMemory(threading.local):
+    """The memory of an entry in this thread."""
+
+    def __init__(self, size: int) -> None:
+        self.memory = Memory(size)
 
 
 class Packing:
@@ -153,14 +160,14 @@ def caller(function: Any, takes: list[Any], gives: Any) -> Callable[..., Any]:
     function.argtypes = (ctypes.c_void_p,)
     function.restype = ctypes.c_int32
     names = ", ".join(packing.names)
-    lines = [f"def call({names}):"]
+    lines = [f"def call({names}):", "    memory = local.memory"]
     lines += [f"    pack(memory.block, 0, {', '.join(packing.parts)})"]
     lines += ["    status = function(memory.address)", "    if status:", "        fail(status)"]
     if gives is not None:
         lines += [f"    values = unpack(memory.block, {given.size})"]
     lines += [f"    return {result}"]
     space: dict[str, Any] = {
-        "pack": given.pack_into, "unpack": back.unpack_from, "memory": Memory(given.size + back.size + 8),
+        "pack": given.pack_into, "unpack": back.unpack_from, "local": ThreadMemory(given.size + back.size + 8),
         "function": function, "classes": classes, "kinds": packing.kinds, "fail": _fail,
     }  # fmt: skip
     exec("\n".join(lines), space)

@@ -8,16 +8,17 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 
-# Rows of the array of cells, in SI units; `allowed` is 0 if the values contradict each other.
+# Rows of the array of cells, in SI units; `allowed` is 0 if the values contradict each other. `scenario.cell_of` writes them in
+# this order: the numbers of the hoop and of the plane as the table of parameters has them, then the rest.
 CELL = (
-    "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
-    "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
-    "ideal", "rolling_resistance", "allowed",
+    "eccentricity", "inertia_ratio", "radius", "mass",
+    "mu_static", "mu_kinetic", "slope", "gravity", "restitution", "rolling_resistance",
+    "duration", "max_events", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "ideal", "allowed",
 )  # fmt: skip
 (
-    RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
-    RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
-    IDEAL, ROLLING_RESISTANCE, ALLOWED,
+    ECCENTRICITY, INERTIA_RATIO, RADIUS, MASS,
+    MU_STATIC, MU_KINETIC, SLOPE, GRAVITY, RESTITUTION, ROLLING_RESISTANCE,
+    DURATION, MAX_EVENTS, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, IDEAL, ALLOWED,
 ) = range(len(CELL))  # fmt: skip
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]

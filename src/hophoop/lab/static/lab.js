@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 3bd9d0c313ac7d0dde328866ccf1270a */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources e744e824c444e6df4acc1bad365c0dc1 */
 var ql=Object.create;var ao=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Bl=Object.getOwnPropertyNames;var Fl=Object.getPrototypeOf,Wl=Object.prototype.hasOwnProperty;var $l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Hl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Bl(e))!Wl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
 return s};var Gl=(s,e,t)=>(t=s!=null?ql(Fl(s)):{},Hl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var Ha=$l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function Fa(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1720,8 +1720,8 @@ eshold uphill (β < 0): it depends on where the hoop turns back; see the map"},l
 event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E6\
 9F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E\
 73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D5\
-5E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law",
-"strike","x","height","angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{stronge:2,newton:0,poisson:1},events:2e3,
+5E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolli\
+ng_resistance","duration","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],laws:{stronge:2,newton:0,poisson:1},events:2e3,
 flight_turns:2e3,allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{
 least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,
 words:"from 1e-12 to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+\
@@ -1765,15 +1765,15 @@ file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","pl\
 ane.mu_static","plane.mu_kinetic","plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start\
-.vx","start.vy","start.omega"]};var E=Bo,je=s=>s==="inf"?1/0:s;var x={sources:"d71c8b07585884d2a30cbf0ed3f7c21a",module:"e045e09ff889a038",derivatives:"7456312d7e2f753e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
-.4.6",ziglang:"0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
-"angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_u\
-ntil","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from\
-_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","frict\
-ion","impact_normal","impact_tangential","gain","collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","fricti\
-on_force","normal_force","friction","impact_normal","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:["n\
-ormal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_norm\
-al","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
+.vx","start.vy","start.omega"]};var E=Bo,je=s=>s==="inf"?1/0:s;var x={sources:"67265e6a6ce7c7c493ea343a4d7cb47b",module:"0be4fbd308f1e46d",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+.4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
+tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
+_until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
+om_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","fri\
+ction","impact_normal","impact_tangential","gain","collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","fric\
+tion_force","normal_force","friction","impact_normal","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:[
+"normal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_no\
+rmal","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
 "law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh",
 "linear","bristle"],chosen:["stiffness","tangential_stiffness","slip_speed","depth","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_sp\
 eed","immediate_hop_speed","needed_friction","needed_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4",
