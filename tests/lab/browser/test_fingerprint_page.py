@@ -26,7 +26,8 @@ def test_it_is_that_of_python(visit, query):
     page.locator("input[data-path='start.speed']").fill("2")
     wait_for(page, "lab.film().scenario.start.speed === 2")
     changed = hh.Scenario.from_query(query).replace("start.speed", 2.0)
-    assert page.locator(".fingerprint code").inner_text() == hh.simulate(changed).fingerprint
+    # the story is written a moment after the picture
+    page.locator(".fingerprint code", has_text=hh.simulate(changed).fingerprint).wait_for()
 
 
 def test_it_is_copied(visit):
