@@ -27,10 +27,11 @@ def require_gpu() -> None:
     ValueError
         If numba-cuda is missing, or there is no CUDA GPU with its driver.
     """
-    from numba.core import config
+    if find_spec("numba") is not None:
+        from numba.core import config
 
-    if config.ENABLE_CUDASIM:  # Numba's simulator, which the tests use
-        return
+        if config.ENABLE_CUDASIM:  # Numba's simulator, which the tests use
+            return
     if find_spec("numba_cuda") is None:
         raise InputError(
             "device = 'gpu' needs a CUDA GPU with its driver, and numba-cuda, which is not installed; it comes with "
