@@ -100,3 +100,15 @@ def test_there_is_no_bar_without_a_terminal(monkeypatch, capsys):
 def test_a_bar_can_be_switched_off(terminal):
     with reporting.bar("frames", quiet=True) as report:
         assert report is None
+
+
+def test_a_map_shows_its_cells_and_their_rate(terminal, capfd):
+    hh.maps.sweep(None, {"start.speed": [1.0, 2.0, 3.0], "plane.mu": [0.5, 1.0]}, progress=True)
+    shown = capfd.readouterr().err
+    assert "6/6" in shown
+    assert "per second" in shown
+
+
+def test_without_a_terminal_a_map_shows_nothing(capfd):
+    hh.maps.sweep(None, {"start.speed": [1.0, 2.0], "plane.mu": [0.5, 1.0]}, progress=True)
+    assert capfd.readouterr().err == ""

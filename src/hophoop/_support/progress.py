@@ -6,9 +6,12 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Protocol, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from rich.progress import ProgressColumn
 
 Result = TypeVar("Result")
 LOOKS = 0.1  # s between two reports
@@ -23,7 +26,7 @@ class Report(Protocol):
 
 
 @contextmanager
-def bar(title: str, *, quiet: bool = False, share: bool = False) -> Iterator[Report | None]:
+def bar(title: str, *, quiet: bool = False, share: bool = False, rate: bool = False) -> Iterator[Report | None]:
     """Show a progress bar on standard error.
 
     Parameters
@@ -34,6 +37,8 @@ def bar(title: str, *, quiet: bool = False, share: bool = False) -> Iterator[Rep
         Show none.
     share : bool, default False
         For one computation, which reports a share: the bar has no counts, and appears after a second.
+    rate : bool, default False
+        Show also how many are done per second.
 
     Yields
     ------
@@ -48,7 +53,9 @@ def bar(title: str, *, quiet: bool = False, share: bool = False) -> Iterator[Rep
         return
     from rich.progress import MofNCompleteColumn, Progress
 
-    counts = () if share else (MofNCompleteColumn(),)
+    counts: list[ProgressColumn] = [] if share else [MofNCompleteColumn()]
+    if rate:
+        counts.append(_rate_column())
     shown = Progress(*Progress.get_default_columns(), *counts, console=console, transient=True)
     task = shown.add_task(title, total=None)
     start = time.monotonic() + (SOON if share else 0.0)
@@ -63,6 +70,20 @@ def bar(title: str, *, quiet: bool = False, share: bool = False) -> Iterator[Rep
     finally:
         if shown.live.is_started:
             shown.stop()
+
+
+def _rate_column() -> ProgressColumn:
+    from rich.progress import ProgressColumn, Task
+    from rich.text import Text
+
+    class Rate(ProgressColumn):
+        """How many are done per second."""
+
+        def render(self, task: Task) -> Text:
+            speed = task.finished_speed or task.speed
+            return Text("" if speed is None else f"{speed:,.0f} per second")
+
+    return Rate()
 
 
 def compute_reporting(compute: Callable[[np.ndarray], Result], progress: Callable[[float], object]) -> Result:

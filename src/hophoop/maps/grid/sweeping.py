@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from hophoop._support.checksum import seal
 from hophoop._support.extras import need
 from hophoop._support.files import replacing
+from hophoop._support.progress import bar
 from hophoop.maps.grid import store
 from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit, values_of
 from hophoop.maps.grid.memory import check_memory
@@ -125,7 +126,7 @@ def sweep(
     kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
     if out is None:
         check_memory(plan.shape, kinds, "name a file that ends in .zarr with out, or take fewer values")
-        with thread_limit(threads), _Reporter(progress, plan) as report:
+        with thread_limit(threads), _reporting(progress, plan) as report:
             dataset = _in_memory(plan, device, report)
             return dataset
     file = Path(out)
@@ -140,7 +141,7 @@ def sweep(
     if place != file:  # netCDF is written at the end, all at once
         check_memory(plan.shape, 2 * kinds, "name a file that ends in .zarr")
     with thread_limit(threads), store.begun(place, plan, resume) as (plan, todo):
-        with _Reporter(progress, plan) as report:
+        with _reporting(progress, plan) as report:
             report(_cells_of(plan, set(range(plan.parts)) - todo))
             if clustered:
                 from hophoop.maps.grid.distributed import compute_on_cluster
@@ -222,51 +223,17 @@ def _to_netcdf(place: Path, file: Path) -> None:
     store.remove(place)
 
 
-class _Reporter:
+@contextmanager
+def _reporting(progress: bool | Progress, plan: Plan) -> Iterator[Callable[[int], None]]:
     """Context that gives one function to call with the number of cells just done, for a bar, a callable or neither."""
+    total, done = int(np.prod(plan.shape)), 0
+    with bar("cells", quiet=progress is not True, rate=True) as shown:
+        report = progress if callable(progress) else shown
 
-    def __init__(self, progress: bool | Progress, plan: Plan) -> None:
-        self.total = int(np.prod(plan.shape))
-        self.done = 0
-        self.progress = progress
-        self.bar: Any = None
+        def add(cells: int) -> None:
+            nonlocal done
+            done += cells
+            if report is not None:
+                report(done, total)
 
-    def __enter__(self) -> Callable[[int], None]:
-        if self.progress is True:
-            self.bar = _bar()
-            self.bar.start()
-            self.task = self.bar.add_task("cells", total=self.total)
-        return self.add
-
-    def add(self, cells: int) -> None:
-        self.done += cells
-        if self.bar is not None:
-            self.bar.update(self.task, completed=self.done)
-        elif callable(self.progress):
-            self.progress(self.done, self.total)
-
-    def __exit__(self, *error: Any) -> None:
-        if self.bar is not None:
-            self.bar.stop()
-
-
-def _bar() -> Any:
-    from rich.console import Console
-    from rich.progress import (
-        BarColumn,
-        MofNCompleteColumn,
-        Progress,
-        ProgressColumn,
-        Task,
-        TimeRemainingColumn,
-    )
-    from rich.text import Text
-
-    class Rate(ProgressColumn):
-        """Motions per second."""
-
-        def render(self, task: Task) -> Text:
-            speed = task.finished_speed or task.speed
-            return Text("" if speed is None else f"{speed:,.0f} a second")
-
-    return Progress(BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn(), console=Console(file=sys.stderr))
+        yield add
