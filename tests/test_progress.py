@@ -103,7 +103,7 @@ def test_a_bar_can_be_switched_off(terminal):
 
 
 def test_a_map_shows_its_cells_and_their_rate(terminal, capfd):
-    hh.maps.sweep(None, {"start.speed": [1.0, 2.0, 3.0], "plane.mu": [0.5, 1.0]}, progress=True)
+    hh.maps.sweep(None, {"start.speed": [1.0, 2.0, 3.0], "plane.mu": [0.5, 1.0]}, progress=True, chunk_cells=2)
     shown = capfd.readouterr().err
     assert "6/6" in shown
     assert "per second" in shown

@@ -1,9 +1,11 @@
 """The JavaScript: what the package carries is built from the sources beside it, which are linted and typed."""
 
 import hashlib
+import json
 import re
 import shutil
 import subprocess
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -58,6 +60,15 @@ def test_the_build_gives_the_same_bytes(node, tmp_path):
     node("build.mjs", tmp_path)
     for name, path in BUILT.items():
         assert (tmp_path / name).read_bytes() == path.read_bytes(), name
+
+
+def test_a_translation_is_in_the_page_once():
+    """German was there twice: the two ways of importing it differed."""
+    german = json.loads((WEB / "words" / "de.json").read_text(encoding="utf-8"))
+    page = BUILT["lab.js"].read_text(encoding="utf-8").replace("\\\n", "")  # long lines are broken
+    plain = {text for text, count in Counter(german.values()).items() if count == 1 and re.fullmatch(r"[\w ,.;–]{30,}", text)}
+    assert len(plain) > 10
+    assert {len(re.findall(f"[\"'`]{re.escape(text)}[\"'`]", page)) for text in plain} == {1}
 
 
 def test_the_linter_finds_nothing(node):

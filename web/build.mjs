@@ -44,7 +44,7 @@ const words = {
       const values = JSON.stringify(keys.map((key) => table[key]));
       return {
         contents:
-          `import de from "./de.json";\nconst values = ${values};\n` +
+          `import de from "./de.json" with { type: "json" };\nconst values = ${values};\n` +
           "export default Object.fromEntries(Object.keys(de).map((key, place) => [key, values[place]]));",
         loader: "js",
       };
