@@ -1,8 +1,8 @@
 """Parameters of a scenario, one row of a table each: meaning, unit, range, and how people set and see them.
 
 A new parameter needs its field in `scenario.models` and a row of `TABLE`. Its option of the command line, its slider and axis
-in the lab, its entry in tables.json, maps and derivatives follow. A parameter of the kernel also needs a column of `CELL`, in the
-order of this table.
+in the lab, its entry in tables.json, maps and derivatives follow. A parameter of the kernel also needs a column of `CELL`, in
+the order of this table.
 """
 
 from __future__ import annotations
