@@ -137,6 +137,7 @@ interface Pose {
   omega: number;
   normal_force: number;
   friction_force: number;
+  digits: number; // of speeds and forces that are right
   [column: string]: any;
 }
 
@@ -145,6 +146,10 @@ type Column = Float64Array | Float32Array | Uint8Array;
 interface Reply {
   header: any;
   arrays: Record<string, any>;
+  /** Of a film: its columns at one time, where the page can compute them at once. */
+  exact?(time: number): Record<string, Column>;
+  /** Of a film that another computes: its columns from one time to another. */
+  samples?(window: [number, number]): Promise<Record<string, Column>>;
 }
 
 type Change = [path: string, value: unknown];
@@ -156,6 +161,8 @@ interface Backend {
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
   files?: string[]; // which files it makes; all where it does not say
+  /** How a motion that came from elsewhere is known at any time, where the page computes by itself. */
+  exact?(scenario: any): Promise<Pick<Reply, "exact" | "samples">>;
   /** What a little more of a parameter does, where the page computes by itself. */
   changes?(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null>;
 }
@@ -397,6 +404,8 @@ interface Mechanics {
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
   /** Python's `most_resistance`; missing where the kernel knows none. */
   resistance?(eccentricity: number, inertia_ratio: number): number;
+  /** The columns of a film at one time, from the pieces of the motion; missing where the kernel keeps none. */
+  instant?(given: Given, pieces: Uint8Array, time: number): Record<string, Column>;
   /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
   compliance?(given: Given): Compliance;
 }
@@ -454,7 +463,10 @@ interface MapValues {
 // The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
   /** A motion and its columns at once. */
-  film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
+  film?(
+    given: Given,
+    signal?: AbortSignal,
+  ): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column>; pieces: Uint8Array }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
   columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;

@@ -61,7 +61,7 @@ export function columnsOf(module, computed, window) {
  * @param {Float64Array} sides
  * @param {Float64Array} before
  */
-function joined(times, after, sides, before) {
+export function joined(times, after, sides, before) {
   const size = times.length + sides.length;
   const width = layout.samples.length;
   const t = new Float64Array(size);

@@ -2,7 +2,7 @@
 
 import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.js";
 import { Memory } from "./memory.js";
-import { columnsOf } from "./columns.js";
+import { columnsOf, joined } from "./columns.js";
 import { fingerprintOf } from "./fingerprint.js";
 import { sequencesOf } from "./sequences.js";
 
@@ -11,6 +11,7 @@ const FIRST_SEGMENTS = 2048;
 const FIRST_ROWS = 4096;
 const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
 const BUFFER = layout.statuses.indexOf("buffer");
+const KEPT = 2; // motions whose states can be asked for by turns
 const PASSING = new Set(layout.passing);
 /** @param {number} value */
 const finite = (value) => (Number.isFinite(value) ? value : null);
@@ -25,6 +26,9 @@ export class HoopModule {
     this.mostEvents = FIRST_EVENTS;
     this.mostSegments = FIRST_SEGMENTS;
     this.mostRows = FIRST_ROWS;
+    /** @type {{ pieces: Uint8Array, place: number }[]} */
+    this.kept = [];
+    this.turn = 0;
   }
 
   /**
@@ -119,12 +123,46 @@ export class HoopModule {
   }
 
   /**
-   * A film's header and columns at once.
+   * A film's header and columns at once, and the pieces of which `instant` makes the state at any time.
    * @param {Given} given
    */
   film(given) {
     const computed = this.compute(given);
-    return { motion: told(computed), columns: columnsOf(this, computed) };
+    const [name, bytes] = given.contact ? ["rows", layout.compliant_segment_bytes] : ["segments", layout.segment_bytes];
+    const place = this.memory.room(name, 8);
+    const pieces = new Uint8Array(this.exports.memory.buffer, place, bytes * computed.segments).slice();
+    return { motion: told(computed), columns: columnsOf(this, computed), pieces };
+  }
+
+  /**
+   * A film's columns at one time, of a motion that was computed elsewhere.
+   * @param {Given} given
+   * @param {Uint8Array} pieces of the motion
+   * @param {number} time
+   */
+  instant(given, pieces, time) {
+    const segments = pieces.length / (given.contact ? layout.compliant_segment_bytes : layout.segment_bytes);
+    this.memory.put("cell", cellOf(given));
+    if (given.contact) this.memory.put("contact", contactOf(given.contact));
+    const times = Float64Array.of(time);
+    const states = this.states({ given, segments }, times, false, this.placeOf(pieces));
+    const none = new Float64Array(0);
+    return joined(times, states, none, none);
+  }
+
+  /**
+   * Where the pieces of a motion are in memory: they are copied once, not at every picture.
+   * @param {Uint8Array} pieces
+   */
+  placeOf(pieces) {
+    const there = this.kept.find((one) => one.pieces === pieces);
+    if (there) return there.place;
+    const { turn } = this;
+    this.turn = (turn + 1) % KEPT;
+    const place = this.memory.room(`pieces ${turn}`, Math.max(pieces.length, 1));
+    new Uint8Array(this.exports.memory.buffer, place, pieces.length).set(pieces);
+    this.kept[turn] = { pieces, place };
+    return place;
   }
 
   /**
@@ -150,12 +188,13 @@ export class HoopModule {
 
   /**
    * Rows of `layout.samples` of the motion that was computed last.
-   * @param {Computed} computed
+   * @param {Pick<Computed, "given" | "segments">} computed
    * @param {Float64Array} times
    * @param {boolean} left just before an event
+   * @param {number} [place] of its pieces, where they are others than those computed last
    */
-  states(computed, times, left) {
-    return this.rows("samples", layout.samples.length, computed, times, left);
+  states(computed, times, left, place) {
+    return this.rows("samples", layout.samples.length, computed, times, left, place);
   }
 
   /**
@@ -178,11 +217,12 @@ export class HoopModule {
    * Rows of an entry that tells of times of the motion that was computed last.
    * @param {string} name
    * @param {number} width
-   * @param {Computed} computed
+   * @param {Pick<Computed, "given" | "segments">} computed
    * @param {Float64Array} times
    * @param {boolean} left just before an event
+   * @param {number} [place] of its pieces
    */
-  rows(name, width, computed, times, left) {
+  rows(name, width, computed, times, left, place) {
     const { memory } = this;
     const size = times.length * width;
     const when = memory.put("times", times);
@@ -190,9 +230,9 @@ export class HoopModule {
     const cell = memory.room("cell", 8);
     const ask = [computed.segments, when, times.length, Number(left), out];
     if (computed.given.contact) {
-      this.call("compliant_samples", cell, memory.room("contact", 8), memory.room("rows", 8), ...ask);
+      this.call("compliant_samples", cell, memory.room("contact", 8), place ?? memory.room("rows", 8), ...ask);
     } else {
-      this.call(name, cell, memory.room("segments", 8), ...ask);
+      this.call(name, cell, place ?? memory.room("segments", 8), ...ask);
     }
     return memory.floats(out, size).slice();
   }

@@ -5,7 +5,6 @@ import { told } from "./words.js";
 
 export const MODE_LETTERS = "RSKHM";
 
-const STEADY = new Set(["x", "angle", "height"]);
 const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
 const PART = 8; // seconds that are made finer at a time
 /** @type {Record<string, string>} */
@@ -43,6 +42,15 @@ export class Film {
     this.doubt = header.doubt ?? "";
     /** @type {Record<string, Column>} */
     this.columns = reply.arrays;
+    /** @type {Reply["exact"]} the state at any time; without it, states between samples are interpolated */
+    this.exact = reply.exact;
+    this.samples = reply.samples;
+    /** @type {Film | null} the film of one instant that was asked for last */
+    this.latest = null;
+    /** @type {Film | null} an instant of a film without `exact`, as its kernel has it */
+    this.pinned = null;
+    /** @type {boolean} whether a film of one instant is exact, not interpolated */
+    this.sure = true;
     /** @type {Float64Array} */
     this.t = reply.arrays.t;
     this.length = this.t.length;
@@ -84,13 +92,38 @@ export class Film {
    * @param {Record<string, any>} columns
    */
   refine(columns) {
-    this.part = Object.assign(Object.create(this), {
-      columns,
-      t: columns.t,
-      length: columns.t.length,
-      cache: new Map(),
-      part: null,
-    });
+    this.part = this.with(columns);
+    this.latest = null;
+  }
+
+  /**
+   * The same motion at other times.
+   * @param {Record<string, any>} columns
+   * @returns {Film}
+   */
+  with(columns) {
+    const { t } = columns;
+    const own = { columns, t, length: t.length, cache: new Map(), part: null, latest: null, pinned: null, sure: true };
+    return Object.assign(Object.create(this), own);
+  }
+
+  /**
+   * Take the state at one time.
+   * @param {Record<string, any>} columns
+   * @param {number} time
+   */
+  pin(columns, time) {
+    const found = this.with(columns);
+    this.pinned = found.one(found.index(time));
+    this.latest = null;
+  }
+
+  /**
+   * The film of one sample.
+   * @param {number} i
+   */
+  one(i) {
+    return this.with(Object.fromEntries(Object.entries(this.columns).map(([name, column]) => [name, [column[i]]])));
   }
 
   /**
@@ -175,30 +208,51 @@ export class Film {
   }
 
   /**
+   * The film of one instant: each column has its value at a time, exactly where `sure`.
+   * @param {number} time
+   * @returns {Film}
+   */
+  moment(time) {
+    const now = clamp(time, 0, this.duration);
+    if (this.latest?.t[0] === now) return this.latest;
+    const { pinned, exact } = this;
+    const film = this.holding(now);
+    const i = film.index(now);
+    if (exact) this.latest = this.with({ ...exact(now), mode: [film.columns.mode[i]] });
+    else if (pinned?.t[0] === now) this.latest = pinned;
+    else this.latest = film.t[i] === now ? film.one(i) : film.between(now, i);
+    return this.latest;
+  }
+
+  /**
+   * A film of one instant between two samples; a time at which something happens has a sample on either side.
+   * @param {number} now
+   * @param {number} i the sample before
+   */
+  between(now, i) {
+    const j = Math.min(i + 1, this.length - 1);
+    const span = this.t[j] - this.t[i];
+    const share = span > 0 ? (now - this.t[i]) / span : 0;
+    /** @type {Record<string, number[]>} */
+    const columns = {};
+    for (const [name, column] of Object.entries(this.columns)) {
+      const a = column[i];
+      const b = column[j];
+      const rate = this.columns[RATES[name]];
+      if (name === "mode" || !Number.isFinite(b)) columns[name] = [a];
+      else columns[name] = [rate ? hermite(a, b, rate[i] * span, rate[j] * span, share) : a + (b - a) * share];
+    }
+    return Object.assign(this.with({ ...columns, t: [now] }), { sure: false });
+  }
+
+  /**
    * @param {number} time
    * @returns {Pose}
    */
   at(time) {
-    const now = clamp(time, 0, this.duration);
-    const holding = this.holding(now);
-    if (holding !== this) return holding.at(now);
-    const i = this.index(now);
-    const j = Math.min(i + 1, this.length - 1);
-    const span = this.t[j] - this.t[i];
-    const share = span > 0 ? (now - this.t[i]) / span : 0;
-    /** @type {Record<string, any>} */
-    const pose = { t: now, mode: MODE_LETTERS[this.columns.mode[i]] };
-    for (const [name, column] of Object.entries(this.columns)) {
-      if (name === "t" || name === "mode") continue;
-      const a = column[i];
-      const b = column[j];
-      if (share === 0 || !Number.isFinite(b)) pose[name] = a;
-      else if (STEADY.has(name)) {
-        const rate = this.columns[RATES[name]];
-        pose[name] = hermite(a, b, rate[i] * span, rate[j] * span, share);
-      } else pose[name] = a + (b - a) * share;
-    }
-    return /** @type {Pose} */ (pose);
+    const { columns, sure } = this.moment(time);
+    const values = Object.fromEntries(Object.entries(columns).map(([name, [value]]) => [name, value]));
+    return /** @type {any} */ ({ ...values, mode: MODE_LETTERS[columns.mode[0]], digits: sure ? 3 : 2 });
   }
 
   /**

@@ -3,6 +3,8 @@
 import { Film } from "./film.js";
 import { History } from "./history.js";
 
+const INSTANT = 1e-6; // seconds: of a window that is asked for its first moment only
+
 /**
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under way.
  * @typedef {{
@@ -54,9 +56,25 @@ export class Motions {
     return this.lanes.length > 1 ? "AB"[this.active] : "";
   }
 
+  /**
+   * A film; one that came with a notebook is computed here too, to be exact at any time.
+   * @param {Reply} reply
+   */
+  filmOf(reply) {
+    const film = new Film(reply);
+    const known = reply.exact || reply.samples ? null : this.backend.exact?.(film.scenario);
+    known
+      ?.then((found) => {
+        Object.assign(film, found, { latest: null });
+        this.listener.refined();
+      })
+      .catch(() => {}); // it plays on between its samples
+    return film;
+  }
+
   /** @param {Reply[]} replies */
   set(replies) {
-    this.lanes = replies.map((reply) => ({ film: new Film(reply) }));
+    this.lanes = replies.map((reply) => ({ film: this.filmOf(reply) }));
     this.active = Math.min(this.active, this.lanes.length - 1);
   }
 
@@ -107,18 +125,20 @@ export class Motions {
   /**
    * Make films finer where one looks, if they are too long to be sent so densely.
    * @param {number} time
-   * @param {number} ahead
+   * @param {number} ahead 0 where it is still
    */
   refine(time, ahead) {
     for (const lane of this.lanes) {
       const { film } = lane;
-      const window = lane.refining || lane.coarse === film ? null : film.wanted(time, ahead);
-      if (!window) continue;
+      if (lane.refining || lane.coarse === film) continue;
+      const window = film.wanted(time, ahead);
+      const instant = !window && ahead === 0 && !film.moment(time).sure;
+      if (!window && !instant) continue;
       lane.refining = true;
-      this.backend
-        .call("samples", { scenario: film.scenario, window })
-        .then(({ arrays }) => {
-          film.refine(arrays);
+      this.samples(film, window ?? [time, time + INSTANT])
+        .then((columns) => {
+          if (window) film.refine(columns);
+          else film.pin(columns, time);
           this.listener.refined();
         })
         .catch(() => {
@@ -128,6 +148,15 @@ export class Motions {
           lane.refining = false;
         });
     }
+  }
+
+  /**
+   * @param {Film} film
+   * @param {[number, number]} window times from and to
+   */
+  async samples(film, window) {
+    if (film.samples) return film.samples(window);
+    return (await this.backend.call("samples", { scenario: film.scenario, window })).arrays;
   }
 
   /** @param {Lane} lane */
@@ -157,7 +186,7 @@ export class Motions {
    */
   replace(reply) {
     // an answer that is still under way belongs to what was there before
-    this.lanes[this.active] = { film: new Film(reply) };
+    this.lanes[this.active] = { film: this.filmOf(reply) };
     this.listener.shown();
     this.note();
   }

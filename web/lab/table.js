@@ -26,23 +26,13 @@ export function rowsOf(film, columns, step) {
 }
 
 /**
- * A quantity at a time, between the samples that are there.
+ * A quantity at a time.
  * @param {Film} film
  * @param {string} key
  * @param {number} time
  */
 export function valueAt(film, key, time) {
-  if (key === "time") return time;
-  const pose = film.at(time);
-  if (key in pose && key !== "angle") return pose[key];
-  const degrees = (pose.angle * 180) / Math.PI;
-  if (key === "angle") return degrees;
-  if (key === "turns") return degrees - 360 * Math.floor(degrees / 360);
-  const values = QUANTITIES[key].values(film);
-  const i = film.index(time);
-  const j = Math.min(i + 1, film.length - 1);
-  const share = film.t[j] > film.t[i] ? (time - film.t[i]) / (film.t[j] - film.t[i]) : 0;
-  return values[i] + share * (values[j] - values[i]);
+  return QUANTITIES[key].values(film.moment(time))[0];
 }
 
 export class Table {
