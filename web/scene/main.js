@@ -57,6 +57,7 @@ class Player {
   /** @param {boolean} on */
   play(on) {
     this.playing = on;
+    if (!on) this.now = Math.floor(this.now); // a still picture is that of its numbers
     this.button.textContent = on ? "Pause" : "Play";
   }
 
