@@ -161,6 +161,8 @@ interface Backend {
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
   files?: string[]; // which files it makes; all where it does not say
+  /** What a link says in spite of what is wrong in it, where the page reads links by itself. */
+  readable?(query: string): { query: string; foreign: string[]; error: Error | null };
   /** How a motion that came from elsewhere is known at any time, where the page computes by itself. */
   exact?(scenario: any): Promise<Pick<Reply, "exact" | "samples">>;
   /** What a little more of a parameter does, where the page computes by itself. */

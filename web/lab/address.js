@@ -2,6 +2,7 @@
 
 import { once } from "./dom.js";
 import { clamp } from "./numbers.js";
+import { english } from "./words.js";
 
 /** @type {[keyof StageOptions, string][]} */
 const LETTERS = [
@@ -90,7 +91,7 @@ function numbers(text, count) {
 }
 
 // The two links that an address holds.
-const queries = () => {
+export const queries = () => {
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
   return [location.search.slice(1), ...(other === null ? [] : [other])];
 };
@@ -101,6 +102,7 @@ export class Address {
   constructor(lab) {
     this.lab = lab;
     this.number = 0;
+    this.held = false; // the address is wrong: it stays, to be corrected, until another motion is a step
     this.soon = once(() => this.write("same"), WAIT);
     this.listen = () => this.arrived();
     addEventListener("popstate", this.listen);
@@ -116,9 +118,28 @@ export class Address {
     if (!lab.motions.lanes.length) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!lab.motions.history.holds(lab.motions.queries())) return;
+    if (this.held && step === "same") return;
     const link = lab.link();
-    if (step === "step") history.pushState({ number: ++this.number }, "", link);
+    if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
+    this.held = false;
+  }
+
+  /**
+   * Links as far as they can be read; what is wrong in them is said, and the address stays as it is.
+   * @param {string[]} links
+   */
+  read(links) {
+    const { backend, notice } = this.lab;
+    const found = links.map((link) => backend.readable?.(link) ?? { query: link, foreign: [], error: null });
+    const error = found.find((one) => one.error)?.error;
+    const foreign = found.flatMap((one) => one.foreign);
+    this.held = Boolean(error);
+    const said = () => {
+      if (error) notice.fail(error, "The rest of the link is shown. Correct the address, or go on from here.");
+      else if (foreign.length) notice.say(english("Ignored in the link: {names}.", { names: foreign.join(", ") }));
+    };
+    return { links: found.map((one) => one.query), said };
   }
 
   /**
@@ -138,9 +159,11 @@ export class Address {
 
   async arrived() {
     const number = history.state?.number ?? 0;
-    const asked = queries();
+    const { links: asked, said } = this.read(queries());
     if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
-    else if (await this.lab.motions.arrive(asked)) this.number = number;
-    else if (number !== this.number) history.go(this.number - number); // stay with what is shown
+    else if (await this.lab.motions.arrive(asked)) {
+      this.number = number;
+      said();
+    } else if (number !== this.number) history.go(this.number - number); // stay with what is shown
   }
 }

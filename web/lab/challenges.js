@@ -15,6 +15,10 @@ const drawn = (points) => "★".repeat(stars(points)) + "☆".repeat(3 - stars(p
 export class Challenges {
   /** @type {Goal | null} */
   goal = null;
+  /** @type {Set<string>} challenges whose solution is shown, until they are begun again */
+  solved = new Set();
+  /** @type {Set<string>} solutions that were shown, by their links */
+  solutions = new Set();
 
   /** @param {import("./lab.js").Lab} lab */
   constructor(lab) {
@@ -50,8 +54,8 @@ export class Challenges {
       h(
         "div",
         { class: "buttons" },
-        h("button", { type: "button", onclick: () => this.goal && this.load(this.goal.start) }, "Begin again"),
-        h("button", { type: "button", onclick: () => this.goal && this.load(this.goal.best) }, "Show a best one"),
+        h("button", { type: "button", onclick: () => this.begin() }, "Begin again"),
+        h("button", { type: "button", onclick: () => this.solve() }, "Show a best one"),
       ),
     );
   }
@@ -77,6 +81,21 @@ export class Challenges {
     this.changed();
   }
 
+  begin() {
+    if (!this.goal) return;
+    this.solved.delete(this.goal.key);
+    this.load(this.goal.start);
+  }
+
+  /** A solution that is shown is not the visitor's: it does not count, and nothing that is made of it. */
+  async solve() {
+    const { goal } = this;
+    if (!goal) return;
+    this.solved.add(goal.key);
+    await this.load(goal.best);
+    this.solutions.add(this.lab.film().query);
+  }
+
   /** @param {string} query */
   async load(query) {
     const { lab } = this;
@@ -95,15 +114,20 @@ export class Challenges {
     const { goal, lab } = this;
     if (!goal) return;
     const { points, text, values = {} } = goal.score(lab.film());
+    const counts = !this.solved.has(goal.key) && !this.solutions.has(lab.film().query);
     this.meter.value = points;
-    const said = t("{stars} {points} points. {what}", {
-      stars: drawn(points),
-      points,
-      what: t(text, values),
-    });
+    const said = t(
+      counts ? "{stars} {points} points. {what}" : "{stars} {points} points, shown and not counted. {what}",
+      {
+        stars: drawn(points),
+        points,
+        what: t(text, values),
+      },
+    );
     if (this.result.textContent !== said) this.result.textContent = said;
-    const best = Number(recall(KEY + goal.key) ?? 0);
-    if (points > best && !lab.stage.options.ahead) remember(KEY + goal.key, String(points));
-    say(this.kept, t("Your best: {points} points.", { points: Math.max(best, lab.stage.options.ahead ? 0 : points) }));
+    const kept = Number(recall(KEY + goal.key) ?? 0);
+    const best = counts && !lab.stage.options.ahead ? Math.max(kept, points) : kept;
+    if (best > kept) remember(KEY + goal.key, String(best));
+    say(this.kept, t("Your best: {points} points.", { points: best }));
   }
 }

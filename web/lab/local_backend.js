@@ -105,6 +105,11 @@ export class LocalBackend {
     return { exact, samples };
   }
 
+  /** @param {string} query of a link */
+  readable(query) {
+    return model.readable(query, this.mechanics);
+  }
+
   /**
    * How the hoop turns after events at which it slips and does not turn yet.
    * @param {Given} given

@@ -1,6 +1,6 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
-import { readShown } from "./address.js";
+import { queries, readShown } from "./address.js";
 import { Lab } from "./lab.js";
 import { unpack } from "./packing.js";
 import { backendOf, keepOffline, widgetBackend } from "./start.js";
@@ -23,13 +23,15 @@ async function startPage(root) {
   if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
-  const other = new URLSearchParams(location.hash.slice(1)).get("with");
   const shown = readShown(location.hash);
+  const address = /** @type {import("./address.js").Address} */ (lab.address);
+  const { links, said } = address.read(queries());
   try {
-    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])], shown);
+    await lab.open(links, shown);
+    said();
   } catch (error) {
     // a link that holds no scenario: say so, and show the reference case
-    history.replaceState(null, "", base);
+    address.held = true;
     await lab.open([""]);
     lab.notice.fail(/** @type {Error} */ (error));
   }

@@ -1,6 +1,7 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "./dom.js";
+import { spokenText } from "./words.js";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -11,9 +12,13 @@ export class Notice {
     this.timer = 0;
   }
 
-  /** @param {Error} error */
-  fail(error) {
-    say(this.message, error.message);
+  /**
+   * @param {Error} error
+   * @param {string} [hint] what can be done
+   */
+  fail(error, hint = "") {
+    const texts = [error.message, ...(hint ? [" ", hint] : [])].map(spokenText);
+    this.message.replaceChildren(...texts);
     this.message.hidden = false;
     if (!this.seen()) this.say(error.message, this.message.isConnected);
   }

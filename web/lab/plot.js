@@ -259,7 +259,10 @@ export class Plot {
         if (value > high) high = value;
       }
       const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
-      const found = { name: t(name), low: show(low, 3), high: show(high, 3) };
+      // what rounding leaves of a zero is zero
+      const size = 1e-12 * Math.max(-low, high);
+      const tidy = (/** @type {number} */ value) => show(Math.abs(value) < size ? 0 : value, 3);
+      const found = { name: t(name), low: tidy(low), high: tidy(high) };
       return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
     });
     const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });

@@ -6,6 +6,7 @@ export { InputError, TooMuch } from "./check.js";
 export { resultText, tableText, timesOf } from "./files.js";
 export { given, stateOf } from "./given.js";
 export { headerOf, resultOf } from "./header.js";
+export { readable } from "./link.js";
 export { doubtText, labText, within, withinMap } from "./limits.js";
 export { ratesOf } from "./rates.js";
 export { asked, requested } from "./request.js";
