@@ -118,7 +118,7 @@ export class Address {
     if (!lab.motions.lanes.length) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!lab.motions.history.holds(lab.motions.queries())) return;
-    if (this.held && step === "same") return;
+    if (this.held && (step === "same" || step === "travelled")) return;
     const link = lab.link();
     if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
