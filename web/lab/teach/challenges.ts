@@ -1,0 +1,133 @@
+// The challenges beside the player: each motion that is shown is scored at once, and the best score is kept.
+
+import { h, say } from "../common/dom.ts";
+import { GOALS, stars, type Goal } from "./goals.ts";
+import { recall, remember } from "../shell/memory.ts";
+import { t } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+
+const KEY = "hophoop-best-";
+
+const drawn = (points: number) => "★".repeat(stars(points)) + "☆".repeat(3 - stars(points));
+
+export class Challenges {
+  goal: Goal | null = null;
+  /** challenges whose solution is shown, until they are begun again. */
+  solved: Set<string> = new Set();
+  /** solutions that were shown, by their links. */
+  solutions: Set<string> = new Set();
+
+  tabs: Map<string, HTMLButtonElement>;
+  text: HTMLParagraphElement;
+  meter: HTMLMeterElement;
+  result: HTMLParagraphElement;
+  kept: HTMLParagraphElement;
+  element: HTMLElement;
+
+  constructor(public lab: Lab) {
+    this.tabs = new Map(
+      GOALS.map((goal) => [
+        goal.key,
+        h("button", { type: "button", "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
+      ]),
+    );
+    this.text = h("p", {});
+    this.meter = h("meter", { min: "0", max: "100", low: "40", high: "75", optimum: "100", "aria-label": "Score" });
+    this.result = h("p", { class: "challenge-result", role: "status" });
+    this.kept = h("p", { class: "hint" });
+    this.element = h(
+      "section",
+      { class: "challenges card", "aria-label": "Challenges", hidden: true },
+      h(
+        "header",
+        {},
+        h("h2", {}, "Challenges"),
+        h(
+          "button",
+          { type: "button", class: "quiet", "aria-label": "Leave the challenges", onclick: () => this.close() },
+          "×",
+        ),
+      ),
+      h("div", { class: "tabs", role: "group", "aria-label": "Which challenge" }, [...this.tabs.values()]),
+      this.text,
+      this.meter,
+      this.result,
+      this.kept,
+      h(
+        "div",
+        { class: "buttons" },
+        h("button", { type: "button", onclick: () => this.begin() }, "Begin again"),
+        h("button", { type: "button", onclick: () => this.solve() }, "Show a best one"),
+      ),
+    );
+  }
+
+  open() {
+    this.element.hidden = false;
+    this.choose(this.goal ?? GOALS[0]);
+    this.element.scrollIntoView({ block: "nearest" });
+    this.tabs.get((this.goal as Goal).key)?.focus({ preventScroll: true });
+  }
+
+  close() {
+    this.goal = null;
+    this.element.hidden = true;
+  }
+
+  choose(goal: Goal) {
+    this.goal = goal;
+    for (const [key, tab] of this.tabs) tab.setAttribute("aria-pressed", String(key === goal.key));
+    say(this.text, goal.text);
+    // what was done in the lab before may count already; a challenge begins with its own motion only when asked
+    this.changed();
+  }
+
+  begin() {
+    if (!this.goal) return;
+    this.solved.delete(this.goal.key);
+    this.load(this.goal.start);
+  }
+
+  /** A solution that is shown is not the visitor's: it does not count, and nothing that is made of it. */
+  async solve() {
+    const { goal } = this;
+    if (!goal) return;
+    this.solved.add(goal.key);
+    await this.load(goal.best);
+    this.solutions.add(this.lab.film().query);
+  }
+
+  async load(query: string) {
+    const { lab } = this;
+    try {
+      const reply = await lab.backend.call("film", { query });
+      lab.clock.play(false);
+      lab.clock.time = 0;
+      lab.motions.replace(reply);
+    } catch (error) {
+      lab.notice.fail(error as Error);
+    }
+  }
+
+  /** Another motion is there: its score. A start that is still in the hand does not count. */
+  changed() {
+    const { goal, lab } = this;
+    if (!goal) return;
+    const { points, text, values = {} } = goal.score(lab.film());
+    const counts = !this.solved.has(goal.key) && !this.solutions.has(lab.film().query);
+    this.meter.value = points;
+    const said = t(
+      counts ? "{stars} {points} points. {what}" : "{stars} {points} points, shown and not counted. {what}",
+      {
+        stars: drawn(points),
+        points,
+        what: t(text, values),
+      },
+    );
+    if (this.result.textContent !== said) this.result.textContent = said;
+    const kept = Number(recall(KEY + goal.key) ?? 0);
+    const best = counts && !lab.stage.options.ahead ? Math.max(kept, points) : kept;
+    if (best > kept) remember(KEY + goal.key, String(best));
+    say(this.kept, t("Your best: {points} points.", { points: best }));
+  }
+}
