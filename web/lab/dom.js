@@ -3,6 +3,7 @@
 import { luminance } from "./colors.js";
 import { name as called, spokenText } from "./words.js";
 
+const LETTERS = 14; // pixels, the usual size of letters
 const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
 
 /**
@@ -53,10 +54,10 @@ export const focused = (element) =>
 export const pen = (canvas) => /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
 
 /**
- * A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels.
+ * A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels, or to a unit of so many.
  * @param {HTMLCanvasElement} canvas
  */
-export function fitted(canvas) {
+export function fitted(canvas, unit = 1) {
   const box = canvas.getBoundingClientRect();
   const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
   const width = Math.max(Math.round(box.width * ratio), 1);
@@ -66,8 +67,9 @@ export function fitted(canvas) {
     canvas.height = height;
   }
   const context = pen(canvas);
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  return { context, width: width / ratio, height: height / ratio };
+  const scale = ratio * unit;
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  return { context, width: width / scale, height: height / scale };
 }
 
 /**
@@ -96,6 +98,7 @@ export function theme(element) {
     panel: read("--panel"),
     ground: read("--ground"),
     font: given("--font"),
+    px: Number.parseFloat(style.fontSize) / LETTERS || 1,
     dark: luminance(read("--paper")) < 0.2,
   };
 }

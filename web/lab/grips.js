@@ -1,6 +1,7 @@
 // The places where the hoop can be taken, over the picture: load, hoop and plane, by mouse, finger and keys. Each is a
 // slider for the keyboard and for screen readers.
 
+import { calm } from "./clock.js";
 import { h, once, say } from "./dom.js";
 import { changesFor, keyed, Pull, taken } from "./grab.js";
 import { clamp, degrees, length, show } from "./numbers.js";
@@ -312,8 +313,7 @@ export class Grips {
     lab.stage.options.ahead = false;
     lab.root.classList.remove("holding");
     if (play) lab.clock.seek(0);
-    // who wants no motion sees the start, and presses play
-    if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) lab.clock.play(true);
+    if (play) lab.clock.run();
     lab.request();
   }
 
@@ -339,7 +339,7 @@ export class Grips {
    */
   comeBack(home) {
     const { flat } = this.lab.stage;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const still = calm();
     const step = () => {
       if (this.pull) return;
       const left = flat.shift[0] - home[0];

@@ -33,7 +33,8 @@ export function takeHands(map) {
  */
 function placeAt(map, event) {
   const box = map.body.getBoundingClientRect();
-  return map.axes.place(event.clientX - box.left, event.clientY - box.top);
+  const { px } = map.look;
+  return map.axes.place((event.clientX - box.left) / px, (event.clientY - box.top) / px);
 }
 
 /**
@@ -70,7 +71,7 @@ function press(map, event, pinched, drags) {
     dragged = true;
     drags(true);
     map.tip.hidden = true;
-    map.axes.drag(from, dx, dy);
+    map.axes.drag(from, dx / map.look.px, dy / map.look.px);
     map.redraw();
     map.soon();
   };

@@ -9,6 +9,7 @@ import { keepInSight } from "./sticky.js";
  */
 export function prepareRoot(root, hosted) {
   root.classList.add("hophoop");
+  root.dir = "ltr"; // numbers with their signs and units, also within a page in right-to-left writing
   if (hosted) return;
   root.classList.add("embedded");
   // Jupyter would take the same keys to delete cells and to restart the kernel

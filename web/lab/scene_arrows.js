@@ -125,7 +125,7 @@ function stroke({ context, look }, from, to, lift, { known, broken, mark }) {
   context.lineCap = "butt";
   const label = known ? mark : "?";
   if (!label) return;
-  context.font = `600 11px ${look.font}`;
+  context.font = `600 ${11 * look.px}px ${look.font}`;
   context.textAlign = "center";
   context.lineWidth = 3;
   context.strokeStyle = look.paper;

@@ -138,7 +138,7 @@ export class Timeline {
    */
   draw(films, look, colors) {
     this.films = films;
-    const { context, width, height } = fitted(this.canvas);
+    const { context, width, height } = fitted(this.canvas, look.px);
     this.keep();
     const [begin, end] = this.ends();
     const place = (/** @type {number} */ t) => ((t - begin) / (end - begin)) * width;

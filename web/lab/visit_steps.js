@@ -124,7 +124,7 @@ export const STEPS = [
     question: "Where is the load when friction gives way for the first time? Turn the mark.",
     queries: ["start.speed=2.8"],
     guess: (onguess) => dial("Angle of the load where it begins to slip", onguess),
-    until: ([film]) => (first(film, "slip_start")?.t ?? 0) + 0.02,
+    until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
     answer: ([film]) => {
       const slip = /** @type {MotionEvent} */ (first(film, "slip_start"));
       const force = film.at(slip.t).normal_force / (film.mass * film.gravity);
@@ -145,7 +145,7 @@ export const STEPS = [
     question: "Where is the load when the hoop takes off? Turn the mark.",
     queries: [""],
     guess: (onguess) => dial("Angle of the load where it takes off", onguess),
-    until: ([film]) => (first(film, "takeoff")?.t ?? 0) + 0.12,
+    until: ([film]) => first(film, "takeoff")?.t ?? film.duration,
     answer: ([film]) => {
       const start = /** @type {MotionEvent} */ (first(film, "takeoff"));
       const pose = film.at(start.t - 1e-6);
@@ -175,7 +175,7 @@ export const STEPS = [
         ],
         onguess,
       ),
-    until: ([film]) => (first(film, "impact")?.t ?? film.duration) + 0.15,
+    until: ([film]) => first(film, "impact")?.t ?? film.duration,
     answer: ([film]) => {
       const [up, down] = [first(film, "takeoff"), first(film, "impact")];
       const top = film.events.find((event) => event.kind === "apex");
