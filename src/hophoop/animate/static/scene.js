@@ -1,4 +1,4 @@
-/* Built from web/scene/main.js by esbuild 0.28.2; sources 5b77306a4e61c10f1ee867569570d23e */
+/* Built from web/scene/main.js by esbuild 0.28.2; sources fef7b403726746846543d997975d7593 */
 "use strict";(()=>{var D=n=>{if(Array.isArray(n))return n.map(D);if(n===null||typeof n!="object")return n;if(n.f32!==void 0){let t=Uint8Array.from(atob(n.f32),e=>e.charCodeAt(0));
 return new Float32Array(t.buffer)}return Object.fromEntries(Object.entries(n).map(([t,e])=>[t,D(e)]))};function X(n,t){let[e,s]=[Math.cos(t),Math.sin(t)],o=new Float32Array(
 n.length);for(let r=0;r<n.length;r+=2)o[r]=n[r]*e-n[r+1]*s,o[r+1]=n[r]*s+n[r+1]*e;return o}function V(n){let t=D(JSON.parse(n));for(let e of t.hoops){for(let s of[

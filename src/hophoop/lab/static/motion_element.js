@@ -1,4 +1,4 @@
-/* Built from web/site/motion_element.js by esbuild 0.28.2; sources 5b77306a4e61c10f1ee867569570d23e */
+/* Built from web/site/motion_element.js by esbuild 0.28.2; sources fef7b403726746846543d997975d7593 */
 var a=new URL("./",import.meta.url),l=0,o=class extends HTMLElement{static observedAttributes=["scenario"];constructor(){super(),this.lab=null,this.number=++l}async connectedCallback(){
 if(this.shadowRoot)return;let i=this.attachShadow({mode:"open"}),t=document.createElement("link");t.rel="stylesheet",t.href=new URL("lab.css",a).href;let e=document.
 createElement("style");e.textContent=":host { display: block; min-height: 18rem; } :host([hidden]) { display: none; }";let n=document.createElement("div");n.textContent=

@@ -1,4 +1,4 @@
-/* Built from web/site/service_worker.js by esbuild 0.28.2; sources 5b77306a4e61c10f1ee867569570d23e */
+/* Built from web/site/service_worker.js by esbuild 0.28.2; sources fef7b403726746846543d997975d7593 */
 var o=self,s="hophoop-{version}",c=["{files}"];o.addEventListener("install",i=>{let e=caches.open(s).then(n=>n.addAll(c));i.waitUntil(e.then(()=>o.skipWaiting()))});
 o.addEventListener("activate",i=>{let e=caches.keys().then(n=>n.filter(t=>t.startsWith("hophoop-")&&t!==s)).then(n=>Promise.all(n.map(t=>caches.delete(t))));i.waitUntil(
 e.then(()=>o.clients.claim()))});o.addEventListener("fetch",i=>{let{request:e}=i;if(e.method!=="GET"||new URL(e.url).origin!==o.location.origin)return;let n=caches.
