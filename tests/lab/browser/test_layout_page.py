@@ -20,7 +20,8 @@ CROSSING = """() => {
   const { px } = hophoopLab.theme.look;
   const boxes = shown.map((one) => ({ name: one.className, ...one.getBoundingClientRect().toJSON() }));
   // the numbers on the plane
-  boxes.push({ name: "axis", left: stage.left, right: stage.right, top: stage.top + foot + 8 * px, bottom: stage.top + foot + 20 * px });
+  const [top, bottom] = [8, 20].map((below) => stage.top + foot + below * px);
+  boxes.push({ name: "axis", left: stage.left, right: stage.right, top, bottom });
   const found = boxes.filter(({ left, right, bottom }) => left < stage.left || right > stage.right || bottom > stage.bottom);
   for (const [i, a] of boxes.entries())
     for (const b of boxes.slice(0, i))
@@ -105,7 +106,8 @@ LARGE = "addEventListener('DOMContentLoaded', () => { document.documentElement.s
 
 def test_larger_letters_of_the_browser_are_taken_over_also_in_pictures(visit):
     usual, large = visit(), visit(script=LARGE)
-    sizes = "['.hophoop', '.readout', '.hint', '.control label'].map((one) => parseFloat(getComputedStyle(document.querySelector(one)).fontSize))"
+    sizes = """['.hophoop', '.readout', '.hint', '.control label']
+      .map((one) => parseFloat(getComputedStyle(document.querySelector(one)).fontSize))"""
     before, after = usual.evaluate(sizes), large.evaluate(sizes)
     assert after == pytest.approx([2 * size for size in before])
     assert large.evaluate("hophoopLab.theme.look.px") == 2 * usual.evaluate("hophoopLab.theme.look.px") == 2
