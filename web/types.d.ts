@@ -28,6 +28,7 @@ interface Look {
   panel: string;
   ground: string;
   font: string;
+  px: number; // of the screen for one at the usual size of letters
   dark: boolean;
 }
 
@@ -375,7 +376,7 @@ interface GivenContact {
   rtol: number | null;
 }
 
-// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.js makes it.
+// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   radius: number;
   mass: number;
