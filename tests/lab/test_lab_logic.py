@@ -57,7 +57,7 @@ def test_a_refusal_names_the_field_in_its_own_unit(js):
     assert said == ["Friction = −1 must be from 0 to 1·10⁶, or inf.", ""]
     # a number that doubles cannot hold is none of the numbers without end that are meant
     typed = ["5e400", "-5e400", "inf", "∞"]
-    said = js("entry.js", f"return typed.map((text) => lab.refusal(text, lab.readNumber(text), {friction}))", typed=typed)
+    said = js("entry.ts", f"return typed.map((text) => lab.refusal(text, lab.readNumber(text), {friction}))", typed=typed)
     assert said == ["Friction = 5e400 is too large.", "Friction = -5e400 is too large.", "", ""]
 
 
