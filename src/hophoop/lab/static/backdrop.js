@@ -1,42 +1,9 @@
-// The film of a fit under the hoop of the lab: added to the page by `hophoop lab FIT --film VIDEO`, and by nothing else.
-
-// The matrix that takes the corners of a rectangle, from the top left clockwise, to four points.
-function onto(width, height, [a, b, c, d]) {
-  const [x1, y1, x2, y2] = [b[0] - c[0], b[1] - c[1], d[0] - c[0], d[1] - c[1]];
-  const [x3, y3] = [a[0] - b[0] + c[0] - d[0], a[1] - b[1] + c[1] - d[1]];
-  const whole = x1 * y2 - x2 * y1;
-  const g = (x3 * y2 - x2 * y3) / whole;
-  const h = (x1 * y3 - x3 * y1) / whole;
-  const across = [b[0] - a[0] + g * b[0], b[1] - a[1] + g * b[1], g].map((value) => value / width);
-  const down = [d[0] - a[0] + h * d[0], d[1] - a[1] + h * d[1], h].map((value) => value / height);
-  return [across[0], across[1], 0, across[2], down[0], down[1], 0, down[2], 0, 0, 1, 0, a[0], a[1], 0, 1];
-}
-
-const place = await (await fetch("film.json")).json();
-const [width, height] = place.size;
-const film = document.createElement("video");
-Object.assign(film, { src: "film.mp4", muted: true, playsInline: true, preload: "auto", className: "backdrop", width, height });
-Object.assign(film.style, {
-  position: "absolute", left: 0, top: 0, width: `${width}px`, height: `${height}px`, maxWidth: "none",
-  transformOrigin: "0 0", zIndex: -1, pointerEvents: "none",
-});
-
-function follow() {
-  requestAnimationFrame(follow);
-  const lab = globalThis.hophoopLab;
-  const stage = lab?.stage;
-  const scene = stage?.flat.views[0];
-  if (!scene) return;
-  if (!film.isConnected) {
-    Object.assign(stage.element.style, { isolation: "isolate", overflow: "hidden" });
-    stage.plane.style.opacity = 0.7; // the ground that is drawn covers the one that was filmed
-    stage.element.prepend(film);
-  }
-  film.hidden = stage.options.three || lab.films().length > 1;
-  const corners = place.corners.map(([along, away]) => scene.point(along, away));
-  film.style.transform = `matrix3d(${onto(width, height, corners).join(",")})`;
-  const wanted = place.start + lab.clock.time;
-  film.style.visibility = wanted > film.duration ? "hidden" : "visible";
-  if (!film.seeking && Math.abs(film.currentTime - wanted) > 0.002) film.currentTime = wanted;
-}
-follow();
+/* Built from web/site/backdrop.ts by esbuild 0.28.2; sources 28d40d580a9b64ea5d815ec25b6f59dc */
+function O(a,i,[t,n,o,s]){let[l,g,y,w]=[n[0]-o[0],n[1]-o[1],s[0]-o[0],s[1]-o[1]],[x,j]=[t[0]-n[0]+o[0]-s[0],t[1]-n[1]+o[1]-s[1]],v=l*w-y*g,r=(x*w-y*j)/v,c=(l*j-
+x*g)/v,m=[n[0]-t[0]+r*n[0],n[1]-t[1]+r*n[1],r].map(h=>h/a),p=[s[0]-t[0]+c*s[0],s[1]-t[1]+c*s[1],c].map(h=>h/i);return[m[0],m[1],0,m[2],p[0],p[1],0,p[2],0,0,1,0,
+t[0],t[1],0,1]}var f=await(await fetch("film.json")).json(),[d,u]=f.size,e=document.createElement("video");Object.assign(e,{src:"film.mp4",muted:!0,playsInline:!0,
+preload:"auto",className:"backdrop",width:d,height:u});Object.assign(e.style,{position:"absolute",left:0,top:0,width:`${d}px`,height:`${u}px`,maxWidth:"none",transformOrigin:"\
+0 0",zIndex:-1,pointerEvents:"none"});function b(){requestAnimationFrame(b);let a=globalThis.hophoopLab,i=a?.stage,t=i?.flat.views[0];if(!t)return;e.isConnected||
+(Object.assign(i.element.style,{isolation:"isolate",overflow:"hidden"}),i.plane.style.opacity=.7,i.element.prepend(e)),e.hidden=i.options.three||a.films().length>
+1;let n=f.corners.map(([s,l])=>t.point(s,l));e.style.transform=`matrix3d(${O(d,u,n).join(",")})`;let o=f.start+a.clock.time;e.style.visibility=o>e.duration?"hid\
+den":"visible",!e.seeking&&Math.abs(e.currentTime-o)>.002&&(e.currentTime=o)}b();
