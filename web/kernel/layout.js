@@ -22,41 +22,34 @@ export const NUMBER = places(layout.numbers);
 /** @type {Record<string, number>} */
 export const WORD = places(layout.words);
 
+/** Numbers that a scenario has as words, or not at all. @type {Record<string, (given: Given) => number>} */
+const CODED = {
+  law: ({ impact_law }) => layout.impact_laws.indexOf(impact_law),
+  strike: ({ painleve }) => Number(painleve === "impact"),
+  allowed: () => 1,
+};
+
+/** What stands in each row of a cell. @type {((given: any) => number)[]} */
+export const READ = layout.cell.map((name) => CODED[name] ?? ((given) => Number(given[name] ?? 0)));
+
 /**
  * A scenario's numbers in the order of the module's cells.
  * @param {Given} given
  */
-export function cellOf(given) {
-  const cell = new Float64Array(layout.cell.length);
-  /** @type {Record<string, number>} */
-  const values = {
-    ...Object.fromEntries(Object.entries(given).filter(([, value]) => typeof value === "number")),
-    law: layout.impact_laws.indexOf(given.impact_law),
-    strike: Number(given.painleve === "impact"),
-    ideal: Number(given.ideal),
-    allowed: 1,
-  };
-  layout.cell.forEach((name, place) => {
-    cell[place] = values[name] ?? 0;
-  });
-  return cell;
-}
+export const cellOf = (given) => Float64Array.from(READ, (read) => read(given));
 
 /**
- * A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself.
- * @param {GivenContact} contact
+ * A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself, and all of a rigid one.
+ * @param {GivenContact | null} contact
  */
 export function contactOf(contact) {
-  /** @param {number | null} value */
-  const number = (value) => value ?? Number.NaN;
-  return Float64Array.of(
-    layout.laws.indexOf(contact.law),
-    layout.friction_laws.indexOf(contact.friction),
-    number(contact.stiffness),
-    number(contact.damping),
-    number(contact.restitution),
-    number(contact.slip_speed),
-    number(contact.tangential_stiffness),
-    number(contact.rtol),
-  );
+  /** @type {Record<string, any>} */
+  const values = contact
+    ? {
+        ...contact,
+        law: layout.laws.indexOf(contact.law),
+        friction_law: layout.friction_laws.indexOf(contact.friction),
+      }
+    : {};
+  return Float64Array.from(layout.compliant, (name) => values[name] ?? Number.NaN);
 }

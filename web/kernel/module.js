@@ -328,13 +328,17 @@ export class HoopModule {
   }
 
   /**
-   * @param {number} eccentricity
-   * @param {number} inertiaRatio
+   * The first rule that a scenario breaks.
+   * @param {Given} given
+   * @returns {[code: number, number: number]} its place in the table of rules, 0 for none, and what its sentence needs
    */
-  resistance(eccentricity, inertiaRatio) {
+  refused(given) {
+    const cell = this.memory.put("cell", cellOf(given));
+    const contact = this.memory.put("contact", contactOf(given.contact));
     const out = this.memory.room("answers", 8 * layout.thresholds.length);
-    this.call("resistance_limit", eccentricity, inertiaRatio, out);
-    return this.memory.floats(out, 1)[0];
+    this.call("refused", cell, contact, Number(!given.contact), out);
+    const [code, number] = this.memory.floats(out, 2);
+    return [code, number];
   }
 
   /**
@@ -352,26 +356,17 @@ export class HoopModule {
   }
 
   /**
+   * What a compliant contact chooses by itself, in SI units.
    * @param {Given} given
-   * @returns {Compliance}
+   * @returns {Record<string, number>}
    */
-  compliance(given) {
-    const { memory } = this;
-    if (!given.contact) throw new TypeError("The contact is rigid.");
-    const cell = memory.put("cell", cellOf(given));
-    const contact = memory.put("contact", contactOf(given.contact));
-    const out = memory.room("answers", 8 * layout.thresholds.length);
+  chosen(given) {
+    const cell = this.memory.put("cell", cellOf(given));
+    const contact = this.memory.put("contact", contactOf(given.contact));
+    const out = this.memory.room("answers", 8 * layout.thresholds.length);
     this.call("compliance", cell, contact, out);
-    const values = memory.floats(out, layout.chosen.length);
-    /** @param {string} name */
-    const value = (name) => values[layout.chosen.indexOf(name)];
-    return {
-      stiffness: value("stiffness"),
-      tangential_stiffness: value("tangential_stiffness"),
-      slip_speed: value("slip_speed"),
-      depth: value("depth"),
-      automatic: { stiffness: value("stiffness_si"), slip_speed: value("slip_speed_si") },
-    };
+    const values = this.memory.floats(out, layout.chosen.length);
+    return Object.fromEntries(layout.chosen.map((name, place) => [name, values[place]]));
   }
 }
 

@@ -7,9 +7,6 @@ import { story, summary } from "./words.js";
 
 const MOST_EVENTS = 2000;
 
-/** @param {number | null} value */
-const written = (value) => (value === Infinity ? "inf" : value);
-
 /**
  * The motion as the JSON of the file format, as Python's `Trajectory.to_dict`, but without a fingerprint where doubles do not decide.
  * @param {Checked} checked that it was computed for
@@ -17,17 +14,8 @@ const written = (value) => (value === Infinity ? "inf" : value);
  */
 export function resultOf(checked, { status, sequence, fingerprint, events, final, energy }) {
   const { schema, setup } = tables;
-  return {
-    schema,
-    version: setup.version,
-    scenario: toDict(checked),
-    status,
-    sequence,
-    fingerprint,
-    events,
-    final,
-    energy,
-  };
+  const scenario = toDict(checked);
+  return { schema, version: setup.version, scenario, status, sequence, fingerprint, events, final, energy };
 }
 
 /**
@@ -59,18 +47,14 @@ export function headerOf(checked, motion, omega, mechanics) {
  * @param {Checked} checked
  * @returns {Record<string, any>}
  */
-function valuesOf(checked) {
-  const { speed } = checked.start;
-  const sections = /** @type {any} */ ({
-    ...checked,
-    start: { ...stateOf(checked.start, checked.hoop.radius), speed },
-  });
-  /** @param {string} path */
-  const value = (path) => {
+function valuesOf({ hoop, plane, start }) {
+  const sections = /** @type {any} */ ({ hoop, plane, start: { ...stateOf(start, hoop.radius), speed: start.speed } });
+  const values = tables.shown.map((/** @type {string} */ path) => {
     const [section, name] = path.split(".");
-    return written(sections[section][name]);
-  };
-  return Object.fromEntries(tables.shown.map((/** @type {string} */ path) => [path, value(path)]));
+    const value = sections[section][name];
+    return [path, value === Infinity ? "inf" : value];
+  });
+  return Object.fromEntries(values);
 }
 
 /**
@@ -79,11 +63,8 @@ function valuesOf(checked) {
  * @returns {Record<string, number>}
  */
 function automatic(checked, mechanics) {
-  if (checked.contact.model === "rigid" || !mechanics.compliance) return {};
-  const { stiffness, slip_speed } = mechanics.compliance(given(checked)).automatic;
-  return {
-    "contact.stiffness": stiffness,
-    "contact.slip_speed": slip_speed,
-    "contact.restitution": checked.plane.restitution,
-  };
+  if (checked.contact.model === "rigid") return {};
+  const { stiffness, slip_speed } = mechanics.chosen(given(checked));
+  const { restitution } = checked.plane;
+  return { "contact.stiffness": stiffness, "contact.slip_speed": slip_speed, "contact.restitution": restitution };
 }

@@ -146,6 +146,5 @@ export const middles = ({ from, to, cells }) =>
  * @param {number} value
  */
 function mayHold(path, value) {
-  const range = allowed[path.startsWith("plane.mu") ? "plane.mu" : path];
-  return !range || holds(range, value);
+  return !allowed[path] || holds(allowed[path], value);
 }

@@ -3,20 +3,17 @@
 import { InputError, isTable, say } from "./check.js";
 import { stateOf } from "./given.js";
 import { tables } from "./tables.js";
-import { pythonText, Shown } from "./text.js";
 
-/** @type {Record<string, string[]>} */
-const ENDS = tables.scenario.ends;
-/** @param {string} path */
-const ends = (path) => (Object.hasOwn(ENDS, path) ? ENDS[path] : []);
+/** Keys that a path replaces. @type {Map<string, string[]>} */
+const ENDS = new Map(Object.entries(tables.scenario.ends));
 
 /**
  * @param {string} path
  * @returns {[string, string]} section, and what stands behind its dot
  */
 function split(path) {
-  const dot = path.indexOf(".");
-  return dot < 0 ? [path, ""] : [path.slice(0, dot), path.slice(dot + 1)];
+  const [section, ...rest] = path.split(".");
+  return [section, rest.join(".")];
 }
 
 /**
@@ -26,45 +23,11 @@ function split(path) {
  */
 export function contradiction(known) {
   for (const path of known) {
-    const [section] = split(path);
-    const ended = ends(path).map((key) => `${section}.${key}`);
-    for (const other of known) {
-      if (ended.some((end) => other === end || other.startsWith(`${end}.`))) return [path, other];
-    }
+    const ended = (ENDS.get(path) ?? []).map((key) => `${split(path)[0]}.${key}`);
+    const other = known.find((one) => ended.some((end) => one === end || one.startsWith(`${end}.`)));
+    if (other !== undefined) return [path, other];
   }
   return null;
-}
-
-/** What the page's own numbers may be called. @type {Set<string>} */
-const PATHS = new Set(tables.scenario.paths);
-
-/** @type {Set<string>} */
-const WORDS = new Set(tables.map.words);
-const PART = /^hoop\.parts\.\d+\.(\w+)$/;
-
-/** Fields of a hoop's parts, by name. @type {Record<string, { kind: string }>} */
-const PART_FIELDS = Object.assign(
-  Object.create(null),
-  ...Object.values(tables.scenario.parts).map((/** @type {any} */ name) => tables.scenario.models[name].fields),
-);
-
-/**
- * A path that no scenario has, in a sentence.
- * @param {string} path
- * @returns {string | null}
- */
-export function unknownPath(path) {
-  if (PATHS.has(path) || (PART.exec(path)?.[1] ?? "") in PART_FIELDS) return null;
-  return say("no_parameter", { path, known: [...PATHS].join(", ") });
-}
-
-/**
- * Whether what stands at a known path is a number.
- * @param {string} path
- */
-export function isNumberPath(path) {
-  const part = PART.exec(path);
-  return part ? PART_FIELDS[part[1]].kind !== "word" : !WORDS.has(path);
 }
 
 /**
@@ -78,30 +41,20 @@ function rank(path) {
 }
 
 /**
- * Whether the number at a path is one of a scenario, which has a point, and not one that is just given.
- * @param {string[]} given paths
- * @returns {(path: string) => boolean}
- */
-export const floats = (given) => (path) =>
-  !given.some((one) => path === one || path.startsWith(one.endsWith(".") ? one : `${one}.`));
-
-/**
  * Keys of a scenario with other values at some paths, ready to be checked.
  * @param {Checked} checked
  * @param {Record<string, any>} data its keys, which are changed
  * @param {Map<string, any>} values by path
- * @param {(section: string, keys: any, float: (path: string) => boolean) => any} read a section by itself
+ * @param {(section: string, keys: any) => any} read a section by itself
  */
 export function replaced(checked, data, values, read) {
   const paths = [...values.keys()];
   const pair = contradiction(paths);
   if (pair) {
     const [one, other] = pair;
-    const [first, second] = pair.map((path) => new Shown(pythonText(values.get(path), false)));
-    throw new InputError(say("two_ways", { one, other, one_value: first, other_value: second }));
+    throw new InputError(say("two_ways", { one, other, one_value: values.get(one), other_value: values.get(other) }));
   }
   const spelt = new Set();
-  const float = floats(paths);
   for (const path of paths.sort((a, b) => rank(a) - rank(b))) {
     const value = structuredClone(values.get(path));
     const [section, rest] = split(path);
@@ -111,16 +64,15 @@ export function replaced(checked, data, values, read) {
       if (!Object.hasOwn(data, section)) put(data, section, {});
       const table = data[section];
       if (!isTable(table)) throw new InputError(say("no_section_parts", { path, section }));
-      if (!spelt.has(section) && ends(path).some((key) => Object.hasOwn(table, key))) {
+      const ended = ENDS.get(path) ?? [];
+      if (!spelt.has(section) && ended.some((key) => Object.hasOwn(table, key))) {
         spelt.add(section);
         // as it was before single values in it are replaced
-        const given = values.has(section)
-          ? read(section, values.get(section), float)
-          : /** @type {any} */ (checked)[section];
-        const other = speltOut(given, path, () => read("hoop", data.hoop, float));
+        const given = values.has(section) ? read(section, values.get(section)) : /** @type {any} */ (checked)[section];
+        const other = speltOut(given, path, () => read("hoop", data.hoop));
         for (const [key, one] of Object.entries(other)) if (!values.has(`${section}.${key}`)) table[key] = one;
       }
-      for (const key of ends(path)) delete table[key];
+      for (const key of ended) delete table[key];
       putAt(table, rest.split("."), value, path);
     }
   }
@@ -128,13 +80,13 @@ export function replaced(checked, data, values, read) {
 }
 
 /**
+ * A key of its own, whatever its name.
  * @param {any} table
  * @param {string} key
  * @param {any} value
  */
-function put(table, key, value) {
+const put = (table, key, value) =>
   Object.defineProperty(table, key, { value, enumerable: true, configurable: true, writable: true });
-}
 
 /**
  * The same section given the other way, where that keeps what the path does not name.
@@ -144,19 +96,14 @@ function put(table, key, value) {
  * @returns {Record<string, any>}
  */
 function speltOut(given, path, hoopToBe) {
-  const { mass, eccentricity, inertia_ratio } = given;
-  if (path === "hoop.eccentricity" || path === "hoop.inertia_ratio") return { mass, eccentricity, inertia_ratio };
+  const { mass, eccentricity, inertia_ratio, mu_static, mu_kinetic } = given;
   if (path === "hoop.load_fraction") return { mass };
-  if (path === "plane.mu_static" || path === "plane.mu_kinetic") {
-    const written = (/** @type {number} */ mu) => (mu === Infinity ? "inf" : mu);
-    return { mu_static: written(given.mu_static), mu_kinetic: written(given.mu_kinetic) };
-  }
-  if (path.startsWith("start.") && path !== "start.speed") {
-    // a rolling start, as the free one of the hoop as it will be
-    const { height, vx, vy, omega } = stateOf(given, hoopToBe().radius);
-    return { height, vx, vy, omega };
-  }
-  return {};
+  if (path === "hoop.eccentricity" || path === "hoop.inertia_ratio") return { mass, eccentricity, inertia_ratio };
+  if (path === "plane.mu_static" || path === "plane.mu_kinetic") return { mu_static, mu_kinetic };
+  if (!path.startsWith("start.") || path === "start.speed") return {};
+  // a rolling start, as the free one of the hoop as it will be
+  const { height, vx, vy, omega } = stateOf(given, hoopToBe().radius);
+  return { height, vx, vy, omega };
 }
 
 /**
@@ -167,16 +114,13 @@ function speltOut(given, path, hoopToBe) {
  */
 function putAt(table, steps, value, path) {
   let node = table;
-  const last = /** @type {string} */ (steps.pop());
-  const missing = (/** @type {string} */ step) => new InputError(say("not_there", { path, step }));
-  const inList = (/** @type {string} */ step) =>
-    Array.isArray(node) && /^\d+$/.test(step) && Number(step) < node.length;
-  for (const step of steps) {
-    if (inList(step)) node = node[Number(step)];
-    else if (isTable(node) && Object.hasOwn(node, step)) node = node[step];
-    else throw missing(step);
+  for (const [k, step] of steps.entries()) {
+    const last = k === steps.length - 1;
+    const inList = Array.isArray(node) && /^\d+$/.test(step) && Number(step) < node.length;
+    if (!inList && !(isTable(node) && (last || Object.hasOwn(node, step)))) {
+      throw new InputError(say("not_there", { path, step }));
+    }
+    if (last) put(node, step, value);
+    else node = node[step];
   }
-  if (isTable(node)) put(node, last, value);
-  else if (inList(last)) node[Number(last)] = value;
-  else throw missing(last);
 }

@@ -1,37 +1,26 @@
 // What is asked for: a scenario or its link, with changes, within what a page computes.
 
-import { findings, InputError, isTable, refuse, TooMuch, whole } from "./check.js";
-import { contradiction } from "./paths.js";
+import { InputError, TooMuch } from "./check.js";
 import { labText } from "./limits.js";
-import { readOptions, strange } from "./options.js";
-import { fromQuery, read, withValues } from "./scenario.js";
+import { contradiction } from "./paths.js";
+import { fromDict, fromQuery, withValues } from "./scenario.js";
 import { tables } from "./tables.js";
-import { jsonText, Shown } from "./text.js";
 
 const { limits } = tables;
 
 /**
- * What a call asks for: the scenario that is meant – where two changes say one thing, the later one counts – and its options.
- * @param {string} name of the call
- * @param {Record<string, any>} body
+ * The scenario that is meant: where two changes say one thing, the later one counts.
+ * @param {{ scenario?: any, query?: string, changes?: Change[] }} body
  * @param {Mechanics} mechanics
- * @returns {Record<string, any> & { checked: Checked }}
+ * @returns {Checked}
  */
-export function requested(name, body, mechanics) {
-  const unknown = strange(name, body);
-  if (unknown) throw new InputError(unknown);
-  const { scenario, query = null, changes = [] } = body;
-  const found = findings();
-  let checked = null;
-  if (scenario !== undefined && !isTable(scenario)) refuse(found, "scenario", scenario, "table");
-  else if (scenario !== undefined) checked = read(scenario, mechanics, { ...found, above: "scenario." });
-  if (query !== null && typeof query !== "string") refuse(found, "query", query, "word");
-  if (!Array.isArray(changes)) refuse(found, "changes", changes, "list");
-  else found.said.push(...changes.filter((change) => !isPair(change)).map(notPair));
-  const options = readOptions(name, body, found);
-  if (found.said.length) throw new InputError(whole(found.said));
-  bounded(changes.length, options);
-  if (query !== null || !checked) checked = fromQuery(query ?? "", mechanics);
+export function asked({ scenario, query, changes = [] }, mechanics) {
+  if (changes.length > limits.changes) {
+    throw new TooMuch(labText("too_many_changes", { pairs: changes.length, most: limits.changes }));
+  }
+  const start = scenario !== undefined && query === undefined;
+  let checked = start ? fromDict(scenario, mechanics) : fromQuery(query ?? "", mechanics);
+  /** @type {Map<string, any>} */
   let values = new Map();
   for (const [path, value] of changes) {
     if (contradiction([...values.keys(), path])) {
@@ -40,32 +29,19 @@ export function requested(name, body, mechanics) {
     }
     values.set(path, value);
   }
-  return { ...options, checked: values.size ? withValues(checked, values, mechanics) : checked };
+  return values.size ? withValues(checked, values, mechanics) : checked;
 }
 
 /**
- * The scenario that is meant.
- * @param {{ scenario?: any, query?: any, changes?: any }} body
+ * The same with the other keys of a call.
+ * @param {Record<string, any>} body
  * @param {Mechanics} mechanics
- * @returns {Checked}
+ * @returns {Record<string, any> & { checked: Checked }}
  */
-export const asked = (body, mechanics) => requested("film", body, mechanics).checked;
-
-/**
- * Refuse what is more than the lab reads.
- * @param {number} pairs
- * @param {Record<string, any>} options
- */
-function bounded(pairs, { x, y }) {
-  if (pairs > limits.changes) throw new TooMuch(labText("too_many_changes", { pairs, most: limits.changes }));
-  if (!x) return;
-  if (x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
-  const cells = x.cells * y.cells;
+export function requested({ scenario, query, changes, ...options }, mechanics) {
+  const { x, y } = options;
+  if (x && x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
+  const cells = x ? x.cells * y.cells : 0;
   if (cells > limits.cells) throw new TooMuch(labText("too_many_cells", { cells, most: limits.cells }));
+  return { ...options, checked: asked({ scenario, query, changes }, mechanics) };
 }
-
-/** @param {any} change */
-const isPair = (change) => Array.isArray(change) && change.length === 2 && typeof change[0] === "string";
-
-/** @param {any} change */
-const notPair = (change) => labText("not_a_pair", { change: new Shown(jsonText(change).slice(0, 60)) });
