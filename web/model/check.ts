@@ -1,0 +1,146 @@
+// A table of keys checked against a model of Python's, field by field: values, or what is wrong with them.
+
+import { number, tables } from "./tables.ts";
+import { fill, plain, shortened, shown } from "./text.ts";
+
+const { texts, scenario } = tables;
+/** Farther from a known key is not meant by it: letters to take away, to add or to change. */
+const MOST_WRONG = 2;
+
+/** Bad input, said in one sentence. */
+export class InputError extends Error {
+  constructor(message: string) {
+    super(plain(message));
+    this.name = "InputError";
+  }
+}
+
+/** The request is valid, but asks for more than the lab computes at a time. */
+export class TooMuch extends InputError {}
+
+/** A sentence of Python's, filled. */
+export const say = (name: string, values: Record<string, any> = {}) => fill(texts[name], values);
+
+export const isTable = (value: any) => value !== null && typeof value === "object" && !Array.isArray(value);
+
+/** What is wrong with one value. `name`: of what would be allowed. */
+export const finding = (path: string, value: any, name: string, values?: Record<string, any>) =>
+  say("finding", { path: path || texts.whole_scenario, shown: shown(value), allowed: say(name, values) });
+
+/** The fields of a model, or null where something is wrong with them. `found`: sentences about what is wrong. */
+export function readFields(
+  model: string,
+  data: any,
+  path: string,
+  found: string[],
+): { values: Record<string, any>; given: Set<string> } | null {
+  const { fields, place } = scenario.models[model];
+  const said = isTable(data) ? unknownKey(place, data, Object.keys(fields)) : finding(path, data, "table");
+  if (said) found.push(said);
+  if (said) return null;
+  const before = found.length;
+  const values: Record<string, any> = {};
+  for (const [name, field] of Object.entries(fields)) {
+    if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
+    else if (field.required) found.push(say("missing", { path: `${path}.${name}` }));
+    else values[name] = number(field.default);
+  }
+  return found.length === before ? { values, given: new Set(Object.keys(data)) } : null;
+}
+
+/** The first key that is not known, in a sentence. */
+export function unknownKey(place: string, data: object, known: string[]) {
+  const key = Object.keys(data).find((one) => !known.includes(one));
+  if (key === undefined) return null;
+  const [close] = known.toSorted((a, b) => distance(key, a) - distance(key, b));
+  const near = distance(key, close) <= MOST_WRONG;
+  const hint = near ? say("did_you_mean", { close }) : say("known_are", { known: known.join(", ") });
+  return say("unknown_key", { path: `${place}${shortened(key)}`, hint });
+}
+
+/** How many letters differ between two words. */
+function distance(one: string, other: string) {
+  let row = Array.from({ length: other.length + 1 }, (_, k) => k);
+  for (const [i, letter] of [...one].entries()) {
+    const next = [i + 1];
+    for (let k = 0; k < other.length; k++) {
+      next.push(Math.min(next[k] + 1, row[k + 1] + 1, row[k] + Number(letter !== other[k])));
+    }
+    row = next;
+  }
+  return row[other.length];
+}
+
+export function readValue(field: any, value: any, path: string, found: string[]): any {
+  if (value === null && field.nullable) return null;
+  if (field.kind === "parts") return readParts(value, path, found);
+  const given = field.kind === "friction" && value === "inf" ? Infinity : value;
+  const wrong = refusal(field, given);
+  if (wrong) found.push(finding(path, value, ...wrong));
+  return typeof given === "number" ? given + 0 : given; // no −0
+}
+
+const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
+  greater_than: (value, limit) => value > limit,
+  greater_than_equal: (value, limit) => value >= limit,
+  less_than_equal: (value, limit) => value <= limit,
+};
+
+/** Returns the sentence of what is allowed. */
+function refusal(field: any, value: any): [name: string, values?: any] | null {
+  const { kind, options, limits = [], range } = field;
+  if (kind === "word") return options.includes(value) ? null : ["literal_error", field];
+  if (typeof value !== "number") return ["number"];
+  if (kind === "friction" && !(value >= 0)) return ["friction"];
+  if (kind === "whole" && !Number.isInteger(value)) return ["whole"];
+  if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
+  const passed = limits.find(([name, limit]: [string, number]) => !LIMITS[name](value, limit));
+  if (passed) return [passed[0], { limit: passed[1] }];
+  return range && !holds(range, value) ? ["range", range] : null;
+}
+
+export const holds = ({ least, most, also = [] }: { least: number; most: number; also?: any[] }, value: number) =>
+  (least <= value && value <= most) || also.some((one) => number(one) === value);
+
+function readParts(value: any, path: string, found: string[]) {
+  if (!Array.isArray(value)) found.push(finding(path, value, "list"));
+  else return value.map((part, index) => readPart(part, `${path}.${index}`, found));
+}
+
+function readPart(part: any, path: string, found: string[]) {
+  const model = modelOf(part, "shape", scenario.parts, path, found);
+  const read = model && readFields(model, part, path, found);
+  if (!read) return null;
+  const { inner_radius: inner, outer_radius: outer } = read.values;
+  if (inner > outer) found.push(say("ring_radii", { inner, outer }));
+  return read.values;
+}
+
+/** Which of several models a table is. `models`: by word; `usual`: where the key is missing. */
+export function modelOf(
+  data: any,
+  key: string,
+  models: Record<string, string>,
+  path: string,
+  found: string[],
+  usual?: string,
+): string | null {
+  const word = isTable(data) && Object.hasOwn(data, key) ? data[key] : usual;
+  if (!isTable(data)) found.push(finding(path, data, "table"));
+  else if (word === undefined) found.push(say("missing", { path: `${path}.${key}` }));
+  else if (typeof word === "string" && Object.hasOwn(models, word)) return models[word];
+  else {
+    const expected = Object.keys(models)
+      .map((name) => `'${name}'`)
+      .join(" or ");
+    found.push(finding(`${path}.${key}`, word, "literal_error", { expected }));
+  }
+  return null;
+}
+
+/** The one sentence of all that was found. */
+export function whole(said: string[]) {
+  const count = said.length - 1;
+  if (!count) return said[0];
+  return say(count === 1 ? "other_problem" : "other_problems", { first: said[0].replace(/\.$/, ""), count });
+}

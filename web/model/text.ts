@@ -1,0 +1,63 @@
+// Numbers and texts as sentences and files show them, and templates filled.
+
+const LONGEST = 60; // characters of a value that a sentence shows
+const NUMBER = /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i;
+const NO_DIGITS = /^\s*([+-]?)(inf|infinity|nan)\s*$/i;
+
+/** With the fewest digits that give the same double. */
+export function numberText(value: number) {
+  if (Number.isNaN(value)) return "nan";
+  return String(value).replace("Infinity", "inf");
+}
+
+/** The same with a point, where numbers without one are of another kind. */
+export const floatText = (value: number) => numberText(value).replace(/^-?\d+$/, "$&.0");
+
+/** So many significant digits, no zeros at the end. */
+export function general(value: number, count = 6) {
+  if (!Number.isFinite(value)) return numberText(value);
+  const [digits, ...power] = value.toPrecision(count).split("e");
+  return [digits.includes(".") ? digits.replace(/\.?0+$/, "") : digits, ...power].join("e");
+}
+
+export const fixed = (value: number, decimals: number) =>
+  Number.isFinite(value) ? value.toFixed(decimals) : numberText(value);
+
+const FORMATS: Record<string, (value: number, digits: number) => string> = {
+  g: (value, digits) => general(value, digits || 6),
+  e: (value, digits) => value.toExponential(digits),
+  f: fixed,
+};
+
+/** A template of Python's, filled: `{name}`, `{name!r}`, `{name:.3g}`. */
+export function fill(template: string, values: Record<string, any>) {
+  return template.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g, (_, name, quoted, digits, kind) => {
+    const value = values[name];
+    if (kind) return FORMATS[kind](value, Number(digits));
+    return quoted ? shown(value) : String(value);
+  });
+}
+
+/** A value as a sentence shows it. */
+export function shown(value: any) {
+  if (typeof value === "number") return numberText(value);
+  if (typeof value === "string") return shortened(`'${value}'`);
+  return value === null || value === undefined ? "None" : shortened(JSON.stringify(value));
+}
+
+/** A text that is safe to show: what is no printable sign stands as its escape. */
+export const plain = (text: string) =>
+  text.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (sign) => `\\u{${sign.codePointAt(0)?.toString(16)}}`);
+
+export function shortened(text: string) {
+  const signs = [...text];
+  return signs.length <= LONGEST ? text : `${signs.slice(0, LONGEST - 3).join("")}...`;
+}
+
+/** The number of a text, or undefined. */
+export function numberOf(text: string) {
+  if (NUMBER.test(text)) return Number(text);
+  const [, sign, word] = NO_DIGITS.exec(text) ?? [];
+  if (!word) return undefined;
+  return word[0].toLowerCase() === "n" ? Number.NaN : sign === "-" ? -Infinity : Infinity;
+}
