@@ -40,7 +40,7 @@ export function readFields(
   if (said) return null;
   const before = found.length;
   const values: Record<string, any> = {};
-  for (const [name, field] of Object.entries(fields)) {
+  for (const [name, field] of Object.entries<any>(fields)) {
     if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
     else if (field.required) found.push(say("missing", { path: `${path}.${name}` }));
     else values[name] = number(field.default);

@@ -8,7 +8,7 @@ const { scenario: knowledge } = tables;
 const COMMENT = 30; // column of a unit
 /** Of all fields by name: their units and kinds do not depend on the model. */
 const FIELDS: Record<string, any> = {};
-for (const { fields } of Object.values(knowledge.models)) Object.assign(FIELDS, fields);
+for (const { fields } of Object.values<any>(knowledge.models)) Object.assign(FIELDS, fields);
 
 function valueText(key: string, value: any) {
   if (typeof value === "string") return JSON.stringify(value);

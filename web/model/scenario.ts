@@ -117,7 +117,7 @@ function hoopKeys(hoop: CheckedHoop) {
 export function usualKeys(name: string, model?: string): Record<string, any> {
   if (name === "hoop" || name === "plane") return knowledge.default[name];
   const { fields } = knowledge.models[name === "start" ? "Start" : model === "compliant" ? "Compliant" : "Rigid"];
-  return Object.fromEntries(Object.entries(fields).map(([key, field]) => [key, field.default ?? undefined]));
+  return Object.fromEntries(Object.entries<any>(fields).map(([key, field]) => [key, field.default ?? undefined]));
 }
 
 /** The scenario as the query of a link, as Python's `Scenario.to_query`. */

@@ -11,8 +11,8 @@ const here = new URL("./", import.meta.url);
 async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
-  let backend;
-  let setup;
+  let backend: Backend;
+  let setup: Setup;
   try {
     backend = await backendOf(here, site ? null : base, base);
     setup = (await backend.call("setup", {})).header;
