@@ -75,7 +75,7 @@ export function mapReply({ x, y, what }: { x: Axis; y: Axis; what: string }, fou
  */
 function ordered({ values, sequences }: MapValues, words: string[] | null): { values: Column; names: string[] } {
   if (!words) return { values: values as Column, names: [] };
-  const names = sequences?.toSorted((a, b) => a.length - b.length || (a < b ? -1 : 1)) ?? words;
+  const names = sequences ? [...sequences].sort((a, b) => a.length - b.length || (a < b ? -1 : 1)) : words;
   const codes = sequences?.map((name) => names.indexOf(name));
   const coded = Float64Array.from(values, (code) => (code >= 0 ? (codes?.[code] ?? code) : Number.NaN));
   return { values: coded, names };

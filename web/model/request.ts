@@ -13,9 +13,6 @@ export function asked(
   { scenario, query, changes = [] }: { scenario?: any; query?: string; changes?: Change[] },
   mechanics: Mechanics,
 ): Checked {
-  if (changes.length > limits.changes) {
-    throw new TooMuch(labText("too_many_changes", { pairs: changes.length, most: limits.changes }));
-  }
   const start = scenario !== undefined && query === undefined;
   let checked = start ? fromDict(scenario, mechanics) : fromQuery(query ?? "", mechanics);
   let values: Map<string, any> = new Map();
@@ -31,9 +28,12 @@ export function asked(
 
 /** The same with the other keys of a call. */
 export function requested(
-  { scenario, query, changes, ...options }: Record<string, any>,
+  { scenario, query, changes = [], ...options }: Record<string, any>,
   mechanics: Mechanics,
 ): Record<string, any> & { checked: Checked } {
+  if (changes.length > limits.changes) {
+    throw new TooMuch(labText("too_many_changes", { pairs: changes.length, most: limits.changes }));
+  }
   const { x, y } = options;
   if (x && x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
   const cells = x ? x.cells * y.cells : 0;

@@ -16,7 +16,8 @@ export const floatText = (value: number) => numberText(value).replace(/^-?\d+$/,
 /** So many significant digits, no zeros at the end. */
 export function general(value: number, count = 6) {
   if (!Number.isFinite(value)) return numberText(value);
-  const [digits, ...power] = value.toPrecision(count).split("e");
+  const small = value !== 0 && Math.abs(value) < 1e-4;
+  const [digits, ...power] = (small ? value.toExponential(count - 1) : value.toPrecision(count)).split("e");
   return [digits.includes(".") ? digits.replace(/\.?0+$/, "") : digits, ...power].join("e");
 }
 
