@@ -7,6 +7,11 @@ Borders between classes of motion
 
 import hophoop as hh
 
-dataset = hh.maps.sweep(axes={"plane.mu": hh.maps.linear(0.2, 1.2, 40), "start.speed": hh.maps.linear(2.0, 3.4, 40)})
+dataset = hh.maps.sweep(
+    axes={
+        "plane.mu": hh.maps.linear(0.2, 1.2, 40),
+        "start.speed": hh.maps.linear(2.0, 3.4, 40),
+    }
+)
 lines = hh.maps.borders(dataset, step=0.05)
 hh.plots.motion_map(dataset, borders=lines)

@@ -12,6 +12,9 @@ import hophoop as hh
 
 with tempfile.TemporaryDirectory() as folder:
     path = Path(folder) / "map.zarr"
-    axes = {"plane.slope": hh.maps.linear(-0.3, 0.3, 60), "start.speed": hh.maps.linear(0.5, 4.0, 60)}
+    axes = {
+        "plane.slope": hh.maps.linear(-0.3, 0.3, 60),
+        "start.speed": hh.maps.linear(0.5, 4.0, 60),
+    }
     hh.maps.sweep(axes=axes, quantities=["sequence"], out=path)
     hh.plots.motion_map(hh.maps.open_map(path))

@@ -7,5 +7,7 @@ Centre, centre of gravity, load and the forces of the contact, for any hoop. Her
 
 import hophoop as hh
 
-hoop = hh.Hoop.from_parts(radius=0.3, parts=[hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)])
+hoop = hh.Hoop.from_parts(
+    radius=0.3, parts=[hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)]
+)
 hh.plots.geometry(hoop, angle=0.9)
