@@ -4,8 +4,8 @@ From top to bottom, in one namespace a page:
 
 - a block ``pycon`` is a doctest, a block ``python`` is run;
 - a block ``toml`` is a scenario; one that begins with ``# name.toml`` is there under that name for the commands below it;
-- in a block ``console``, lines ``$ hophoop run …``, ``theory`` and ``plan`` are run and must end with exit status 0; lines below
-  such a command are its output, with ``…`` for what is left out; of other commands every option must exist;
+- in a block ``console``, lines ``$ hophoop run …``, ``theory`` and ``plan`` are run and must end with exit status 0; the lines
+  below such a command are its output, with ``…`` for what is left out; of other commands every option must exist;
 - a block after a comment ``% not run: why`` is left alone, where it needs what no test has;
 - a comment ``% says: expression`` stands for itself in no page; the text that the expression gives must be in the paragraph
   (or table) that follows, so that no number in a sentence is typed by hand and forgotten.

@@ -18,8 +18,8 @@ PLACES = {
     "documentation": lambda: [PROJECT.get("urls", {}).get("Documentation"), CITATION.get("url")],
     "lab": lambda: [PROJECT.get("urls", {}).get("Lab")],
     "issues": lambda: [PROJECT.get("urls", {}).get("Issues")],
-    "security": lambda: [],
-    "conduct": lambda: [],
+    "security": list,
+    "conduct": list,
     "doi": lambda: [CITATION.get("doi")],
     "authors": lambda: [[each["name"] for each in PROJECT["authors"]]],
 }

@@ -219,14 +219,22 @@ def quantities() -> str:
 # Addresses
 
 ADDRESSES = Path(__file__).parents[2] / "addresses.toml"
-ASKED = {"issues": "Questions, wishes and defects", "security": "Weaknesses, privately", "repository": "The source", "lab": "The lab"}
+ASKED = {
+    "issues": "Questions, wishes and defects",
+    "security": "Weaknesses, privately",
+    "repository": "The source",
+    "lab": "The lab",
+}
 
 
 def addresses() -> str:
     """Where to write, as far as the owners have said it."""
     known = tomllib.loads(ADDRESSES.read_text(encoding="utf-8"))
     lines = [f"* {words}: <{known[name]}>" for name, words in ASKED.items() if known[name]]
-    return "\n".join(lines) or "This copy has no public address yet. Ask those who gave it to you (`addresses.toml` is where they name one)."
+    return (
+        "\n".join(lines)
+        or "This copy has no public address yet. Ask those who gave it to you (`addresses.toml` is where they name one)."
+    )
 
 
 MAKERS: dict[str, Callable[[], str]] = {

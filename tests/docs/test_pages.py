@@ -15,7 +15,12 @@ DOCS = Path(__file__).parents[2] / "docs"
 LONG = [DOCS / f"{name}.md" for name in ("article", "films", "derivatives", "compliant", "proofs", "maps")]
 PAGES = [
     pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page in LONG else [])
-    for page in [DOCS.parent / "README.md", DOCS.parent / "CONTRIBUTING.md", DOCS.parent / "SECURITY.md", *sorted(DOCS.rglob("*.md"))]
+    for page in [
+        DOCS.parent / "README.md",
+        DOCS.parent / "CONTRIBUTING.md",
+        DOCS.parent / "SECURITY.md",
+        *sorted(DOCS.rglob("*.md")),
+    ]
     if page.parent.name not in ("tables", "generated") and "gallery" not in page.parts
 ]
 

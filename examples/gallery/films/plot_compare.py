@@ -1,6 +1,6 @@
 """
-Two motions in one film
-=======================
+Compare two motions in one film
+===============================
 
 The same hoop on a rough and on a smoother floor.
 """

@@ -1,6 +1,6 @@
 """
-A film
-======
+A film of a motion
+==================
 
 A second of film is a second of motion; it slows down around the take-off.
 """

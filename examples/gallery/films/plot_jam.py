@@ -2,8 +2,9 @@
 A film that ends in a jam
 =========================
 
-The thrown hoop lands, skids, and comes to the dynamic jam: the normal force grows without bound, its arrow leaves the picture,
-and rigid-body mechanics has no motion beyond. The film stays there for a second.
+The thrown hoop lands, skids, and comes to the dynamic jam: the normal force grows
+without bound, its arrow leaves the picture, and rigid-body mechanics has no motion
+beyond. The film stays there for a second.
 """
 
 import hophoop as hh

@@ -1,6 +1,6 @@
 """
-One picture
-===========
+A single frame
+==============
 
 The state at one time as an array of pixels, here on a dark background.
 """
@@ -17,3 +17,4 @@ figure = plt.figure(figsize=(9.6, 5.4))
 ax = figure.add_axes((0, 0, 1, 1))
 ax.imshow(pixels)
 ax.axis("off")
+plt.show()

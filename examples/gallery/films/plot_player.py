@@ -2,7 +2,8 @@
 A film in a notebook
 ====================
 
-The film is part of the notebook; nothing is fetched.
+In a notebook the film plays in its cell and is part of the page; nothing is
+fetched.
 """
 
 import hophoop as hh

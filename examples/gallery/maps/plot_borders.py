@@ -1,9 +1,12 @@
 """
-Borders between classes of motion
-=================================
+Boundaries between classes of motion
+====================================
 
-``borders`` finds every border that the cells of a map see, and follows it to rounding.
+``borders`` finds every border that the cells of a map see, and follows it to
+rounding.
 """
+
+import matplotlib.pyplot as plt
 
 import hophoop as hh
 
@@ -15,3 +18,4 @@ dataset = hh.maps.sweep(
 )
 lines = hh.maps.borders(dataset, step=0.05)
 hh.plots.motion_map(dataset, borders=lines)
+plt.show()

@@ -1,8 +1,9 @@
 """
-One border
-==========
+One boundary: the least speed that hops
+=======================================
 
-``boundary`` follows the border between two points of different classes: here the least speed that hops, over friction.
+``boundary`` follows the border between two points of different classes: here the
+least speed that hops, over friction.
 """
 
 import matplotlib.pyplot as plt
@@ -20,3 +21,4 @@ border = hh.maps.boundary(
 figure, ax = plt.subplots(figsize=(6, 3.6), layout="constrained")
 ax.plot(border.x, border.y, color="black")
 ax.set(xlabel="Friction μ", ylabel="Least speed $v_0$ that hops (m/s)")
+plt.show()

@@ -1,9 +1,10 @@
 """
-The catalogue of first turns
-============================
+Catalogue of first turns
+========================
 
-All sequences of phases that the article's hoop has in its first turn, with a start for each and the share of all starts that
-it fills. ``catalogued`` lists the loads for which there is a catalogue.
+All sequences of phases that the article's hoop has in its first turn, with a start
+for each and the share of all starts that it fills. ``catalogued`` lists the loads
+for which there is a catalogue.
 """
 
 import matplotlib.pyplot as plt
@@ -13,7 +14,9 @@ import hophoop as hh
 entries = hh.maps.catalogue()
 print(len(entries), "classes; catalogues for", hh.maps.catalogued())
 third = entries[2]
-print(f"{third.sequence}, {third.ending}: such as μ = {third.mu:.3f}, {third.speed:.3f} m/s")
+print(
+    f"{third.sequence}, {third.ending}: μ = {third.mu:.3f}, {third.speed:.3f} m/s"
+)
 figure, ax = plt.subplots(figsize=(7, 7), layout="constrained")
 names = [f"{entry.sequence}, {entry.ending}" for entry in entries]
 ax.barh(
@@ -25,3 +28,4 @@ ax.set_xscale("log")
 ax.invert_yaxis()
 ax.tick_params(axis="y", labelsize=8)
 ax.set_xlabel("Share of the window of friction and speed (%)")
+plt.show()

@@ -1,9 +1,12 @@
 """
-How high it hops
-================
+Map of the hop height
+=====================
 
-The same map, with the height of the first hop. It is greatest just below the speed at which the hoop leaves the ground at once.
+The same map, with the height of the first hop. It is greatest just below the speed
+at which the hoop leaves the ground at once.
 """
+
+import matplotlib.pyplot as plt
 
 import hophoop as hh
 
@@ -15,3 +18,4 @@ dataset = hh.maps.sweep(
     quantities=["sequence", "hop_height"],
 )
 hh.plots.motion_map(dataset, "hop_height")
+plt.show()

@@ -1,12 +1,15 @@
 """
-A map in a file
-===============
+A map stored in a file
+======================
 
-A map that is written to a file can be larger than memory, and can be continued after a stop. ``open_map`` reads it back.
+A map that is written to a file can be larger than memory, and can be continued
+after a stop. ``open_map`` reads it back.
 """
 
 import tempfile
 from pathlib import Path
+
+import matplotlib.pyplot as plt
 
 import hophoop as hh
 
@@ -18,3 +21,4 @@ with tempfile.TemporaryDirectory() as folder:
     }
     hh.maps.sweep(axes=axes, quantities=["sequence"], out=path)
     hh.plots.motion_map(hh.maps.open_map(path))
+plt.show()

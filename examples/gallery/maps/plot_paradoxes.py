@@ -2,8 +2,8 @@
 Starts that meet Painlevé's paradox
 ===================================
 
-Hoops that are thrown faster than they can roll, over friction and load. ``least_jam_speed`` is the speed below which energy
-forbids a jam.
+Hoops that are thrown faster than they can roll, over friction and load.
+``least_jam_speed`` is the speed below which energy forbids a jam.
 """
 
 import matplotlib.pyplot as plt
@@ -28,3 +28,4 @@ shown = ax.pcolormesh(
 )
 figure.colorbar(shown, label="Thrown hoops that end in a jam (%)")
 ax.set(xlabel="Load fraction γ", ylabel="Friction μ")
+plt.show()

@@ -1,9 +1,9 @@
 """
-Scattered points
-================
+Scattered points: uncertain friction and speed
+==============================================
 
-``points`` computes any list of parameters: here a thousand hoops with uncertain friction and speed. ``scenario_at`` gives
-one of them as a scenario.
+``points`` computes any list of parameters: here a thousand hoops with uncertain
+friction and speed. ``scenario_at`` gives one of them as a scenario.
 """
 
 import matplotlib.pyplot as plt
@@ -30,3 +30,4 @@ print(
         hh.Scenario(), {path: value[highest] for path, value in values.items()}
     )
 )
+plt.show()

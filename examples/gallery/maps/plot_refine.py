@@ -1,8 +1,9 @@
 """
-Finer where something changes
-=============================
+Share of each class, by refinement
+==================================
 
-``refine`` halves only those squares whose corners differ, and says which share of the window each class has.
+``refine`` halves only those squares whose corners differ, and says which share of
+the window each class has.
 """
 
 import matplotlib.pyplot as plt
@@ -21,3 +22,4 @@ ax.barh(
 )
 ax.invert_yaxis()
 ax.set_xlabel("Share of the window (%)")
+plt.show()

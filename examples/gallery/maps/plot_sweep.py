@@ -1,9 +1,11 @@
 """
-What happens over friction and speed
-====================================
+Map of classes over friction and speed
+======================================
 
 A map of 14,400 motions: the phases of the first turn.
 """
+
+import matplotlib.pyplot as plt
 
 import hophoop as hh
 
@@ -15,3 +17,4 @@ dataset = hh.maps.sweep(
     quantities=["sequence", "hop_height"],
 )
 hh.plots.motion_map(dataset)
+plt.show()

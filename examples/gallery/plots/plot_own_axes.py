@@ -2,8 +2,8 @@
 Two plots in one figure
 =======================
 
-Every function takes ``ax=``. Left, three motions drawn by hand, in the inks that :mod:`hophoop.plots.colors` has for lines that
-mean no mode.
+Every function takes ``ax=``. Left, three motions drawn by hand, in the inks that
+:mod:`hophoop.plots.colors` has for lines that mean no mode.
 """
 
 import matplotlib.pyplot as plt
@@ -26,3 +26,4 @@ for speed, ink, dashes in zip(
 left.set(xlabel="Place along the plane (m)", ylabel="Gap under the rim (m)")
 left.legend(loc="upper left", frameon=False)
 hh.plots.gap(motion, ax=right)
+plt.show()

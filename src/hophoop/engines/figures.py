@@ -71,15 +71,17 @@ def hops(comparison: Comparison, dt: float = COMMON_STEP) -> Any:
         one = comparison.engines[name]
         ax.fill_between(exact.t[::5], 0.0, 1e3 * exact.y[::5], color=colors.LIGHT_GRAY, linewidth=0)
         words = []
-        for row, color, dashes in zip(_shown_rows(comparison, name, dt), (colors.VERMILION, colors.BLUE), ("-", (0, (4, 2)))):
+        for row, color, dashes in zip(
+            _shown_rows(comparison, name, dt), (colors.VERMILION, colors.BLUE), ("-", (0, (4, 2))), strict=False
+        ):
             assert row.states is not None
             inside = np.flatnonzero((row.states.t >= SPAN[0]) & (row.states.t <= SPAN[1]))
             inside = inside[:: max(1, len(inside) // 400)]
             ax.plot(row.states.t[inside], 1e3 * row.states.y[inside], color=color, lw=1.6, ls=dashes)
             words.append((_height_words(row), color))
         ax.set_title(one.title, fontsize=10, loc="left", pad=4)
-        for k, (text, color) in enumerate(words):
-            ax.text(0.985, 0.97 - 0.15 * k, text, transform=ax.transAxes, ha="right", va="top", fontsize=8, color=color)
+        for place, (text, color) in zip((1.0, 0.68), words[::-1], strict=False):  # above the axes, clear of the curves
+            ax.text(place, 1.04, text, transform=ax.transAxes, ha="right", va="bottom", fontsize=8, color=color)
         ax.set_xlim(*SPAN)
         ax.set_ylim(-20.0, 420.0)
     for ax in axes[::COLUMNS]:

@@ -180,8 +180,8 @@ def _doubts(x: Floats, angle: Floats) -> tuple[str, ...]:
         distance, turned = float(np.ptp(x[marked])), float(np.ptp(angle[marked]))
         if distance > 1.0 and turned < LEAST_TURN * distance:
             return (
-                f"Doubtful: the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by {turned:.2f} rad. "
-                + advice,
+                f"Doubtful: the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by "
+                f"{turned:.2f} rad. {advice}",
             )
     if marked.sum() < MOSTLY * there:
         return (f"Doubtful: the marker is visible in only {int(marked.sum())} of {there} frames with the hoop. {advice}",)
