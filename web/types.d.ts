@@ -1,7 +1,7 @@
 // What Python sends, and the shapes that several files share. The classes are in the files themselves.
 
-type Film = import("./lab/film.js").Film;
-type Clock = import("./lab/clock.js").Clock;
+type Film = import("./lab/player/film.ts").Film;
+type Clock = import("./lab/player/clock.ts").Clock;
 
 interface Colors {
   modes: Record<string, string>;
@@ -28,6 +28,7 @@ interface Look {
   panel: string;
   ground: string;
   font: string;
+  px: number; // of the screen for one at the usual size of letters
   dark: boolean;
 }
 
@@ -240,7 +241,7 @@ interface PlotShared {
 
 type Vector = number[]; // of three
 type Matrix = Float32Array; // columns of four
-type Camera = import("./scene/camera.js").Camera;
+type Camera = import("./scene/camera.ts").Camera;
 
 interface Program {
   program: WebGLProgram;
@@ -366,7 +367,7 @@ interface GivenContact {
   rtol: number | null;
 }
 
-// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.js makes it.
+// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   radius: number;
   mass: number;

@@ -17,12 +17,12 @@ from sphinx_gallery.scrapers import matplotlib_scraper
 import hophoop as hh
 
 # From simple to hard, in each part of the gallery.
-ORDER = (
-    "overview velocities path strobe gap contact_forces friction_utilization energies geometry strobe_forces phase_plane "
-    "own_axes velocities_uncertain "
-    "sweep hop_height open_map points boundary borders logarithmic refine catalogue paradoxes "
-    "film picture panels compare film_3d scene jam player"
-).split()
+ORDER = [
+    *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
+    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain"),
+    *("sweep", "hop_height", "open_map", "points", "boundary", "borders", "logarithmic", "refine", "catalogue", "paradoxes"),
+    *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "player"),
+]
 SHOWN = ("hophoop.plots.", "hophoop.maps.", "hophoop.animate.")
 VIDEO = (
     '<video controls loop muted playsinline aria-label="{title}" style="max-width:100%;height:auto" width="{width}" '

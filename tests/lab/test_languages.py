@@ -43,7 +43,7 @@ PATTERNS = {key: pattern(key) for key in SENTENCES}
 
 
 def known(text):
-    """As web/lab/words.js recognises a text: whole, by its form with known words in its places, or as a row of phases."""
+    """As web/lab/words/words.ts recognises a text: whole, by its form with known words in its places, or as a row of phases."""
     text = text.strip()
     if text in ENGLISH or not re.search(r"[^\W\d_⁰¹²³⁴-⁹]{3}", text) or re.fullmatch(NAMES, text):
         return True
@@ -58,7 +58,7 @@ def known(text):
 
 
 def told(summary):
-    """As web/lab/words.js takes a summary apart."""
+    """As web/lab/words/words.ts takes a summary apart."""
     first, _, rest = re.fullmatch(r"(.*?)\.(?:( )(.*))?", summary, re.DOTALL).groups()
     phrases = re.split(r", (?!\d)", first[:1].lower() + first[1:])
     return [phrase for phrase in phrases if not known(phrase)] + ([rest] if rest and not known(rest) else [])
@@ -111,7 +111,7 @@ def test_the_page_that_makes_tags_is_there():
 
 def test_no_text_is_left_over():
     """Each key stands in a source, or is what Python writes."""
-    scripts = [*sorted((WEB / "lab").glob("*.js")), WEB / "kernel" / "kernel.js", WEB / "site" / "embed.js"]
+    scripts = [*sorted((WEB / "lab").rglob("*.ts")), WEB / "kernel" / "kernel.ts", WEB / "site" / "embed.ts"]
     sources = "".join(path.read_text(encoding="utf-8") for path in scripts) + "|".join(TAGS)
     sources = re.sub(r'"\s*\+\s*["`]', "", sources)
     sources += "|".join(re.findall(r't\("([^"]+)"', sources))  # also within templates
