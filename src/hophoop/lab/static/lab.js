@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 02003cb9753080c045803b013108a11f */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources fad5e9ef08d179e90e555cdab9da787f */
 var sl=Object.create;var Gi=Object.defineProperty;var il=Object.getOwnPropertyDescriptor;var ol=Object.getOwnPropertyNames;var al=Object.getPrototypeOf,rl=Object.prototype.hasOwnProperty;var ll=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var hl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ol(e))!rl.call(n,i)&&i!==t&&Gi(n,i,{get:()=>e[i],enumerable:!(s=il(e,i))||s.enumerable});
 return n};var cl=(n,e,t)=>(t=n!=null?sl(al(n)):{},hl(e||!n||!n.__esModule?Gi(t,"default",{value:n,enumerable:!0}):t,n));var Aa=ll(Ln=>{"use strict";Object.defineProperty(Ln,"__esModule",{value:!0});function Ma(n){return!n||typeof n=="string"?n:n+""}var zs=class{async svg2canvas(e,t,s){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=s,o.getContext(
