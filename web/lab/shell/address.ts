@@ -3,7 +3,8 @@
 import { once } from "../common/dom.ts";
 import { clamp } from "../common/numbers.ts";
 import { english } from "../words/words.ts";
-import type { Lab } from "./lab.ts";
+import type { Notice } from "./notice.ts";
+import type { Motions } from "../player/motions.ts";
 
 const LETTERS: [keyof StageOptions, string][] = [
   ["traces", "t"],
@@ -90,7 +91,12 @@ export class Address {
   soon: () => void;
   listen: () => Promise<void>;
 
-  constructor(public lab: Lab) {
+  /** `link`: to what is shown. */
+  constructor(
+    readonly motions: Motions,
+    readonly notice: Notice,
+    readonly link: () => string | null,
+  ) {
     this.soon = once(() => this.write("same"), WAIT);
     this.listen = () => this.arrived();
     addEventListener("popstate", this.listen);
@@ -101,12 +107,12 @@ export class Address {
   }
 
   write(step: "same" | "step" | "again" | "travelled") {
-    const { lab } = this;
-    if (!lab.motions.lanes.length) return;
+    const { motions } = this;
+    if (!motions.lanes.length) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
-    if (!lab.motions.history.holds(lab.motions.queries())) return;
+    if (!motions.history.holds(motions.queries())) return;
     if (this.held && (step === "same" || step === "travelled")) return;
-    const link = lab.link();
+    const link = this.link();
     if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
     this.held = false;
@@ -114,7 +120,8 @@ export class Address {
 
   /** Links as far as they can be read; what is wrong in them is said, and the address stays as it is. */
   read(links: string[]) {
-    const { backend, notice } = this.lab;
+    const { notice } = this;
+    const { backend } = this.motions;
     const found = links.map((link) => backend.readable?.(link) ?? { query: link, foreign: [], error: null });
     const error = found.find((one) => one.error)?.error;
     const foreign = found.flatMap((one) => one.foreign);
@@ -139,8 +146,8 @@ export class Address {
   async arrived() {
     const number = history.state?.number ?? 0;
     const { links: asked, said } = this.read(queries());
-    if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
-    else if (await this.lab.motions.arrive(asked)) {
+    if (JSON.stringify(asked) === JSON.stringify(this.motions.queries())) this.number = number;
+    else if (await this.motions.arrive(asked)) {
       this.number = number;
       said();
     } else if (number !== this.number) history.go(this.number - number); // stay with what is shown

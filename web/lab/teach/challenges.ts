@@ -4,7 +4,6 @@ import { h, say } from "../common/dom.ts";
 import { GOALS, stars, type Goal } from "./goals.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { t } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
 
 const KEY = "hophoop-best-";
 
@@ -12,10 +11,8 @@ const drawn = (points: number) => "★".repeat(stars(points)) + "☆".repeat(3 -
 
 export class Challenges {
   goal: Goal | null = null;
-  /** challenges whose solution is shown, until they are begun again. */
-  solved: Set<string> = new Set();
-  /** solutions that were shown, by their links. */
-  solutions: Set<string> = new Set();
+  solved = new Set<string>(); // challenges whose solution is shown, until they are begun again
+  solutions = new Set<string>(); // that were shown, by their links
 
   tabs: Map<string, HTMLButtonElement>;
   text: HTMLParagraphElement;
@@ -24,7 +21,13 @@ export class Challenges {
   kept: HTMLParagraphElement;
   element: HTMLElement;
 
-  constructor(public lab: Lab) {
+  readonly film: () => Film;
+  readonly load: (query: string) => Promise<void>;
+  readonly ahead: () => boolean;
+
+  /** `load`: shows the motion of a link; `ahead`: whether the hoop is in the hand. */
+  constructor({ film, load, ahead }: Pick<Challenges, "film" | "load" | "ahead">) {
+    Object.assign(this, { film, load, ahead });
     this.tabs = new Map(
       GOALS.map((goal) => [
         goal.key,
@@ -94,39 +97,21 @@ export class Challenges {
     if (!goal) return;
     this.solved.add(goal.key);
     await this.load(goal.best);
-    this.solutions.add(this.lab.film().query);
-  }
-
-  async load(query: string) {
-    const { lab } = this;
-    try {
-      const reply = await lab.backend.call("film", { query });
-      lab.clock.play(false);
-      lab.clock.time = 0;
-      lab.motions.replace(reply);
-    } catch (error) {
-      lab.notice.fail(error as Error);
-    }
+    this.solutions.add(this.film().query);
   }
 
   /** Another motion is there: its score. A start that is still in the hand does not count. */
   changed() {
-    const { goal, lab } = this;
+    const { goal } = this;
     if (!goal) return;
-    const { points, text, values = {} } = goal.score(lab.film());
-    const counts = !this.solved.has(goal.key) && !this.solutions.has(lab.film().query);
+    const { points, text, values = {} } = goal.score(this.film());
+    const counts = !this.solved.has(goal.key) && !this.solutions.has(this.film().query);
     this.meter.value = points;
-    const said = t(
-      counts ? "{stars} {points} points. {what}" : "{stars} {points} points, shown and not counted. {what}",
-      {
-        stars: drawn(points),
-        points,
-        what: t(text, values),
-      },
-    );
+    const score = counts ? "{stars} {points} points. {what}" : "{stars} {points} points, shown and not counted. {what}";
+    const said = t(score, { stars: drawn(points), points, what: t(text, values) });
     if (this.result.textContent !== said) this.result.textContent = said;
     const kept = Number(recall(KEY + goal.key) ?? 0);
-    const best = counts && !lab.stage.options.ahead ? Math.max(kept, points) : kept;
+    const best = counts && !this.ahead() ? Math.max(kept, points) : kept;
     if (best > kept) remember(KEY + goal.key, String(best));
     say(this.kept, t("Your best: {points} points.", { points: best }));
   }
