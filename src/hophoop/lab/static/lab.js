@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources e2b97ea7eaf47f3d7d3dbc4e3f31a803 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 09dd0b2d0afe9a480ee566e9f5d5cce0 */
 var ul=Object.create;var Xo=Object.defineProperty;var dl=Object.getOwnPropertyDescriptor;var ml=Object.getOwnPropertyNames;var pl=Object.getPrototypeOf,fl=Object.prototype.hasOwnProperty;var gl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var bl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ml(e))!fl.call(s,o)&&o!==t&&Xo(s,o,{get:()=>e[o],enumerable:!(n=dl(e,o))||n.enumerable});
 return s};var wl=(s,e,t)=>(t=s!=null?ul(pl(s)):{},bl(e||!s||!s.__esModule?Xo(t,"default",{value:s,enumerable:!0}):t,s));var Oa=gl(Cn=>{"use strict";Object.defineProperty(Cn,"__esModule",{value:!0});function Ca(s){return!s||typeof s=="string"?s:s+""}var Is=class{async svg2canvas(e,t,n){
 let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=n,i.getContext(
@@ -2273,8 +2273,8 @@ t),o=this.clock.time,i=e>0?n.find(({event:m})=>m.t>o+1e-9):n.findLast(({event:m}
 kind]??a.kind);this.tell(H(`${l}${k("{what} at {angle}, {time} s",{what:c,angle:$(a.angle),time:M(a.t,4)})}`))}};var at=class{constructor(e,t,n,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
 this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,ha(e,o);let{colors:r}=n;this.known=n.presets,this.sameness=new Pn(
 n.presets),this.clock=new Vt,this.motions=new _n(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.announce(this.films()),noted:l=>this.
-noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.address=o?new Ut(this.motions,this.notice,()=>this.link()):null,this.notice=
-new En,this.theme=new $n(e,r,o,()=>this.show()),this.stage=new jn(r,()=>{this.request(),this.address?.soon()}),this.transport=new Gn(this.clock,()=>this.films(),
+noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new En,this.address=o?new Ut(this.motions,this.notice,()=>this.
+link()):null,this.theme=new $n(e,r,o,()=>this.show()),this.stage=new jn(r,()=>{this.request(),this.address?.soon()}),this.transport=new Gn(this.clock,()=>this.films(),
 l=>this.toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Wn(this.clock),this.story=new Hn(this.clock),this.theory=new Bn,this.plots=new Rn(
 this.clock,r),this.phase=new Ln(t,this.clock,r),this.map=new vn(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.
 address?.soon()}),this.controls=new Zt(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new zn(this),this.singleKeys=new wn(o),this.help=ia(n.version,r,this.
