@@ -95,6 +95,11 @@ export class Grips {
       place.style.width = place.style.height = `${size}px`;
       place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
     }
+    const hint = lab.opening?.hint;
+    if (hint && !hint.hidden) {
+      const [x, y] = spots[2][1];
+      hint.style.transform = `translate(${clamp(x, 70, view.width - 70)}px, ${view.top + Math.max(y - SMALL, 18)}px) translate(-50%, -50%)`;
+    }
     if (!lab.clock.playing) this.tell(film);
   }
 

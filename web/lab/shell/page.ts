@@ -28,6 +28,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     lab.hoops.element,
     notice.message,
     lab.controls.element,
+    lab.view.more,
   );
   const player = h("div", { class: "player" }, lab.stage.element, lab.timeline.element, lab.transport.element);
   const sticky = hosted ? keepInSight(player, () => lab.request()) : null;
@@ -51,6 +52,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     notice.toast,
     lab.share.dialog,
     lab.help,
+    lab.about,
   );
   root.classList.toggle("no-controls", !want("controls"));
   return sticky;

@@ -89,6 +89,7 @@ export class Visit {
   async go(number: number) {
     const step = STEPS[number];
     const asked = ++this.asked;
+    this.lab.opening.end();
     const { lab } = this;
     lab.clock.play(false);
     lab.clock.time = 0;
