@@ -13,6 +13,9 @@ import type { Scene } from "./scene2d.ts";
 const REST = 700; // milliseconds after the last key until the start counts as chosen
 const SMALL = 44; // pixels, the least that a finger hits
 
+/** What the hand moves, and what shows it. */
+type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
+
 const GRIPS: [Grip, string, string][] = [
   ["plane", "Slope of the plane", "Tilt the plane: drag, or arrow keys"],
   ["hoop", "The hoop: height and speed", "Lift, roll or throw the hoop: drag, or arrow keys"],
@@ -29,10 +32,12 @@ export class Grips {
 
   places: Map<Grip, HTMLElement>;
   tip: HTMLOutputElement;
+  /** What a first visitor is told. */
+  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "Drag the load");
   element: HTMLDivElement;
   settle: () => void;
 
-  constructor(public lab: Lab) {
+  constructor(readonly lab: Hands) {
     this.places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
     this.tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
     this.element = h(
@@ -40,8 +45,8 @@ export class Grips {
       { class: "grips", role: "group", "aria-label": "The hoop in your hand" },
       [...this.places.values()],
       this.tip,
+      this.hint,
     );
-    lab.stage.element.before(this.element);
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);
@@ -95,10 +100,9 @@ export class Grips {
       place.style.width = place.style.height = `${size}px`;
       place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
     }
-    const hint = lab.opening?.hint;
-    if (hint && !hint.hidden) {
+    if (!this.hint.hidden) {
       const [x, y] = spots[2][1];
-      hint.style.transform = `translate(${clamp(x, 70, view.width - 70)}px, ${view.top + Math.max(y - SMALL, 18)}px) translate(-50%, -50%)`;
+      this.hint.style.transform = `translate(${clamp(x, 70, view.width - 70)}px, ${view.top + Math.max(y - SMALL, 18)}px) translate(-50%, -50%)`;
     }
     if (!lab.clock.playing) this.tell(film);
   }
@@ -252,7 +256,7 @@ export class Grips {
     const { lab } = this;
     lab.stage.options.ahead = true;
     lab.clock.seek(0);
-    lab.root.classList.add("holding");
+    lab.mark("holding", true);
   }
 
   change(grip: Grip, held: Held, commit: boolean) {
@@ -281,7 +285,7 @@ export class Grips {
     this.before = null;
     this.tip.hidden = true;
     lab.stage.options.ahead = false;
-    lab.root.classList.remove("holding");
+    lab.mark("holding", false);
     if (play) lab.clock.seek(0);
     if (play) lab.clock.run();
     lab.request();

@@ -22,6 +22,7 @@ export class Header {
   undo: HTMLButtonElement;
   redo: HTMLButtonElement;
   compare: HTMLButtonElement;
+  right: HTMLDivElement;
   element: HTMLElement;
 
   /** `share`: the menu of what can be shared and saved; `view`: what switches to everything and back. */
@@ -59,6 +60,13 @@ export class Header {
     const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
     this.compare = button(words, "Compare two hoops", actions.compare);
     this.compare.classList.add("full");
+    this.right = h(
+      "div",
+      { class: "buttons right" },
+      share,
+      button(icon("theme"), "Dark or light (d)", actions.theme),
+      button("?", "Keys and help (?)", actions.help),
+    );
     this.element = h(
       "header",
       { class: "top" },
@@ -70,13 +78,7 @@ export class Header {
       ),
       this.presets,
       h("div", { class: "buttons" }, this.undo, this.redo, this.compare, view),
-      h(
-        "div",
-        { class: "buttons right" },
-        share,
-        button(icon("theme"), "Dark or light (d)", actions.theme),
-        button("?", "Keys and help (?)", actions.help),
-      ),
+      this.right,
     );
   }
 
