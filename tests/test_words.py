@@ -58,7 +58,7 @@ def hits(path: Path) -> list[str]:
 
 
 ROOT = SOURCE.parents[1]
-# the lab's page is being rewritten; the changelog of 0.1.0 too
+# the lab and the changelog are being rewritten
 PAGES = [
     page
     for page in [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
