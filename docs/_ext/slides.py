@@ -97,7 +97,8 @@ def slides() -> list[str]:
         "<p class='quiet'>R = 0.4 m, friction 1, the load starts at the top.</p>",
         "<h2>Why does it hop?</h2><ol><li>On the way up, friction has to brake the rotation.</li>"
         f"<li>It is at most {m(CONE)}, and {m('N')} is small there: {float(forces.normal):.1f} N of a weight of "
-        f"{HOOP.mass * PLANE.gravity:.1f} N, at 260° and {ROLLS:g} m/s.</li><li>So the rim slips, and the hoop keeps turning fast: "
+        f"{HOOP.mass * PLANE.gravity:.1f} N, at 260° and {ROLLS:g} m/s.</li>"
+        "<li>So the rim slips, and the hoop keeps turning fast: "
         f"{takeoff.omega:.2f} rad/s where a rolling one would have {rolled:.2f} rad/s.</li>"
         "<li>The load comes up fast and lifts the hoop.</li></ol>",
         "<h2>More friction, more hop?</h2>"
