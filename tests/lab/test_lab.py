@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.lab import calls, controls, files, film, limits, packing, page, presets, regions, site, thresholds, words
+from hophoop.lab import film, regions, site, thresholds, words
+from hophoop.lab.api import calls, files, limits, packing
+from hophoop.lab.server import page
+from hophoop.lab.site import controls, presets
 from hophoop.scenario import InputError, paths
 
 HOP = hh.Scenario()

@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from hophoop.lab.python_code import python_code
 from hypothesis import given, settings
 
 import hophoop as hh
-from hophoop.lab import calls, limits, presets
-from hophoop.lab.python_code import python_code
+from hophoop.lab.api import calls, limits
+from hophoop.lab.site import presets
 from strategies import scenarios
 
 PRESETS = {preset.key: preset for preset in presets.presets()}

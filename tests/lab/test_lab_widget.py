@@ -5,7 +5,7 @@ import gzip
 import pytest
 
 import hophoop as hh
-from hophoop.lab import packing
+from hophoop.lab.api import packing
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 from hophoop.scenario import InputError
 
@@ -72,7 +72,7 @@ def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
     def broken(*_):
         raise ValueError("operands could not be broadcast together")
 
-    monkeypatch.setattr("hophoop.lab.calls.answer", broken)
+    monkeypatch.setattr("hophoop.lab.api.calls.answer", broken)
     with pytest.raises(ValueError, match="broadcast"):
         widget._answer(widget, {"view": "a", "number": 5, "call": "theory", "body": {"scenario": {}}}, [])
     assert widget.sent == [({"view": "a", "number": 5, "error": "The computation failed."}, None)]

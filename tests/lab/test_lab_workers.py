@@ -14,11 +14,13 @@ pytest.importorskip("fastapi", reason="the extra 'lab' is not installed")
 pytest.importorskip("httpx", reason="httpx is not installed")
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
-import hophoop as hh  # noqa: E402
-from hophoop.lab import calls, workers  # noqa: E402
-from hophoop.lab.limits import USUAL, TooBusy, TooMuch  # noqa: E402
 from hophoop.lab.worker import ANSWER, STOPPED, Ended, Job, Worker  # noqa: E402
-from hophoop.lab.workers import FILM, GRACE, HEAVY, LIGHT, Workers, while_connected  # noqa: E402
+
+import hophoop as hh  # noqa: E402
+from hophoop.lab import workers  # noqa: E402
+from hophoop.lab.api import calls  # noqa: E402
+from hophoop.lab.api.limits import USUAL, TooBusy, TooMuch  # noqa: E402
+from hophoop.lab.server.pool import FILM, GRACE, HEAVY, LIGHT, Workers, while_connected  # noqa: E402
 from hophoop.scenario import Scenario, Start  # noqa: E402
 from lab_tools import POSIX  # noqa: E402
 

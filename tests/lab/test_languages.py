@@ -11,9 +11,10 @@ from hypothesis import given, settings
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.lab import motion_map, thresholds, words
-from hophoop.lab.controls import controls
-from hophoop.lab.presets import presets
+from hophoop.lab import thresholds, words
+from hophoop.lab.api import motion_map
+from hophoop.lab.site.controls import controls
+from hophoop.lab.site.presets import presets
 from hophoop.vocabulary.classes import CODES, class_text
 from hophoop.vocabulary.events import EVENTS
 from hophoop.vocabulary.modes import LETTERS, MODE_WORDS

@@ -14,8 +14,9 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import is_fingerprint
-from hophoop.lab import calls, files, presets
-from hophoop.lab.limits import USUAL
+from hophoop.lab.api import calls, files
+from hophoop.lab.api.limits import USUAL
+from hophoop.lab.site import presets
 from hophoop.vocabulary.classes import class_color, class_text
 from model.test_page_model import answers
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from hophoop.lab import calls
-from hophoop.lab.motion_map import MAP_QUANTITIES
+from hophoop.lab.api import calls
+from hophoop.lab.api.motion_map import MAP_QUANTITIES
 from hophoop.scenario import InputError
 from model.requests_drawn import ODD, plain
 from model.test_page_model import answers

@@ -13,13 +13,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hophoop.lab.python_code import python_code
 
 import hophoop as hh
 import random_scenarios
 from hophoop import theory
 from hophoop._support import errors
-from hophoop.lab import calls, presets, tables, thresholds, words
-from hophoop.lab.python_code import python_code
+from hophoop.lab import tables, thresholds, words
+from hophoop.lab.api import calls
+from hophoop.lab.site import presets
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hophoop.lab.regions import regions
 
 import hophoop as hh
 from hophoop import maps
@@ -15,8 +16,7 @@ from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.margins import MARGINS
-from hophoop.lab.film import header
-from hophoop.lab.regions import regions
+from hophoop.lab.api.motion import header
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, MODULE

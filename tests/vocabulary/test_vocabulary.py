@@ -13,10 +13,11 @@ from matplotlib.figure import Figure
 import hophoop as hh
 from hophoop import plots, theory
 from hophoop.kernel.records.layout import CELL, LAW
-from hophoop.lab import film, motion_map, regions
+from hophoop.lab import film, regions
 from hophoop.lab import words as told
-from hophoop.lab.limits import USUAL
-from hophoop.lab.presets import presets
+from hophoop.lab.api import motion_map
+from hophoop.lab.api.limits import USUAL
+from hophoop.lab.site.presets import presets
 from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem

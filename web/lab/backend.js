@@ -1,52 +1,168 @@
-// Where answers come from: the server of the page, or the notebook's kernel. Both take the same calls.
+// Where answers come from: numbers from the kernel in the page, everything else from the model beside it.
 
-import { unpack } from "./packing.js";
+import * as model from "../model/index.js";
 
-const TRIES = 4; // of a server that says it is busy
-const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
+const REGION_COLUMNS = 360;
+const REGION_ROWS = 240;
 
-export class HttpBackend {
-  /** @param {URL} base */
-  constructor(base) {
+/** Files that need no Python. @type {Record<string, string>} */
+const OWN_FILES = {
+  "motion.toml": "application/toml",
+  "motion.csv": "text/csv; charset=utf-8",
+  "motion.json": "application/json",
+};
+const PYTHON_FILES = ["motion.nc", "motion.mp4", "motion.gif"];
+
+/**
+ * A scenario, or its link, and changes to it.
+ * @typedef {{ scenario?: any, query?: string, changes?: Change[] }} Asked
+ */
+
+export class Backend {
+  /**
+   * @param {Kernel} kernel
+   * @param {Mechanics} mechanics
+   * @param {{ base?: URL | null, python?: Python | null }} [beside] the page's address, where there is one to share, and what
+   *   answers where Python is needed
+   */
+  constructor(kernel, mechanics, { base = null, python = null } = {}) {
+    this.kernel = kernel;
+    this.mechanics = mechanics;
     this.base = base;
-    this.shares = true;
+    this.python = python;
+    this.shares = base !== null;
+    this.files = [...Object.keys(OWN_FILES), ...(python ? PYTHON_FILES : [])];
+    /** @type {Set<string>} links of motions that Python has computed */
+    this.undecided = new Set();
   }
 
   /**
-   * @param {string} name
-   * @param {object} body
+   * The motion of a scenario for the player.
+   * @param {Asked} asked
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<Reply>}
+   */
+  async film(asked, signal) {
+    signal?.throwIfAborted();
+    const checked = model.asked(asked, this.mechanics);
+    const given = model.given(model.within(checked));
+    const { motion, columns } = this.kernel.film
+      ? await this.kernel.film(given, signal)
+      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+    const { doubt } = motion;
+    if (doubt !== null && this.python) {
+      const query = model.toQuery(checked);
+      const computed = await this.python.motion({ query }, signal);
+      this.undecided.add(query);
+      return this.shown(computed, checked);
+    }
+    const omega = await this.turning(given, motion, signal);
+    const header = model.headerOf(checked, motion, omega, this.mechanics);
+    return { header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) }, arrays: columns };
+  }
+
+  /**
+   * A motion that Python has computed, for the player.
+   * @param {Reply} computed
+   * @param {Checked} [checked] that it was computed for
+   * @returns {Reply}
+   */
+  shown({ header: motion, arrays }, checked = model.fromQuery(motion.query, this.mechanics)) {
+    const omega = (/** @type {number} */ number) => motion.turning[number];
+    return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays };
+  }
+
+  /**
+   * A part of a motion, for a film that is too long to be as dense as it is seen.
+   * @param {any} scenario
+   * @param {[number, number]} window times from and to
    * @param {AbortSignal} [signal]
    */
-  async call(name, body, signal) {
-    const asked = {
-      method: "POST",
-      headers: { "Content-Type": "application/json" },
-      body: JSON.stringify(body),
-      signal,
-    };
-    const response = await this.answered(new URL(`lab/${name}`, this.base), asked);
-    return unpack(await response.arrayBuffer());
+  async samples(scenario, window, signal) {
+    const checked = model.asked({ scenario }, this.mechanics);
+    const query = model.toQuery(checked);
+    if (this.python && this.undecided.has(query)) return (await this.python.motion({ query, window }, signal)).arrays;
+    return this.kernel.columns(model.given(model.within(checked)), signal, window);
   }
 
   /**
-   * What the server answers; a busy one is asked again when it says so, and one that is gone is named in words.
-   * @param {URL} place
-   * @param {RequestInit} [asked]
+   * How the hoop turns after events at which it slips and does not turn yet.
+   * @param {Given} given
+   * @param {ComputedMotion} motion
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<(number: number) => number>}
    */
-  async answered(place, asked) {
-    for (let left = TRIES; ; left--) {
-      const response = await fetch(place, asked).catch((error) => {
-        throw error.name === "AbortError" ? error : new Error(GONE);
-      });
-      if (response.ok) return response;
-      const again = Number(response.headers.get("Retry-After"));
-      if (response.status !== 503 || !(again > 0) || left <= 1) {
-        const said = await response.json().catch(() => ({}));
-        throw new Error(said.detail ?? `The server answered ${response.status}.`);
-      }
-      await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
-      asked?.signal?.throwIfAborted();
-    }
+  async turning(given, { events }, signal) {
+    const still = model.stills(events);
+    if (!still.length) return () => 0;
+    const times = Float64Array.from(still, (number) => model.halfway(events, number));
+    const { omega } = await this.kernel.samples(given, times, signal);
+    return (number) => omega[still.indexOf(number)];
+  }
+
+  /**
+   * The Python and the file of a scenario.
+   * @param {any} scenario
+   */
+  code(scenario) {
+    const checked = model.asked({ scenario }, this.mechanics);
+    return { python: model.pythonCode(checked), toml: model.toToml(checked) };
+  }
+
+  /**
+   * What theory says of the hoop of a scenario.
+   * @param {any} scenario
+   * @param {AbortSignal} [signal]
+   */
+  async theory(scenario, signal) {
+    signal?.throwIfAborted();
+    const checked = model.asked({ scenario }, this.mechanics);
+    return model.thresholds(checked, await this.kernel.thresholds(model.given(checked), signal));
+  }
+
+  /**
+   * The modes that follow in the (θ, θ̇) plane.
+   * @param {any} scenario
+   * @param {[number, number, number, number]} window of θ and of θ̇
+   * @param {AbortSignal} [signal]
+   */
+  async regions(scenario, window, signal) {
+    signal?.throwIfAborted();
+    const given = model.given(model.asked({ scenario }, this.mechanics));
+    return this.kernel.regions(given, window, REGION_COLUMNS, REGION_ROWS, signal);
+  }
+
+  /**
+   * What a little more of a parameter does to each event.
+   * @param {any} scenario
+   * @param {string} path
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<SidedChanges | null>} null where the parameter can be no other
+   */
+  async changes(scenario, path, signal) {
+    if (!this.kernel.changes) throw new TypeError("This kernel has no derivatives.");
+    const checked = model.within(model.asked({ scenario }, this.mechanics));
+    const given = model.given(checked);
+    if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
+    const found = model.ratesOf(checked, path);
+    if (!found) return null;
+    const { rates, smaller, larger } = found;
+    const sides = await this.kernel.changes(given, rates, signal);
+    return { count: sides.count, smaller: smaller ? sides.smaller : null, larger: larger ? sides.larger : null };
+  }
+
+  /**
+   * A map over two parameters.
+   * @param {Asked & { x: any, y: any, what: string }} asked
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<Reply>}
+   */
+  async map(asked, signal) {
+    signal?.throwIfAborted();
+    const { checked, x, y, what } = model.mapAsked(asked, this.mechanics);
+    const base = model.withinMap(checked, { x, y, what });
+    const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
+    return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, model.spanOf(what), signal));
   }
 
   /**
@@ -54,7 +170,27 @@ export class HttpBackend {
    * @param {string} query
    */
   async file(name, query) {
-    return (await this.answered(new URL(`api/v1/files/${name}?${query}`, this.base))).blob();
+    if (!(name in OWN_FILES)) {
+      if (this.python) return this.python.file(name, query);
+      throw new model.InputError(`${name} needs Python: run hophoop lab.`);
+    }
+    return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} query
+   */
+  async fileText(name, query) {
+    const asked = model.asked({ query }, this.mechanics);
+    if (name === "motion.toml") return model.toToml(asked);
+    const checked = model.within(asked);
+    const given = model.given(checked);
+    const motion = await this.kernel.motion(given);
+    if (motion.doubt !== null && this.python) return (await this.python.file(name, query)).text(); // as the film
+    if (name === "motion.json") return model.resultText(checked, motion);
+    const times = model.timesOf(motion.duration);
+    return model.tableText(times, await this.kernel.samples(given, times));
   }
 
   /**
@@ -62,89 +198,6 @@ export class HttpBackend {
    * @param {string} hash
    */
   link(query, hash) {
-    return `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
-  }
-}
-
-const PATIENCE = 20_000; // milliseconds; files take longer
-const FILE_PATIENCE = 300_000;
-
-// Messages to the kernel behind an anywidget model.
-/**
- * The part of an anywidget model that is used.
- * @typedef {{
- *   get(name: string): any, set(name: string, value: unknown): void, save_changes(): void, send(message: object): void,
- *   on(name: string, listener: (...values: any[]) => void): void,
- *   off(name: string, listener: (...values: any[]) => void): void,
- * }} Model
- */
-
-export class KernelBackend {
-  /** @param {Model} model */
-  constructor(model) {
-    this.model = model;
-    this.shares = false;
-    this.waiting = new Map();
-    this.number = 0;
-    // several views of one widget share its messages; each answers to its own
-    this.view = Math.random().toString(36).slice(2);
-    this.listen = (/** @type {any} */ message, /** @type {any[]} */ buffers) => this.answered(message, buffers);
-    model.on("msg:custom", this.listen);
-  }
-
-  /**
-   * @param {any} message
-   * @param {any[]} buffers
-   */
-  answered(message, buffers) {
-    const waits = message?.view === this.view && this.waiting.get(message.number);
-    if (!waits) return;
-    clearTimeout(waits.timer);
-    this.waiting.delete(message.number);
-    if (message.error) waits.reject(new Error(message.error));
-    else waits.resolve(unpack(buffers[0]));
-  }
-
-  /**
-   * @param {string} name
-   * @param {object} body
-   * @param {AbortSignal} [signal]
-   */
-  call(name, body, signal) {
-    const number = ++this.number;
-    return new Promise((resolve, reject) => {
-      // a saved notebook plays without a kernel, but cannot compute
-      const timer = setTimeout(
-        () => {
-          this.waiting.delete(number);
-          reject(new Error("The notebook’s kernel does not answer; run the cell again."));
-        },
-        name === "file" ? FILE_PATIENCE : PATIENCE,
-      );
-      this.waiting.set(number, { resolve, reject, timer });
-      signal?.addEventListener("abort", () => {
-        clearTimeout(timer);
-        this.waiting.delete(number);
-        reject(new DOMException("superseded", "AbortError"));
-      });
-      this.model.send({ view: this.view, number, call: name, body });
-    });
-  }
-
-  /**
-   * @param {string} name
-   * @param {string} query
-   */
-  async file(name, query) {
-    const { arrays } = await this.call("file", { query, name });
-    return new Blob([arrays.content]);
-  }
-
-  link() {
-    return null;
-  }
-
-  close() {
-    this.model.off("msg:custom", this.listen);
+    return this.base && `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
   }
 }

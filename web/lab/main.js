@@ -1,8 +1,11 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
+import { tables } from "../model/index.js";
 import { readShown } from "./address.js";
+import { say } from "./dom.js";
 import { Lab } from "./lab.js";
 import { unpack } from "./packing.js";
+import { NotebookKernel } from "./python.js";
 import { backendOf, keepOffline, widgetBackend } from "./start.js";
 
 const here = new URL("./", import.meta.url);
@@ -12,16 +15,14 @@ async function startPage(root) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
   let backend;
-  let setup;
   try {
     backend = await backendOf(here, site ? null : base, base);
-    setup = (await backend.call("setup", {})).header;
   } catch (error) {
-    root.textContent = /** @type {Error} */ (error).message;
+    say(root, /** @type {Error} */ (error).message);
     return;
   }
   if (site) keepOffline(site.getAttribute("content") ?? "");
-  const lab = new Lab(root, backend, setup, { hosted: true });
+  const lab = new Lab(root, backend, tables.setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
   const shown = readShown(location.hash);
@@ -44,21 +45,28 @@ async function startPage(root) {
  */
 export async function mount(root, folder, query, panels) {
   const backend = await backendOf(folder, null, new URL("../", folder));
-  const { header } = await backend.call("setup", {});
-  const lab = new Lab(root, backend, header, { panels });
+  const lab = new Lab(root, backend, tables.setup, { panels });
   await lab.open([query]);
   return lab;
 }
 
 /**
  * anywidget: the motion travels with the notebook, so that it plays without a kernel as well.
- * @param {{ model: import("./backend.js").Model, el: HTMLElement }} widget
+ * @param {{ model: import("./python.js").Model, el: HTMLElement }} widget
  */
 async function render({ model, el }) {
   const root = document.createElement("div");
   el.append(root);
-  const backend = await widgetBackend(model);
-  const lab = new Lab(root, backend, model.get("setup"), {
+  const python = new NotebookKernel(model);
+  let backend;
+  try {
+    backend = await widgetBackend(model, python);
+  } catch (error) {
+    say(root, /** @type {Error} */ (error).message);
+    return () => python.close();
+  }
+  const shown = () => backend.shown(unpack(model.get("film")));
+  const lab = new Lab(root, backend, tables.setup, {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
     onmotion: (query) => {
@@ -67,13 +75,13 @@ async function render({ model, el }) {
       model.save_changes();
     },
   });
-  lab.motions.set([unpack(model.get("film"))]);
+  lab.motions.set([shown()]);
   lab.begin();
-  const replaced = () => lab.motions.replace(unpack(model.get("film")));
+  const replaced = () => lab.motions.replace(shown());
   model.on("change:film", replaced);
   return () => {
     model.off("change:film", replaced);
-    backend.close?.();
+    python.close();
     lab.close();
   };
 }

@@ -62,7 +62,7 @@ export class Motions {
 
   /** @param {string[]} queries */
   async load(queries) {
-    this.set(await Promise.all(queries.map((query) => this.backend.call("film", { query }))));
+    this.set(await Promise.all(queries.map((query) => this.backend.film({ query }))));
   }
 
   /**
@@ -94,7 +94,7 @@ export class Motions {
     lane.since = null;
     lane.busy = true;
     try {
-      lane.film = new Film(await this.backend.call("film", { scenario: lane.film.scenario, changes }));
+      lane.film = new Film(await this.backend.film({ scenario: lane.film.scenario, changes }));
       if (this.lanes.includes(lane)) this.listener.shown(since);
     } catch (error) {
       if (this.lanes.includes(lane)) this.listener.failed(/** @type {Error} */ (error), changes);
@@ -116,9 +116,9 @@ export class Motions {
       if (!window) continue;
       lane.refining = true;
       this.backend
-        .call("samples", { scenario: film.scenario, window })
-        .then(({ arrays }) => {
-          film.refine(arrays);
+        .samples(film.scenario, window)
+        .then((columns) => {
+          film.refine(columns);
           this.listener.refined();
         })
         .catch(() => {

@@ -104,7 +104,7 @@ export class PhasePlane {
     try {
       const part = await this.painted(
         this.films[this.active].scenario,
-        [...this.range, this.bottom(), this.top()],
+        /** @type {[number, number, number, number]} */ ([...this.range, this.bottom(), this.top()]),
         this.sharpening.signal,
       );
       this.pictures = [this.pictures[0], part];
@@ -116,17 +116,17 @@ export class PhasePlane {
 
   /**
    * @param {Scenario} scenario
-   * @param {number[]} window
+   * @param {[number, number, number, number]} window
    * @param {AbortSignal | undefined} signal
    */
   async painted(scenario, window, signal) {
-    const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
+    const { modes, paradox } = await this.backend.regions(scenario, window, signal);
     // an answer may be on its way already when it is given up
     signal?.throwIfAborted();
     return {
-      window: header.window,
-      paradox: arrays.paradox,
-      picture: pictureOf(arrays.modes, arrays.paradox.length, this.colors.modes),
+      window,
+      paradox,
+      picture: pictureOf(modes, paradox.length, this.colors.modes),
     };
   }
 

@@ -1,24 +1,38 @@
-// Where a page's answers come from: its own kernel where the browser can run it, else the server of the page, if it has one.
+// What a page answers with: the kernel that it computes with, and Python beside it where there is one.
 
 import { WorkerKernel } from "../kernel/kernel.js";
-import { HttpBackend, KernelBackend } from "./backend.js";
-import { LocalBackend } from "./local_backend.js";
+import { Backend } from "./backend.js";
+import { Server } from "./python.js";
+
+/**
+ * @param {Promise<WorkerKernel>} loading
+ * @param {{ base?: URL, python?: Python | null }} beside
+ */
+async function backend(loading, beside) {
+  const kernel = await loading.catch((error) => {
+    const able = typeof WebAssembly === "object" && !(error instanceof WebAssembly.CompileError);
+    throw able ? error : new Error("This needs a browser that runs WebAssembly.");
+  });
+  return new Backend(kernel, kernel.mechanics, beside);
+}
 
 /**
  * @param {URL} folder of the script, with the module beside it
  * @param {URL | null} server address of the page's server
- * @param {URL} page what links begin with
- * @returns {Promise<Backend>}
+ * @param {URL} base what links begin with
  */
-export async function backendOf(folder, server, page) {
-  const remote = server && new HttpBackend(server);
-  try {
-    const kernel = await WorkerKernel.load(folder);
-    return new LocalBackend(kernel, kernel.mechanics, { base: page, server: remote });
-  } catch (error) {
-    if (remote) return remote;
-    throw error;
-  }
+export function backendOf(folder, server, base) {
+  return backend(WorkerKernel.load(folder), { base, python: server && new Server(server) });
+}
+
+/**
+ * Of a notebook: the module has come with it.
+ * @param {import("./python.js").Model} model
+ * @param {import("./python.js").NotebookKernel} python
+ */
+export function widgetBackend(model, python) {
+  const kernel = WorkerKernel.unpack(model.get("module"), model.get("worker"), () => python.derivatives());
+  return backend(kernel, { python });
 }
 
 // The page without a network: the browser keeps its files once they have been there.
@@ -26,20 +40,4 @@ export async function backendOf(folder, server, page) {
 export function keepOffline(script) {
   // a page that is opened from a disk, or embedded, does without
   navigator.serviceWorker?.register(script).catch(() => {});
-}
-
-/**
- * Of a notebook: its page computes by itself; what needs Python, and what the page may not do, its kernel does.
- * @param {import("./backend.js").Model} model
- * @returns {Promise<Backend & { close?(): void }>}
- */
-export async function widgetBackend(model) {
-  const remote = new KernelBackend(model);
-  try {
-    const derivatives = async () => (await remote.call("derivatives", {})).arrays.content;
-    const kernel = await WorkerKernel.unpack(model.get("module"), model.get("worker"), derivatives);
-    return new LocalBackend(kernel, kernel.mechanics, { server: remote });
-  } catch {
-    return remote;
-  }
 }

@@ -8,7 +8,7 @@ export { given, stateOf } from "./given.js";
 export { headerOf, resultOf } from "./header.js";
 export { doubtText, labText, within, withinMap } from "./limits.js";
 export { ratesOf } from "./rates.js";
-export { asked, requested } from "./request.js";
+export { asked, mapAsked } from "./request.js";
 export { fromDict, fromQuery, toDict, toQuery, withValues } from "./scenario.js";
 export { tables } from "./tables.js";
 export { thresholds } from "./theory.js";

@@ -3,7 +3,7 @@
 import { findings, InputError, isTable, refuse, TooMuch, whole } from "./check.js";
 import { contradiction } from "./paths.js";
 import { labText } from "./limits.js";
-import { readOptions, strange } from "./options.js";
+import { readMap } from "./options.js";
 import { fromQuery, read, withValues } from "./scenario.js";
 import { tables } from "./tables.js";
 import { jsonText, Shown } from "./text.js";
@@ -11,26 +11,22 @@ import { jsonText, Shown } from "./text.js";
 const { limits } = tables;
 
 /**
- * What a call asks for: the scenario that is meant – where two changes say one thing, the later one counts – and its options.
- * @param {string} name of the call
- * @param {Record<string, any>} body
+ * The scenario that is meant: where two changes say one thing, the later one counts.
+ * @param {{ scenario?: any, query?: any, changes?: any }} body
  * @param {Mechanics} mechanics
- * @returns {Record<string, any> & { checked: Checked }}
+ * @param {import("./check.js").Findings} [found] what is wrong so far
+ * @returns {Checked}
  */
-export function requested(name, body, mechanics) {
-  const unknown = strange(name, body);
-  if (unknown) throw new InputError(unknown);
-  const { scenario, query = null, changes = [] } = body;
-  const found = findings();
+export function asked({ scenario, query = null, changes = [] }, mechanics, found = findings()) {
   let checked = null;
   if (scenario !== undefined && !isTable(scenario)) refuse(found, "scenario", scenario, "table");
   else if (scenario !== undefined) checked = read(scenario, mechanics, { ...found, above: "scenario." });
   if (query !== null && typeof query !== "string") refuse(found, "query", query, "word");
   if (!Array.isArray(changes)) refuse(found, "changes", changes, "list");
   else found.said.push(...changes.filter((change) => !isPair(change)).map(notPair));
-  const options = readOptions(name, body, found);
   if (found.said.length) throw new InputError(whole(found.said));
-  bounded(changes.length, options);
+  const pairs = changes.length;
+  if (pairs > limits.changes) throw new TooMuch(labText("too_many_changes", { pairs, most: limits.changes }));
   if (query !== null || !checked) checked = fromQuery(query ?? "", mechanics);
   let values = new Map();
   for (const [path, value] of changes) {
@@ -40,28 +36,22 @@ export function requested(name, body, mechanics) {
     }
     values.set(path, value);
   }
-  return { ...options, checked: values.size ? withValues(checked, values, mechanics) : checked };
+  return values.size ? withValues(checked, values, mechanics) : checked;
 }
 
 /**
- * The scenario that is meant.
- * @param {{ scenario?: any, query?: any, changes?: any }} body
+ * The scenario, the axes and the quantity of a map.
+ * @param {Record<string, any>} body
  * @param {Mechanics} mechanics
- * @returns {Checked}
  */
-export const asked = (body, mechanics) => requested("film", body, mechanics).checked;
-
-/**
- * Refuse what is more than the lab reads.
- * @param {number} pairs
- * @param {Record<string, any>} options
- */
-function bounded(pairs, { x, y }) {
-  if (pairs > limits.changes) throw new TooMuch(labText("too_many_changes", { pairs, most: limits.changes }));
-  if (!x) return;
+export function mapAsked(body, mechanics) {
+  const found = findings();
+  const { x, y, what } = readMap(body, found);
+  const checked = asked(body, mechanics, found);
   if (x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
   const cells = x.cells * y.cells;
   if (cells > limits.cells) throw new TooMuch(labText("too_many_cells", { cells, most: limits.cells }));
+  return { checked, x, y, what };
 }
 
 /** @param {any} change */

@@ -18,14 +18,11 @@ from pydantic.fields import FieldInfo
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.records.layout import CELL
-from hophoop.lab.calls import CALLS
-from hophoop.lab.files import SAMPLES_PER_SECOND
-from hophoop.lab.film import SHOWN
-from hophoop.lab.limits import USUAL
-from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
-from hophoop.lab.presets import presets
-from hophoop.lab.requests import WIDEST, RegionsRequest
-from hophoop.lab.setup import setup
+from hophoop.lab.api.files import SAMPLES_PER_SECOND
+from hophoop.lab.api.limits import USUAL
+from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
+from hophoop.lab.site.presets import presets
+from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
@@ -39,7 +36,7 @@ from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
 from hophoop.vocabulary.laws import LAWS
-from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
+from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
 from hophoop.vocabulary.statuses import STATUSES
@@ -110,11 +107,9 @@ def tables() -> dict[str, Any]:
         # reasons for a missing derivative, by the module's names; and the reason for a one-sided one
         "reasons": {reason.name.lower(): text for reason, text in REASONS.items()} | {"edge": EDGE, "sided": SIDED},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
-        # options of each call
-        "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
-        "regions": {"widest": WIDEST, "usual": list(RegionsRequest.model_fields["window"].default)},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
-        "shown": SHOWN,
+        # sliders whose values may follow from the scenario instead of being in it
+        "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
     }
     return found
 
