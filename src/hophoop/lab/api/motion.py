@@ -95,8 +95,8 @@ def result(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
     Returns
     -------
     result : dict
-        As in a result file, with the scenario's link under `query`; `turning` holds, for events with θ̇ = 0, the angular velocity
-        halfway to the next event [rad/s].
+        As in a result file, with the scenario's link under `query`; `turning` holds, for events with θ̇ = 0, the angular
+        velocity halfway to the next event [rad/s].
     """
     found = motion.to_dict()
     for key in ("schema", "version", "scenario"):

@@ -13,11 +13,10 @@ import h11
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
+from hophoop.lab.server.guard import TOO_LONG
+
 SECONDS = 15.0  # for the head of a request
-TOO_LARGE = {
-    414: "The address of this request is too long; send the scenario in the body of a POST request.",
-    431: "The headers of this request are too long.",
-}
+TOO_LARGE = {414: TOO_LONG, 431: "The headers of this request are too long."}
 
 
 class Server(uvicorn.Server):

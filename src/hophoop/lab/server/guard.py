@@ -12,6 +12,8 @@ from starlette.responses import JSONResponse
 
 from hophoop.lab.server.page import SECURITY_HEADERS
 
+LONGEST = 16_384  # bytes of an address
+TOO_LONG = "The address of this request is too long; send the scenario in the body of a POST request."
 HEAD = "hophoop.head"  # set in the scope of a HEAD request
 
 
@@ -84,6 +86,9 @@ class Guard:
             # Starlette's compression reads no qualities
             scope = {**scope, "headers": [pair for pair in scope["headers"] if pair[0] != b"accept-encoding"]}
         send = _with(send, SECURITY_HEADERS)
+        if len(scope.get("raw_path", b"")) + len(scope["query_string"]) > LONGEST:
+            await JSONResponse({"detail": TOO_LONG}, 414)(scope, receive, send)
+            return
         refusal = self.refusal(headers, scope["path"])
         if refusal:
             await JSONResponse({"detail": refusal}, 403)(scope, receive, send)

@@ -10,7 +10,7 @@ import multiprocessing
 import sys
 import threading
 from collections.abc import Callable, Coroutine, Iterator
-from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, Future
 from types import ModuleType
 from typing import Any
 
@@ -27,6 +27,8 @@ logger = logging.getLogger("hophoop.lab")
 LIGHT, HEAVY, FILM = "light", "heavy", "film"
 USUAL_SECONDS = {LIGHT: 0.05, HEAVY: 1.0, FILM: 15.0}  # initial estimates, until requests have been measured
 LOOK = 0.02  # seconds between the pool's checks for cancelled and late jobs
+STARTS = 5.0  # seconds that processes may take to start
+CHECK = 0.5  # seconds between checks whether the pool is still there
 GRACE = 0.1  # seconds in which a stopped process may remove its files
 
 _starting = threading.Lock()
@@ -129,22 +131,24 @@ class Pool:
         self.lanes = {LIGHT: Lane(LIGHT, count), HEAVY: Lane(HEAVY, max(count - 1, 1)), FILM: Lane(FILM, 1)}
         self._count = count + 1  # one more for a film
         self._processes: Any = None
-        self._thread = ThreadPoolExecutor(1, "hophoop-lab")  # starting processes takes a moment, in which others are answered
+        self._starting = threading.Lock()
         self._files = contextlib.ExitStack()
         self._closed = False
 
     def prepare(self) -> None:
         """Start the processes, so that the first request need not wait for them."""
-        self._thread.submit(self._running)
+        self._begun()
 
     def close(self) -> None:
         """End all processes, whatever they compute."""
         self._closed = True
+        waited = self._starting.acquire(timeout=STARTS)  # processes that begin without a server complain
         if self._processes is not None:
             self._processes.stop()
             self._processes.join()
-        self._thread.shutdown(wait=False, cancel_futures=True)
         self._files.close()
+        if waited:
+            self._starting.release()
 
     async def run(self, job: Job, kind: str) -> bytes:
         """Compute a job in a process; stop it if the client disconnects or the time is up.
@@ -184,9 +188,11 @@ class Pool:
 
     async def _computed(self, job: Job, patience: float) -> bytes:
         for last in (False, True):
-            processes = await asyncio.wrap_future(self._thread.submit(self._running))
+            processes = self._processes if self._ready() else await asyncio.wrap_future(self._begun())
             try:
-                content: bytes = await asyncio.wrap_future(processes.schedule(outcome, [job], timeout=patience))
+                future = asyncio.wrap_future(processes.schedule(outcome, [job], timeout=patience))
+                await _settled(future, processes)
+                content: bytes = future.result()
             except (InputError, MissingExtra, TimeoutError, asyncio.CancelledError):
                 raise
             except (pebble.ProcessExpired, BrokenExecutor) as error:  # the system has ended the process
@@ -200,22 +206,48 @@ class Pool:
                 return content
         raise AssertionError
 
-    def _running(self) -> Any:
-        """Return the pool of processes, a new one if there is none or if it is broken."""
-        if self._closed:
-            raise asyncio.CancelledError
-        if self._processes is None or not self._processes.active:
-            if self._processes is not None:
-                self._processes.stop()
-                self._processes.join()
-            self._processes = self._make(self._count)
-            self._processes.active  # noqa: B018  starts them
-        return self._processes
+    def _ready(self) -> bool:
+        return self._processes is not None and self._processes.active
+
+    def _begun(self) -> Future[Any]:
+        """Start processes if there are none, or if their pool is broken; that takes a moment, in which others are answered."""
+        future: Future[Any] = Future()
+        future.set_running_or_notify_cancel()  # a client that leaves does not cancel it
+
+        def begin() -> None:
+            try:
+                with self._starting:
+                    if not self._ready() and not self._closed:
+                        if self._processes is not None:
+                            self._processes.stop()
+                            self._processes.join()
+                        made = self._make(self._count)
+                        made.active  # noqa: B018  starts them
+                        self._processes = made
+                if self._closed:
+                    raise asyncio.CancelledError
+                future.set_result(self._processes)
+            except BaseException as error:
+                future.set_exception(error)
+
+        threading.Thread(target=begin, name="hophoop-lab", daemon=True).start()  # the server does not wait for it at its end
+        return future
 
     def _started(self, count: int) -> Any:
         pebble.CONSTS.sleep_unit, pebble.CONSTS.term_timeout = LOOK, GRACE
-        folder = self._files.enter_context(temporary_folder("hophoop-lab-"))
-        return pebble.ProcessPool(count, initializer=prepare, initargs=[str(folder)], context=_Context())
+        self._folder = self._files.enter_context(temporary_folder("hophoop-lab-"))
+        return pebble.ProcessPool(count, initializer=prepare, initargs=[str(self._folder)], context=_Context())
+
+
+async def _settled(future: asyncio.Future[bytes], processes: Any) -> None:
+    """Wait for a job; a pool that breaks may leave it unanswered."""
+    try:
+        while not (await asyncio.wait({future}, timeout=CHECK))[0]:
+            if not processes.active:
+                raise BrokenExecutor("the pool is broken")
+    except BaseException:
+        future.cancel()
+        raise
 
 
 async def while_connected(work: Coroutine[Any, Any, bytes], gone: Coroutine[Any, Any, None]) -> bytes | None:
