@@ -1,7 +1,7 @@
 // What Python sends, and the shapes that several files share. The classes are in the files themselves.
 
-type Film = import("./lab/film.js").Film;
-type Clock = import("./lab/clock.js").Clock;
+type Film = import("./lab/player/film.ts").Film;
+type Clock = import("./lab/player/clock.ts").Clock;
 
 interface Colors {
   modes: Record<string, string>;
@@ -149,7 +149,7 @@ interface Reply {
 
 type Change = [path: string, value: unknown];
 
-type Backend = import("./lab/backend.js").Backend;
+type Backend = import("./lab/backend/backend.ts").Backend;
 
 // What needs Python: a server, or the kernel of a notebook.
 interface Python {
@@ -238,7 +238,7 @@ interface PlotShared {
 
 type Vector = number[]; // of three
 type Matrix = Float32Array; // columns of four
-type Camera = import("./scene/camera.js").Camera;
+type Camera = import("./scene/camera.ts").Camera;
 
 interface Program {
   program: WebGLProgram;
