@@ -311,7 +311,7 @@ def test_the_script_is_one_module_without_imports():
 
 
 def test_the_page_asks_for_nothing_from_elsewhere():
-    for text in (export.static_text("lab.js"), export.static_text("style.css"), export.static_text("index.html")):
+    for text in (export.static_text("lab.js"), export.static_text("lab.css"), export.static_text("index.html")):
         text = text.replace("\\\n", "")  # long lines are broken, also within a string
         assert not re.findall(r"https?://(?!www\.w3\.org/(?:2000/(?:svg|xmlns)|1999/xlink)\b)[^\s\"'`]+", text)
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import atexit
 import difflib
+import functools
 import json
 import math
 import random
 import shutil
 import subprocess
+import tempfile
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -18,23 +21,35 @@ import hophoop as hh
 from hophoop._support import errors
 from hophoop.lab import tables
 from hophoop.lab.api import calls
+from hophoop.lab.site import typescript
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError
 from model.requests_drawn import NUMBERS, given_of, request
+from web_tools import bundled, needs_node
 
 HERE = Path(__file__).parent
 KERNEL = tables.FILE.parent / "kernel.js"
 MODULE_FILE = MODULE_FOLDER / MODULE
 DERIVATIVES_FILE = MODULE_FOLDER / DERIVATIVES
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
+pytestmark = needs_node
+
+
+@functools.cache
+def answering() -> Path:
+    """The program that answers, with the page's sources in it."""
+    folder = tempfile.mkdtemp(prefix="hophoop-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    program = Path(folder) / "answer.mjs"
+    program.write_text(bundled(HERE / "answer.mjs"), encoding="utf-8")
+    return program
 
 
 def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
     """What the page's code makes of bodies, in one process."""
     asked = "".join(json.dumps({"call": call, "body": body}) + "\n" for body in bodies)
     done = subprocess.run(
-        ["node", "--no-warnings", HERE / "answer.mjs", KERNEL, MODULE_FILE, DERIVATIVES_FILE],
+        ["node", answering(), KERNEL, MODULE_FILE, DERIVATIVES_FILE],
         input=asked,
         capture_output=True,
         text=True,
@@ -89,6 +104,10 @@ def compare(seeds: range) -> Counter[str]:
 def test_the_tables_are_what_python_would_write_now():
     written = tables.FILE.read_text(encoding="utf-8")
     assert written == tables.text(), "run `python -m hophoop.lab.tables` and `npm run build` in web/"
+
+
+def test_the_types_are_those_of_the_models_now():
+    assert typescript.FILE.read_text(encoding="utf-8") == typescript.text(), "run `python -m hophoop.lab.tables`"
 
 
 def test_a_thousand_requests_are_read_alike():

@@ -1,6 +1,6 @@
 """Tables of Python's data for the page that computes in the browser, written to a file that its script is built with.
 
-``python -m hophoop.lab.tables`` writes it; a test fails if the file is out of date.
+``python -m hophoop.lab.tables`` writes it, and the page's types of it; a test fails if a file is out of date.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from hophoop.kernel.records.layout import CELL
 from hophoop.lab.api.files import SAMPLES_PER_SECOND
 from hophoop.lab.api.limits import USUAL
 from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
+from hophoop.lab.site import typescript
 from hophoop.lab.site.presets import presets
 from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
@@ -227,3 +228,4 @@ def text() -> str:
 
 if __name__ == "__main__":
     FILE.write_text(text(), encoding="utf-8")
+    typescript.FILE.write_text(typescript.text(), encoding="utf-8")

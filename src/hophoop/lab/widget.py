@@ -67,7 +67,7 @@ def _widget_class() -> Any:
         """A motion with its player and its sliders."""
 
         _esm = export.static_text("lab.js")
-        _css = export.static_text("style.css")
+        _css = export.static_text("lab.css")
         # the results of the motion; the page makes its words from them
         film = traitlets.Bytes().tag(sync=True)
         panels = traitlets.List().tag(sync=True)

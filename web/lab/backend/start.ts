@@ -2,7 +2,7 @@
 
 import { WorkerKernel } from "../../kernel/kernel.ts";
 import { Backend } from "./backend.ts";
-import { Server, type Model, type NotebookKernel } from "../shell/python.ts";
+import { Server, type Model, type NotebookKernel } from "./python.ts";
 
 async function backend(loading: Promise<WorkerKernel>, beside: { base?: URL; python?: Python | null }) {
   const kernel = await loading.catch((error) => {

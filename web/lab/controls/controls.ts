@@ -9,7 +9,7 @@ import { t } from "../words/words.ts";
 const DEGREE = Math.PI / 180;
 
 /** The range that Python allows, in the unit of the field. */
-function rangeOf({ allowed, degrees }: SliderInfo): AllowedRange | undefined {
+function rangeOf({ allowed, degrees }: SliderInfo): NumberRange | undefined {
   if (!allowed) return undefined;
   const scale = degrees ? 1 / DEGREE : 1;
   return {
@@ -170,7 +170,7 @@ export class Controls {
 
   group(title: string, ...children: HTMLElement[]) {
     // on a phone all of it would be a long way to scroll
-    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 760px)").matches;
+    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 47.5em)").matches;
     return h("details", { class: "group", open }, h("summary", {}, title), children);
   }
 

@@ -5,7 +5,7 @@ import { readShown } from "./address.ts";
 import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
 import { unpack } from "../backend/packing.ts";
-import { NotebookKernel, type Model } from "./python.ts";
+import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
 
 const here = new URL("./", import.meta.url);
@@ -13,7 +13,7 @@ const here = new URL("./", import.meta.url);
 async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
-  let backend;
+  let backend: Backend;
   try {
     backend = await backendOf(here, site ? null : base, base);
   } catch (error) {
@@ -48,7 +48,7 @@ async function render({ model, el }: { model: Model; el: HTMLElement }) {
   const root = document.createElement("div");
   el.append(root);
   const python = new NotebookKernel(model);
-  let backend;
+  let backend: Backend;
   try {
     backend = await widgetBackend(model, python);
   } catch (error) {

@@ -1,6 +1,6 @@
 // The page in other languages. English is the source: a word or sentence in English is the key of its translation, and
 // numbers and names in it stand as {places}. What Python writes for the page comes in English as well and is recognised
-// by the same keys, so that one file a language holds all of it. `dom.js` sends every word that it puts on the page
+// by the same keys, so that one file a language holds all of it. `dom.ts` sends every word that it puts on the page
 // through `t`; what is drawn on a canvas or set later calls it.
 
 import TABLES from "../../words/tables.ts";
