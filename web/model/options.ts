@@ -13,7 +13,7 @@ export function readMap(
   { x, y, what = "sequence" }: Record<string, any>,
   found: Findings,
 ): { x: any; y: any; what: string } {
-  return { x: readAxis(x, "x", found), y: readAxis(y, "y", found), what: readQuantity(what, "what", found) };
+  return { x: readAxis(x, "x", found), y: readAxis(y, "y", found), what: readQuantity(what, "what", found) as string };
 }
 
 function readAxis(value: any, name: string, found: Findings) {

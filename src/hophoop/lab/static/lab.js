@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 226db97066f90e515736b4186e40bc94 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources de6a164637a01e26f1da04e304d1dd7f */
 var Il=Object.create;var lo=Object.defineProperty;var Fl=Object.getOwnPropertyDescriptor;var ql=Object.getOwnPropertyNames;var Dl=Object.getPrototypeOf,jl=Object.prototype.hasOwnProperty;var Hl=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var $l=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ql(e))!jl.call(n,i)&&i!==t&&lo(n,i,{get:()=>e[i],enumerable:!(s=Fl(e,i))||s.enumerable});
 return n};var Bl=(n,e,t)=>(t=n!=null?Il(Dl(n)):{},$l(e||!n||!n.__esModule?lo(t,"default",{value:n,enumerable:!0}):t,n));var Wr=Hl(Qn=>{"use strict";Object.defineProperty(Qn,"__esModule",{value:!0});function Hr(n){return!n||typeof n=="string"?n:n+""}var Fi=class{async svg2canvas(e,t,s){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=s,o.getContext(
