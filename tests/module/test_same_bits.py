@@ -179,8 +179,8 @@ def test_compliant_motions_and_their_states(host: Calls, contact: hh.Compliant, 
     _, used, _, _ = to_compliance(scenario)
     hoop = scenario.hoop
     stiffness, slip_speed = chosen_in_si(used, hoop.radius, time_unit(hoop, scenario.plane), hoop.mass)
-    assert same(chosen["stiffness_si"], stiffness)
-    assert same(chosen["slip_speed_si"], slip_speed)
+    assert same(chosen["stiffness"], stiffness)
+    assert same(chosen["slip_speed"], slip_speed)
     times = times_of(motion)
     heads, events, after, before = host.compliant_motion(cell_of(rigid), numbers, times)
     assert_told(heads, events, motion)
@@ -252,8 +252,6 @@ def test_hoops(host: Calls) -> None:
     for load_fraction in draw.uniform(0.0, 1.0, 40).tolist():
         hoop = hh.Hoop.ideal(load_fraction)
         assert same(host.number("ideal_hoop", load_fraction), hoop.inertia_ratio)
-        limit = hh.scenario.scenario.most_resistance(hoop.eccentricity, hoop.inertia_ratio)
-        assert same(host.number("resistance_limit", hoop.eccentricity, hoop.inertia_ratio), limit)
     for _ in range(60):
         radius = float(draw.uniform(0.1, 2.0))
         parts = parts_within(radius, draw)

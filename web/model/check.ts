@@ -1,10 +1,11 @@
 // A table of keys checked against a model of Python's, field by field: values, or what is wrong with them.
 
-import { closest } from "./close.ts";
 import { number, tables } from "./tables.ts";
-import { fill, plain, pythonText, shortened } from "./text.ts";
+import { fill, plain, shortened, shown } from "./text.ts";
 
 const { texts, scenario } = tables;
+/** Farther from a known key is not meant by it: letters to take away, to add or to change. */
+const MOST_WRONG = 2;
 
 /** Bad input, said in one sentence. */
 export class InputError extends Error {
@@ -22,134 +23,118 @@ export const say = (name: string, values: Record<string, any> = {}) => fill(text
 
 export const isTable = (value: any) => value !== null && typeof value === "object" && !Array.isArray(value);
 
-/** What was found, and how numbers were given. */
-export interface Findings {
-  said: string[]; // one sentence each
-  above: string; // path under which the scenario stands, with its dot
-  float: (path: string) => boolean; // whether numbers there are always shown with a point
-}
+/** What is wrong with one value. `name`: of what would be allowed. */
+export const finding = (path: string, value: any, name: string, values?: Record<string, any>) =>
+  say("finding", { path: path || texts.whole_scenario, shown: shown(value), allowed: say(name, values) });
 
-export function findings(float: (path: string) => boolean = () => false, above = "") {
-  return { said: [], above, float } as Findings;
-}
-
-export function refuse(found: Findings, path: string, value: any, kind: string, values?: Record<string, any>) {
-  refuseAs(found, path, value, say(kind, values));
-}
-
-/** `allowed`: what would be, in words. */
-export function refuseAs(found: Findings, path: string, value: any, allowed: string) {
-  const shown = typeof value === "bigint" ? String(value) : pythonText(value, found.float(path));
-  const where = found.above + path || texts.whole_scenario;
-  found.said.push(say("finding", { path: where, shown: shortened(shown), allowed }));
-}
-
-/** The fields of a model, or null where something is wrong with them. `own`: readers of further kinds of fields. */
+/** The fields of a model, or null where something is wrong with them. `found`: sentences about what is wrong. */
 export function readFields(
   model: string,
   data: any,
   path: string,
-  found: Findings,
-  own: Record<string, (value: any, path: string, found: Findings) => any> = {},
+  found: string[],
 ): { values: Record<string, any>; given: Set<string> } | null {
   const { fields, place } = scenario.models[model];
-  if (!isTable(data)) {
-    refuse(found, path, data, "table");
-    return null;
-  }
-  for (const key of Object.keys(data)) {
-    if (Object.hasOwn(fields, key)) continue;
-    found.said.push(unknownKey(place, key, Object.keys(fields)));
-    return null;
-  }
-  const before = found.said.length;
+  const said = isTable(data) ? unknownKey(place, data, Object.keys(fields)) : finding(path, data, "table");
+  if (said) found.push(said);
+  if (said) return null;
+  const before = found.length;
   const values: Record<string, any> = {};
   for (const [name, field] of Object.entries<any>(fields)) {
-    if (field.kind === "section") continue;
-    const read = own[field.kind];
-    if (Object.hasOwn(data, name) && read) values[name] = read(data[name], `${path}.${name}`, found);
-    else if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
-    else if (field.required) found.said.push(say("missing", { path: `${found.above}${path}.${name}` }));
+    if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
+    else if (field.required) found.push(say("missing", { path: `${path}.${name}` }));
     else values[name] = number(field.default);
   }
-  return found.said.length === before ? { values, given: new Set(Object.keys(data)) } : null;
+  return found.length === before ? { values, given: new Set(Object.keys(data)) } : null;
 }
 
-export function unknownKey(place: string, key: string, known: string[]) {
-  const close = closest(key, known);
-  const hint = close ? say("did_you_mean", { close }) : say("known_are", { known: known.join(", ") });
+/** The first key that is not known, in a sentence. */
+export function unknownKey(place: string, data: object, known: string[]) {
+  const key = Object.keys(data).find((one) => !known.includes(one));
+  if (key === undefined) return null;
+  const [close] = [...known].sort((a, b) => distance(key, a) - distance(key, b));
+  const near = distance(key, close) <= MOST_WRONG;
+  const hint = near ? say("did_you_mean", { close }) : say("known_are", { known: known.join(", ") });
   return say("unknown_key", { path: `${place}${shortened(key)}`, hint });
 }
 
-export function readValue(field: any, value: any, path: string, found: Findings): any {
-  if (value === null && field.nullable) return null;
-  if (field.kind === "parts") return readParts(value, path, found);
-  if (field.kind === "word") {
-    if (!field.options.includes(value)) refuse(found, path, value, "literal_error", field);
-    return value;
+/** How many letters differ between two words. */
+function distance(one: string, other: string) {
+  let row = Array.from({ length: other.length + 1 }, (_, k) => k);
+  for (const [i, letter] of [...one].entries()) {
+    const next = [i + 1];
+    for (let k = 0; k < other.length; k++) {
+      next.push(Math.min(next[k] + 1, row[k + 1] + 1, row[k] + Number(letter !== other[k])));
+    }
+    row = next;
   }
-  const infinite = field.kind === "friction";
-  const given = infinite && value === "inf" ? Infinity : value;
-  if (typeof given !== "number") return refuse(found, path, value, "number");
-  if (infinite && !(given >= 0)) return refuse(found, path, value, "friction");
-  if (field.kind === "whole" && !Number.isInteger(given)) return refuse(found, path, value, "whole");
-  if (!infinite && !Number.isFinite(given)) return refuse(found, path, value, "finite_number");
-  for (const [kind, limit] of field.limits ?? []) {
-    if (within(kind, given, limit)) continue;
-    return refuse(found, path, field.kind === "whole" ? BigInt(given) : value, kind, { limit });
-  }
-  if (field.range && !holds(field.range, given)) return refuse(found, path, value, "range", field.range);
-  return given + 0; // no −0
+  return row[other.length];
 }
 
-function within(kind: string, value: number, limit: number) {
-  if (kind === "greater_than") return value > limit;
-  if (kind === "greater_than_equal") return value >= limit;
-  return kind === "less_than" ? value < limit : value <= limit;
+export function readValue(field: any, value: any, path: string, found: string[]): any {
+  if (value === null && field.nullable) return null;
+  if (field.kind === "parts") return readParts(value, path, found);
+  const given = field.kind === "friction" && value === "inf" ? Infinity : value;
+  const wrong = refusal(field, given);
+  if (wrong) found.push(finding(path, value, ...wrong));
+  return typeof given === "number" ? given + 0 : given; // no −0
+}
+
+const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
+  greater_than: (value, limit) => value > limit,
+  greater_than_equal: (value, limit) => value >= limit,
+  less_than_equal: (value, limit) => value <= limit,
+};
+
+/** Returns the sentence of what is allowed. */
+function refusal(field: any, value: any): [name: string, values?: any] | null {
+  const { kind, options, limits = [], range } = field;
+  if (kind === "word") return options.includes(value) ? null : ["literal_error", field];
+  if (typeof value !== "number") return ["number"];
+  if (kind === "friction" && !(value >= 0)) return ["friction"];
+  if (kind === "whole" && !Number.isInteger(value)) return ["whole"];
+  if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
+  const passed = limits.find(([name, limit]: [string, number]) => !LIMITS[name](value, limit));
+  if (passed) return [passed[0], { limit: passed[1] }];
+  return range && !holds(range, value) ? ["range", range] : null;
 }
 
 export const holds = ({ least, most, also = [] }: { least: number; most: number; also?: any[] }, value: number) =>
   (least <= value && value <= most) || also.some((one) => number(one) === value);
 
-function readParts(value: any, path: string, found: Findings) {
-  if (!Array.isArray(value)) return refuse(found, path, value, "list");
-  return value.map((part, index) => readPart(part, `${path}.${index}`, found));
+function readParts(value: any, path: string, found: string[]) {
+  if (!Array.isArray(value)) found.push(finding(path, value, "list"));
+  else return value.map((part, index) => readPart(part, `${path}.${index}`, found));
 }
 
-function readPart(part: any, path: string, found: Findings) {
-  const model = tagged(part, "shape", scenario.parts, path, found);
+function readPart(part: any, path: string, found: string[]) {
+  const model = modelOf(part, "shape", scenario.parts, path, found);
   const read = model && readFields(model, part, path, found);
   if (!read) return null;
   const { inner_radius: inner, outer_radius: outer } = read.values;
-  if (inner > outer) found.said.push(say("ring_radii", { inner, outer }));
+  if (inner > outer) found.push(say("ring_radii", { inner, outer }));
   return read.values;
 }
 
 /** Which of several models a table is. `models`: by word; `usual`: where the key is missing. */
-export function tagged(
+export function modelOf(
   data: any,
   key: string,
   models: Record<string, string>,
   path: string,
-  found: Findings,
+  found: string[],
   usual?: string,
 ): string | null {
-  if (!isTable(data)) {
-    refuse(found, path, data, "table");
-    return null;
+  const word = isTable(data) && Object.hasOwn(data, key) ? data[key] : usual;
+  if (!isTable(data)) found.push(finding(path, data, "table"));
+  else if (word === undefined) found.push(say("missing", { path: `${path}.${key}` }));
+  else if (typeof word === "string" && Object.hasOwn(models, word)) return models[word];
+  else {
+    const expected = Object.keys(models)
+      .map((name) => `'${name}'`)
+      .join(" or ");
+    found.push(finding(`${path}.${key}`, word, "literal_error", { expected }));
   }
-  const word = Object.hasOwn(data, key) ? data[key] : usual;
-  if (word === undefined || (word === null && usual)) {
-    found.said.push(say("missing", { path: `${found.above}${path}.${key}` }));
-    return null;
-  }
-  if (typeof word === "string" && Object.hasOwn(models, word)) return models[word];
-  const said = typeof word === "string" ? word : pythonText(word, found.float(`${path}.${key}`));
-  const words = Object.keys(models).map((name) => `'${name}'`);
-  const expected = `${words.slice(0, -1).join(", ")} or ${words.at(-1)}`;
-  const allowed = say("literal_error", { expected });
-  const values = { path: `${found.above}${path}.${key}`, shown: shortened(pythonText(said)), allowed };
-  found.said.push(say("finding", values));
   return null;
 }
 

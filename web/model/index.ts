@@ -8,7 +8,7 @@ export { given, stateOf } from "./given.ts";
 export { headerOf, resultOf } from "./header.ts";
 export { doubtText, labText, within, withinMap } from "./limits.ts";
 export { ratesOf } from "./rates.ts";
-export { asked, mapAsked } from "./request.ts";
+export { asked, requested } from "./request.ts";
 export { fromDict, fromQuery, toDict, toQuery, withValues } from "./scenario.ts";
 export { tables } from "./tables.ts";
 export { thresholds } from "./theory.ts";

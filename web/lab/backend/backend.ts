@@ -115,7 +115,7 @@ export class Backend {
   /** A map over two parameters. */
   async map(asked: Asked & { x: any; y: any; what: string }, signal?: AbortSignal): Promise<Reply> {
     signal?.throwIfAborted();
-    const { checked, x, y, what } = model.mapAsked(asked, this.mechanics);
+    const { checked, x, y, what } = model.requested(asked, this.mechanics);
     const base = model.withinMap(checked, { x, y, what });
     const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, model.spanOf(what), signal));
