@@ -29,6 +29,7 @@ export class Transport {
   playButton: HTMLButtonElement;
   speeds: HTMLSelectElement;
   switches: Map<keyof StageOptions, HTMLButtonElement>;
+  row: HTMLDivElement; // of the switches
   element: HTMLDivElement;
 
   /** `say`: what is seen; `tell`: what a screen reader says. */
@@ -58,6 +59,7 @@ export class Transport {
         return [name, h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label)];
       }),
     );
+    this.row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
     this.element = h(
       "div",
       { class: "transport" },
@@ -78,7 +80,7 @@ export class Transport {
         button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
       ),
       this.speeds,
-      h("div", { class: "buttons switches" }, [...this.switches.values()]),
+      this.row,
     );
   }
 
