@@ -26,7 +26,13 @@ SCRIPT = "text/javascript; charset=utf-8"
 @cache
 def _assets() -> dict[str, tuple[bytes, str, str]]:
     """Return name → content, type and tag."""
-    kinds = {".js": SCRIPT, ".css": "text/css; charset=utf-8", ".svg": "image/svg+xml", ".txt": "text/plain; charset=utf-8"}
+    kinds = {
+        ".js": SCRIPT,
+        ".css": "text/css; charset=utf-8",
+        ".svg": "image/svg+xml",
+        ".png": "image/png",
+        ".txt": "text/plain; charset=utf-8",
+    }
     found = {}
     for path, content in site_files().items():
         folder, _, name = path.rpartition("/")
