@@ -77,7 +77,10 @@ export class Stage {
     if (options.three) {
       this.deep ??= new Stage3D(this.space, this.onview);
       this.deep.draw(films, clock.time, options, look, inks, clock.playing);
-    } else this.flat.draw(films, clock.time, options, look, inks);
+    } else {
+      this.flat.pointed = clock.pointed === null ? null : { time: clock.pointed, lane: active };
+      this.flat.draw(films, clock.time, options, look, inks);
+    }
     this.read(films, active, clock.time);
   }
 
@@ -98,8 +101,8 @@ export class Stage {
       t(this.colors.mode_names[pose.mode]),
       local(`${pose.t.toFixed(3)} s`),
       degrees(pose.angle),
-      withUnit(show(pose.vx, 3), "m/s"),
-      withUnit(show(pose.omega * film.radius, 3), "m/s"),
+      withUnit(show(pose.vx, pose.digits), "m/s"),
+      withUnit(show(pose.omega * film.radius, pose.digits), "m/s"),
       pose.height > 0 ? length(pose.height) : "0",
     ];
     for (const [i, text] of values.entries()) {
