@@ -243,7 +243,7 @@ def test_classes_of_a_map_have_words_and_colours():
     assert values.shape == (48, 48)
     assert set(np.unique(values)) == set(range(len(classes)))
     named = {entry["name"]: entry for entry in classes}
-    assert named["RKRSH"]["text"] == "roll → slip + → roll → slip − → flight"
+    assert named["RKRSH"]["text"] == "roll → skid → roll → spin → flight"
     assert all(re.fullmatch(r"#[0-9a-fA-F]{6}", entry["color"]) for entry in classes)
 
 

@@ -68,6 +68,20 @@ def test_a_map_stays_where_its_parameters_are_allowed(js):
     assert js("map_axes.ts", "return lab.within([-5, 50], [0, 10])") == [0, 10]
 
 
+def test_the_name_of_an_axis_has_room_beside_its_longest_number(js):
+    code = """
+      const map = new lab.MapAxes(axes);
+      const wide = (text) => 6.5 * text.length;
+      return [1, 1e-5, 1e-13].map((part) => {
+        map.windows.y = [0.3, 0.3 + part];
+        map.fit(600, 400, wide);
+        return [map.left, Math.max(...map.axis('y', 9).marks.map(({ text }) => wide(text)))];
+      });
+    """
+    for left, longest in js("map_axes.ts", code, axes=controls()["map_axes"]):
+        assert left - 6 - longest > 18  # the numbers end 6 pixels beside the axis; the name takes 18
+
+
 def test_a_map_says_when_its_starts_are_others(js):
     jam = next(preset for preset in presets() if preset.key == "jam").scenario.to_dict()
     code = "return [['start.speed', 'plane.mu'], ['start.vx', 'plane.mu']].map((paths) => lab.otherStart(scenario, paths))"

@@ -11,6 +11,7 @@ from hophoop.maps.boundaries.classes import Classifier, make_window
 from hophoop.maps.boundaries.following import follow
 from hophoop.plots.maps import motion_map
 from hophoop.vocabulary.classes import CODES, class_color
+from hophoop.vocabulary.modes import WORDS
 
 WINDOW = {"plane.mu": (0.05, 2.0), "start.speed": (0.05, 5.0)}
 
@@ -238,3 +239,10 @@ def test_bad_pictures(dataset):
     axes = {"plane.impact_law": ["newton", "stronge"], "start.speed": [1.0, 2.0]}
     with pytest.raises(ValueError, match="must be numbers"):
         motion_map(maps.sweep(None, axes))
+
+
+def test_no_class_has_the_colour_of_a_mode():
+    names = ["R", "RK", "RS", "RKR", "RSR", "RKS", "RSK", "H", "RH", "RSH", "RKRSH", "RKRSRKH", "MR", "RMR", "MKR", "RMKR"]
+    paint = np.array([[int(class_color(name)[i : i + 2], 16) for i in (1, 3, 5)] for name in names])
+    modes = np.array([[int(facts.color[i : i + 2], 16) for i in (1, 3, 5)] for facts in WORDS.values()])
+    assert np.abs(paint[:, None] - modes[None]).sum(axis=2).min() > 60

@@ -109,9 +109,9 @@ def test_an_unknown_letter_is_refused():
 
 
 def test_a_phase_has_one_word_in_motions_and_maps():
-    for letter in "RHM":
+    for letter in "RSKHM":
         assert modes.LETTERS[letter] == modes.mode_word(letter, 1.0)
-    assert classes.class_text("RSH") == "roll → slip − → flight"
+    assert classes.class_text("RSH") == "roll → spin → flight"
     # 'hop' is a flight from take-off to landing, as the glossary has it; nothing that is shown says airborne
     shown = (ROOT / "web" / "words" / "de.json").read_text(encoding="utf-8")
     assert "airborne" not in shown

@@ -23,17 +23,16 @@ CODES: Final[dict[str, dict[str, str]]] = {
     "status": {str(status): facts.color for status, facts in STATUSES.items()},
     "first_event": {str(kind): facts.color for kind, facts in EVENTS.items() if facts.color},
 }  # fmt: skip
-# Colours of motions that do not hop, by their first slip and their last phase.
+# Colours of sequences, none of them a single mode's; told apart with every kind of colour blindness.
+HOPS: Final = "#332288"  # indigo
+ROLLS: Final = "#66CCCC"  # cyan
+# Of motions that do not hop, by their first slip and their last phase.
 FAMILIES: Final = {
-    "SR": palette.GREEN, "SS": palette.YELLOW, "SK": palette.ORANGE,
-    "KR": palette.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4",
+    "SR": "#009966", "SS": "#9E9D24", "SK": "#CCCC99",
+    "KR": "#663300", "KS": "#1A1A40", "KK": "#3366FF",
 }  # fmt: skip
-# Colours of massless motions: by whether they roll before they skim, and whether they slip.
-MASSLESS: Final = {
-    "rolls": palette.YELLOW, "rolls, slips": palette.ORANGE, "": palette.GREEN, "slips": palette.PURPLE,
-}  # fmt: skip
-HOPS: Final = palette.VERMILION
-ROLLS: Final = palette.BLUE
+# Of massless motions, by whether they roll before they skim, and whether they slip.
+MASSLESS: Final = {"rolls": "#9E9D24", "rolls, slips": "#663300", "": "#009966", "slips": "#332288"}
 
 
 def class_color(name: str, quantity: str = SEQUENCE) -> str:
@@ -51,7 +50,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     Returns
     -------
     color : str
-        As ``#RRGGBB``. Sequences that hop are vermilion and those that only roll blue; the others differ by
+        As ``#RRGGBB``. Sequences that hop are indigo and those that only roll cyan; the others differ by
         their first slip and by how they end, and the more phases, the darker they are.
 
     Examples
@@ -94,12 +93,12 @@ def class_text(name: str, quantity: str = SEQUENCE) -> str:
     Returns
     -------
     text : str
-        Slip in a sequence is named by the sign of v_t, since its letters do not give the direction of rolling.
+        Spin and skid are those of a hoop that turns forward; the letters do not tell which way it turns.
 
     Examples
     --------
     >>> class_text("RKH"), class_text("event_limit", "ending")
-    ('roll → slip + → flight', 'event limit')
+    ('roll → skid → flight', 'event limit')
     """
     if quantity != SEQUENCE:
         return words.plain(name)

@@ -59,16 +59,15 @@ class ModeFacts(NamedTuple):
     forward: str  # word for θ̇ > 0
     backward: str  # word for θ̇ < 0
     at_rest: str  # word for θ̇ = 0
-    in_sequence: str  # where the direction of rotation is unknown
     legend: str  # in the legend of a sequence
 
 
 MODES: Final[dict[Mode, ModeFacts]] = {
-    Mode.ROLL: ModeFacts(ModeLetter.ROLL, ROLL, ROLL, ROLL, ROLL, "roll"),
-    Mode.SPIN: ModeFacts(ModeLetter.SLIP_NEGATIVE, SPIN, SKID, SKID, "slip −", "slip with v_t < 0"),
-    Mode.SKID: ModeFacts(ModeLetter.SLIP_POSITIVE, SKID, SPIN, SKID, "slip +", "slip with v_t > 0"),
-    Mode.FLIGHT: ModeFacts(ModeLetter.FLIGHT, FLIGHT, FLIGHT, FLIGHT, FLIGHT, "flight (a hop)"),
-    Mode.SKIM: ModeFacts(ModeLetter.SKIM, SKIM, SKIM, SKIM, SKIM, "skim"),
+    Mode.ROLL: ModeFacts(ModeLetter.ROLL, ROLL, ROLL, ROLL, "roll"),
+    Mode.SPIN: ModeFacts(ModeLetter.SLIP_NEGATIVE, SPIN, SKID, SKID, "slip with v_t < 0"),
+    Mode.SKID: ModeFacts(ModeLetter.SLIP_POSITIVE, SKID, SPIN, SKID, "slip with v_t > 0"),
+    Mode.FLIGHT: ModeFacts(ModeLetter.FLIGHT, FLIGHT, FLIGHT, FLIGHT, "flight (a hop)"),
+    Mode.SKIM: ModeFacts(ModeLetter.SKIM, SKIM, SKIM, SKIM, "skim"),
 }
 """By the numbers that the kernels use for them."""
 
@@ -77,8 +76,8 @@ MODE_WORDS: Final = tuple(facts.forward for facts in MODES.values())
 """Words in the order of the letters, for a hoop that rolls forward; also the names of the modes in files."""
 VERBS: Final = {word: facts.verb for word, facts in WORDS.items()}
 PARTICIPLES: Final = {word: facts.participle for word, facts in WORDS.items()}
-LETTERS: Final = {str(facts.letter): facts.in_sequence for facts in MODES.values()} | {"+": "…"}
-"""Words for the letters of a sequence; '+' is the end of one that is too long."""
+LETTERS: Final = {str(facts.letter): facts.forward for facts in MODES.values()} | {"+": "…"}
+"""Words for the letters of a sequence, of a hoop that turns forward; '+' is the end of one that is too long."""
 LETTERS_SENTENCE: Final = ", ".join(f"{facts.letter} {facts.legend}" for facts in MODES.values())
 
 

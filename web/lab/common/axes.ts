@@ -14,6 +14,8 @@ export interface Axis {
   name: string;
 }
 
+export const axisFont = ({ font }: Look) => `11px ${font}`;
+
 /** `lines`: a line across for each mark upwards; a frame around all otherwise; `middle`: the name across is in the middle. */
 export function drawAxes(
   context: CanvasRenderingContext2D,
@@ -24,7 +26,7 @@ export function drawAxes(
   const bottom = top + box.height;
   const right = left + box.width;
   context.save();
-  context.font = `11px ${look.font}`;
+  context.font = axisFont(look);
   context.strokeStyle = lines ? look.line : look.soft;
   context.fillStyle = look.soft;
   context.lineWidth = 1;

@@ -1,6 +1,7 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
 import { faded, hoopInk, readable } from "../common/colors.ts";
+import { crowded, crowdsOf } from "./crowd.ts";
 import { fitted, h } from "../common/dom.ts";
 import { clamp, show } from "../common/numbers.ts";
 import { BOTTOM, grid, heightsOf, LEFT, RIGHT, TOP } from "./plot_axes.ts";
@@ -175,25 +176,32 @@ export class Plot {
   }
 
   curve(context: CanvasRenderingContext2D, { film, color, dash, number }: Drawn) {
-    context.strokeStyle = color ?? this.look.ink;
-    context.lineWidth = 1.8;
-    context.setLineDash(DASHES[dash ?? "solid"]);
-    context.beginPath();
-    let open = false;
+    const [xs, ys]: number[][] = [[], []];
     for (const piece of film.pieces()) {
       const across = this.abscissa(piece.film);
       const { values } = this.curves(piece.film)[number];
       for (let i = piece.from; i < piece.to; i++) {
-        if (!Number.isFinite(values[i]) || !Number.isFinite(across[i])) {
-          open = false;
-          continue;
-        }
-        const x = this.x(across[i]);
-        const y = clamp(this.y(values[i]), -1e4, 1e4);
-        if (open) context.lineTo(x, y);
-        else context.moveTo(x, y);
-        open = true;
+        xs.push(this.x(across[i]));
+        ys.push(clamp(this.y(values[i]), -1e4, 1e4));
       }
+    }
+    context.strokeStyle = context.fillStyle = color ?? this.look.ink;
+    context.lineWidth = 1.8;
+    context.setLineDash(DASHES[dash ?? "solid"]);
+    const crowds = crowdsOf(xs, ys);
+    const many = crowded(crowds);
+    const places: ([number, number] | null)[] = many
+      ? crowds.map((crowd) => crowd && [crowd.x + 0.5, crowd.middle])
+      : xs.map((x, i) => (Number.isFinite(x + ys[i]) ? [x, ys[i]] : null));
+    if (many) {
+      context.globalAlpha = 0.28;
+      for (const crowd of crowds) if (crowd) context.fillRect(crowd.x, crowd.low, 1, crowd.high - crowd.low);
+      context.globalAlpha = 1;
+    }
+    context.beginPath();
+    for (const [i, place] of places.entries()) {
+      if (place && places[i - 1]) context.lineTo(...place);
+      else if (place) context.moveTo(...place);
     }
     context.stroke();
     context.setLineDash([]);

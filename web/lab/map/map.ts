@@ -1,6 +1,7 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
 import { fitted, focused, h, once, say } from "../common/dom.ts";
+import { axisFont } from "../common/axes.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
@@ -237,7 +238,8 @@ export class MotionMap {
     if (!this.film) return;
     const { look } = this;
     const { context, width, height } = fitted(this.canvas, look.px);
-    this.axes.fit(width, height);
+    context.font = axisFont(look);
+    this.axes.fit(width, height, (text) => context.measureText(text).width);
     context.clearRect(0, 0, width, height);
     context.save();
     this.axes.clip(context);

@@ -4,7 +4,10 @@ import { type Axis, drawAxes } from "../common/axes.ts";
 import { niceStep, show, tickText, ticks, withUnit, clamp } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 
-const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
+const LEFT = 62;
+const NAME = 20; // of the axis upwards
+const GAP = 10;
+const UP = 40; // pixels from number to number upwards
 const RIGHT = 12;
 const TOP = 10;
 const BOTTOM = 36;
@@ -104,10 +107,12 @@ export class MapAxes {
     return { x: 0.5 * (x[0] + x[1]), y: 0.5 * (y[0] + y[1]) };
   }
 
-  /** Take the room of a canvas. */
-  fit(width: number, height: number) {
-    this.left = this.deep("y") ? LEFT_DEEP : LEFT;
-    this.box = { width: width - this.left - RIGHT, height: height - TOP - BOTTOM };
+  /** Take the room of a canvas; the name of the axis upwards stands beside its longest number. `wide`: pixels of a text. */
+  fit(width: number, height: number, wide: (text: string) => number = () => 0) {
+    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    const numbers = this.axis("y", this.box.height / UP).marks.map(({ text }) => wide(text));
+    this.left = Math.max(LEFT, Math.ceil(NAME + GAP + Math.max(0, ...numbers)));
+    this.box.width = width - this.left - RIGHT;
   }
 
   clip(context: CanvasRenderingContext2D) {
@@ -157,7 +162,7 @@ export class MapAxes {
   /** Frame, numbers and names. */
   draw(context: CanvasRenderingContext2D, look: Look) {
     const { left, box } = this;
-    const [across, up] = [this.axis("x", box.width / 80), this.axis("y", box.height / 40)];
+    const [across, up] = [this.axis("x", box.width / 80), this.axis("y", box.height / UP)];
     drawAxes(context, look, { left, top: TOP, box }, { across, up, middle: true });
   }
 

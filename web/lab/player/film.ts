@@ -7,6 +7,7 @@ import { told } from "../words/words.ts";
 export const MODE_LETTERS: string = tables.words.letters;
 
 const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
+const STRETCH = 10; // seconds of a film that have one scale of rim speeds
 const PART = 8; // seconds that are made finer at a time
 const RATES: Record<string, string> = { x: "vx", angle: "omega", height: "vy" };
 
@@ -142,7 +143,7 @@ export class Film {
   findExtent() {
     const { x, height, vx, vy, omega } = this.columns;
     const extent = { left: Infinity, right: -Infinity, top: 0, speed: 0 };
-    const speeds: number[] = [];
+    const speeds: number[][] = []; // of each stretch
     for (let i = 0; i < this.length; i++) {
       if (Number.isFinite(x[i])) {
         extent.left = Math.min(extent.left, x[i]);
@@ -150,11 +151,13 @@ export class Film {
       }
       if (height[i] > extent.top) extent.top = height[i];
       const speed = Math.hypot(vx[i], vy[i]) + this.radius * Math.abs(omega[i]);
-      if (Number.isFinite(speed)) speeds.push(speed);
+      const stretch = Math.floor(this.t[i] / STRETCH);
+      speeds[stretch] ??= [];
+      if (Number.isFinite(speed)) speeds[stretch].push(speed);
     }
-    // a spike that lasts an instant must not turn the rest of the ring into one colour
-    speeds.sort((a, b) => a - b);
-    extent.speed = speeds[Math.floor(0.95 * (speeds.length - 1))] || 1;
+    // a spike that lasts an instant must not turn the rest of the ring into one colour, nor a long rest the start
+    const usual = (some: number[]) => some.sort((a, b) => a - b)[Math.floor(0.95 * (some.length - 1))];
+    extent.speed = Math.max(0, ...speeds.filter((some) => some?.length).map(usual)) || 1;
     return extent;
   }
 
