@@ -13,7 +13,7 @@ const film = (duration: number, speed: (t: number) => number) => {
     duration,
     values: { "hoop.radius": 1 },
     events: [],
-    scenario: {},
+    scenario: { plane: { slope: 0 } },
     summary: "",
     story: [],
     query: "",
