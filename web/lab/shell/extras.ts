@@ -15,6 +15,12 @@ import { Visit } from "../teach/visit.ts";
 import { current, repeat, t, untranslated } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
+/** The parts of the page that these need. */
+type Around = ConstructorParameters<typeof Grips>[0] &
+  ConstructorParameters<typeof Visit>[0] &
+  ConstructorParameters<typeof More>[0] &
+  Pick<Lab, "root" | "hosted" | "theme" | "load">;
+
 export class Extras {
   // what the page says, for tests and for those who look in from outside
   words = { t, untranslated };
@@ -35,7 +41,7 @@ export class Extras {
   loud: HTMLButtonElement;
   large: HTMLButtonElement;
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Around) {
     const film = () => lab.film();
     const load = (query: string) => lab.load(query);
     this.grips = new Grips(lab);
