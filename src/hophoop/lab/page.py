@@ -53,6 +53,7 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
         ".js": "text/javascript; charset=utf-8",
         ".css": "text/css; charset=utf-8",
         ".svg": "image/svg+xml",
+        ".png": "image/png",
         ".txt": "text/plain; charset=utf-8",
     }
     found = {}

@@ -21,7 +21,17 @@ POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "lab.css", "embed.css", "icon.svg", "licences.txt")
+STATIC = (
+    "lab.js",
+    "kernel.js",
+    "motion_element.js",
+    "embed.js",
+    "lab.css",
+    "embed.css",
+    "icon.svg",
+    "preview.png",
+    "licences.txt",
+)
 # Files renamed because pages and embedding sites use their names; the others keep their names.
 NAMES = {"motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
@@ -38,13 +48,15 @@ def packed_module(name: str = MODULE) -> bytes:
     return gzip.compress((files("hophoop.lab.wasm") / name).read_bytes(), 9, mtime=0)
 
 
-def site_files(docs: str = "") -> dict[str, bytes]:
+def site_files(docs: str = "", url: str = "") -> dict[str, bytes]:
     """Return the site's files by their path.
 
     Parameters
     ----------
     docs : str, default ''
         Location of the documentation, for teachers: an address, or a path relative to the site; none by default.
+    url : str, default ''
+        Address of the site, which previews of links need for their picture; none by default.
 
     Returns
     -------
@@ -57,6 +69,7 @@ def site_files(docs: str = "") -> dict[str, bytes]:
     for name in PAGES:
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
         page = page.replace(b"{module}", built()["module"].encode())  # the hash with which the script requests it
+        page = page.replace(b'="og:image" content="', b'="og:image" content="' + _address_of(url))
         made[NAMES.get(name, name)] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
@@ -80,6 +93,13 @@ def _place_of(docs: str) -> bytes:
     return f'<meta name="hophoop-docs" content="{html.escape(docs.rstrip("/"))}/">\n'.encode()
 
 
+def _address_of(url: str) -> bytes:
+    """Return the address of the site as it is written in HTML, with a slash at the end."""
+    if not re.fullmatch(r"https?://[^\s\"<>]+", url or "http://none"):
+        raise InputError.of_field("--url", url, "an address of http or https")
+    return f"{html.escape(url.rstrip('/'))}/".encode() if url else b""
+
+
 def _manifest() -> dict[str, object]:
     return {
         "name": "hophoop lab",
@@ -93,7 +113,7 @@ def _manifest() -> dict[str, object]:
     }
 
 
-def export(folder: Path, docs: str = "") -> list[Path]:
+def export(folder: Path, docs: str = "", url: str = "") -> list[Path]:
     """Write the lab as a folder of files.
 
     Parameters
@@ -102,6 +122,8 @@ def export(folder: Path, docs: str = "") -> list[Path]:
         A new or empty folder, or one with an earlier export.
     docs : str, default ''
         Location of the documentation, for teachers: an address, or a path relative to the folder; none by default.
+    url : str, default ''
+        Address at which the folder will be, which previews of links need for their picture; none by default.
 
     Returns
     -------
@@ -114,7 +136,7 @@ def export(folder: Path, docs: str = "") -> list[Path]:
     OSError
         If the files cannot be written.
     """
-    made = site_files(docs)
+    made = site_files(docs, url)
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--export {folder} must be a folder.")
     if folder.is_dir() and any(folder.iterdir()) and not (folder / "service-worker.js").is_file():

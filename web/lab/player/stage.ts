@@ -77,7 +77,10 @@ export class Stage {
     if (options.three) {
       this.deep ??= new Stage3D(this.space, this.onview);
       this.deep.draw(films, clock.time, options, look, inks, clock.playing);
-    } else this.flat.draw(films, clock.time, options, look, inks);
+    } else {
+      this.flat.pointed = clock.pointed === null ? null : { time: clock.pointed, lane: active };
+      this.flat.draw(films, clock.time, options, look, inks);
+    }
     this.read(films, active, clock.time);
   }
 
