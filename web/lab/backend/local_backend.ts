@@ -61,15 +61,40 @@ export class LocalBackend implements Backend {
 
   async film(checked: Checked, signal?: AbortSignal): Promise<Reply> {
     const given = model.given(model.within(checked));
-    const { motion, columns } = this.kernel.film
+    const { server } = this;
+    const { motion, columns, pieces } = this.kernel.film
       ? await this.kernel.film(given, signal)
-      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+      : {
+          motion: await this.kernel.motion(given, signal),
+          columns: await this.kernel.columns(given, signal),
+          pieces: null,
+        };
     // where the digits of doubles do not decide what happens, Python asks for more
     const { doubt } = motion;
-    if (doubt !== null && this.server) return this.server.call("film", { query: model.toQuery(checked) }, signal);
+    if (doubt !== null && server) {
+      const query = model.toQuery(checked);
+      const samples = async (window: [number, number]) => (await server.call("samples", { query, window })).arrays;
+      return { ...(await server.call("film", { query }, signal)), samples };
+    }
     const omega = await this.turning(given, motion, signal);
     const header = model.headerOf(checked, motion, omega, this.mechanics);
-    return { header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) }, arrays: columns };
+    const instant = this.mechanics.instant?.bind(this.mechanics);
+    return {
+      header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) },
+      arrays: columns,
+      exact: instant && pieces ? (time) => instant(given, pieces, time) : undefined,
+    };
+  }
+
+  /** How a motion that came from elsewhere is known at any time. */
+  async exact(scenario: any) {
+    const { exact, samples } = await this.call("film", { scenario });
+    return { exact, samples };
+  }
+
+  /** `query`: of a link. */
+  readable(query: string) {
+    return model.readable(query, this.mechanics);
   }
 
   /** How the hoop turns after events at which it slips and does not turn yet. */

@@ -32,6 +32,7 @@ export function refusal(
 ) {
   const typed = text.trim();
   if (Number.isNaN(value)) return `${label} = ${typed} must be a number, such as 2.5.`;
+  if (!Number.isFinite(value) && /\d/.test(typed)) return `${label} = ${typed} is too large.`;
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
   const zero = range.also.includes(0) ? "0 or " : "";
   const span = `from ${show(range.least, 4)} to ${withUnit(show(range.most, 4), unit)}`;

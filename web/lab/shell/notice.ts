@@ -1,6 +1,7 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "../common/dom.ts";
+import { spokenText } from "../words/words.ts";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -9,8 +10,10 @@ export class Notice {
   toast = h("div", { class: "toast", role: "status", hidden: true });
   timer = 0;
 
-  fail(error: Error) {
-    say(this.message, error.message);
+  /** `hint`: what can be done. */
+  fail(error: Error, hint = "") {
+    const texts = [error.message, ...(hint ? [" ", hint] : [])].map(spokenText);
+    this.message.replaceChildren(...texts);
     this.message.hidden = false;
     if (!this.seen()) this.say(error.message, this.message.isConnected);
   }
