@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 16625e4fa4ad5e7fe449ce94a6baa30f */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 6303ec354d311f07342198aa3ab1eac0 */
 var wl=Object.create;var ti=Object.defineProperty;var yl=Object.getOwnPropertyDescriptor;var vl=Object.getOwnPropertyNames;var xl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var El=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of vl(e))!kl.call(s,o)&&o!==t&&ti(s,o,{get:()=>e[o],enumerable:!(n=yl(e,o))||n.enumerable});
 return s};var Ml=(s,e,t)=>(t=s!=null?wl(xl(s)):{},El(e||!s||!s.__esModule?ti(t,"default",{value:s,enumerable:!0}):t,s));var Ba=_l(Dn=>{"use strict";Object.defineProperty(Dn,"__esModule",{value:!0});function Fa(s){return!s||typeof s=="string"?s:s+""}var Hs=class{async svg2canvas(e,t,n){
 let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=n,i.getContext(
@@ -1604,13 +1604,13 @@ t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins,
 tr",{},u("th",{scope:"row"},t(n),n),o.map(i=>u("td",{},i))))),Ps=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function sa(s,e){let t=Ps(),n=(r,l)=>u(
 "a",{href:r,target:"_blank",rel:"noopener"},l),o=(r,...l)=>[u("dt",{},r),u("dd",{},l)],i=e&&n(new URL("licences.txt",import.meta.url).href,"Licences of all that\
  the page contains"),a=u("dialog",{class:"about","aria-label":"About hophoop"},u("h2",{},"About hophoop"),u("p",{},"hophoop computes exactly how a hoop with a l\
-oad on its rim rolls, slips, hops and lands."),u("dl",{},o("Version",document.createTextNode(s)),o("Licence","MIT",...i?[". ",i]:[]),o("Documentation",t?n(t,"Th\
-e documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",u("code",{},document.createTextNode("hophoop --help")))),u("button",{type:"\
-button",class:"close",onclick:()=>a.close()},"Close"));return a}function oa(s,e,t){let n=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The h\
-oop"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does \
-something that rigid-body mechanics cannot decide. Move a slider and see."),Rs("Modes",Ph,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),Rs("Marks on\
- the bar of time",Ch),Rs("Keys",Rh),t,u("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),u("button",{type:"button",class:"close",
-onclick:()=>n.close()},"Close"));return n}var ia="hoop.radius=0.4&duration=1.5&start.speed=",zh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+oad on its rim rolls, slips, hops and lands."),u("dl",{},o("Version",document.createTextNode(s)),o("Licence",document.createTextNode("MIT"),...i?[". ",i]:[]),o(
+"Documentation",t?n(t,"The documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",u("code",{},document.createTextNode("hophoop --he\
+lp")))),u("button",{type:"button",class:"close",onclick:()=>a.close()},"Close"));return a}function oa(s,e,t){let n=u("dialog",{class:"help","aria-label":"Keys a\
+nd help"},u("h2",{},"The hoop"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it sli\
+ps, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see."),Rs("Modes",Ph,o=>u("i",{class:"dot",style:`background:${e.
+modes[o]}`})),Rs("Marks on the bar of time",Ch),Rs("Keys",Rh),t,u("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),u("button",{type:"\
+button",class:"close",onclick:()=>n.close()},"Close"));return n}var ia="hoop.radius=0.4&duration=1.5&start.speed=",zh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
