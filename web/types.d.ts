@@ -86,19 +86,13 @@ interface Reply {
 
 type Change = [path: string, value: unknown];
 
-// Where answers come from: the server of the page, or the notebook's kernel.
-interface Backend {
-  shares: boolean;
-  call(name: string, body: object, signal?: AbortSignal): Promise<Reply>;
+type Backend = import("./lab/backend/backend.ts").Backend;
+
+// What needs Python: a server, or the kernel of a notebook.
+interface Python {
+  /** Results and columns of a motion in as many digits as it needs; of a window of time, the columns. */
+  motion(body: { query: string; window?: [number, number] }, signal?: AbortSignal): Promise<Reply>;
   file(name: string, query: string): Promise<Blob>;
-  link(query: string, hash: string): string | null;
-  files?: string[]; // which files it makes; all where it does not say
-  /** What a link says in spite of what is wrong in it, where the page reads links by itself. */
-  readable?(query: string): { query: string; foreign: string[]; error: Error | null };
-  /** How a motion that came from elsewhere is known at any time, where the page computes by itself. */
-  exact?(scenario: any): Promise<Pick<Reply, "exact" | "samples">>;
-  /** What a little more of a parameter does, where the page computes by itself. */
-  changes?(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null>;
 }
 
 // What is drawn of the hoop.

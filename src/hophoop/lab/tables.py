@@ -18,13 +18,12 @@ from pydantic.fields import FieldInfo
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.records.refusal import Refusal
-from hophoop.lab import typescript
-from hophoop.lab.files import SAMPLES_PER_SECOND
-from hophoop.lab.film import SHOWN
-from hophoop.lab.limits import USUAL
-from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
-from hophoop.lab.presets import presets
-from hophoop.lab.setup import setup
+from hophoop.lab.api.files import SAMPLES_PER_SECOND
+from hophoop.lab.api.limits import USUAL
+from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
+from hophoop.lab.site import typescript
+from hophoop.lab.site.presets import presets
+from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base
@@ -38,7 +37,7 @@ from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
-from hophoop.vocabulary.parameters import TABLE, Range
+from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
 from hophoop.vocabulary.statuses import STATUSES
@@ -107,7 +106,8 @@ def tables() -> dict[str, Any]:
         "reasons": {reason.name.lower(): text for reason, text in REASONS.items()} | {"edge": EDGE, "sided": SIDED},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
-        "shown": SHOWN,
+        # sliders whose values may follow from the scenario instead of being in it
+        "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
     }
     return found
 

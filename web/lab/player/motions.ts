@@ -61,7 +61,7 @@ export class Motions {
   /** A film; one that came with a notebook is computed here too, to be exact at any time. */
   filmOf(reply: Reply) {
     const film = new Film(reply);
-    const known = reply.exact || reply.samples ? null : this.backend.exact?.(film.scenario);
+    const known = reply.exact || reply.samples ? null : this.backend.exact(film.scenario);
     known
       ?.then((found) => {
         Object.assign(film, found, { latest: null });
@@ -77,7 +77,7 @@ export class Motions {
   }
 
   async load(queries: string[]) {
-    this.set(await Promise.all(queries.map((query) => this.backend.call("film", { query }))));
+    this.set(await Promise.all(queries.map((query) => this.backend.film({ query }))));
   }
 
   /** Each move of a slider; `commit` when the hand lets go. */
@@ -104,7 +104,7 @@ export class Motions {
     lane.since = null;
     lane.busy = true;
     try {
-      lane.film = new Film(await this.backend.call("film", { scenario: lane.film.scenario, changes }));
+      lane.film = new Film(await this.backend.film({ scenario: lane.film.scenario, changes }));
       if (this.lanes.includes(lane)) this.listener.shown(since);
     } catch (error) {
       if (this.lanes.includes(lane)) this.listener.failed(error as Error, changes);
@@ -141,7 +141,7 @@ export class Motions {
   /** `window`: times from and to. */
   async samples(film: Film, window: [number, number]) {
     if (film.samples) return film.samples(window);
-    return (await this.backend.call("samples", { scenario: film.scenario, window })).arrays;
+    return this.backend.samples(film.scenario, window);
   }
 
   settle(lane: Lane) {

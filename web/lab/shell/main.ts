@@ -1,10 +1,12 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
+import { tables } from "../../model/index.ts";
 import { queries, readShown, type Address } from "./address.ts";
+import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
 import { unpack } from "../backend/packing.ts";
+import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
-import type { Model } from "../backend/backend.ts";
 
 const here = new URL("./", import.meta.url);
 
@@ -12,16 +14,14 @@ async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
   let backend: Backend;
-  let setup: Setup;
   try {
     backend = await backendOf(here, site ? null : base, base);
-    setup = (await backend.call("setup", {})).header;
   } catch (error) {
-    root.textContent = (error as Error).message;
+    say(root, (error as Error).message);
     return;
   }
   if (site) keepOffline(site.getAttribute("content") ?? "");
-  const lab = new Lab(root, backend, setup, { hosted: true });
+  const lab = new Lab(root, backend, tables.setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
   const shown = readShown(location.hash);
   const address = lab.address as Address;
@@ -40,8 +40,7 @@ async function startPage(root: HTMLElement) {
 /** A live hoop in any page, for <hophoop-motion>. `folder`: of the script and the module. */
 export async function mount(root: HTMLElement, folder: URL, query: string, panels: string[]) {
   const backend = await backendOf(folder, null, new URL("../", folder));
-  const { header } = await backend.call("setup", {});
-  const lab = new Lab(root, backend, header, { panels });
+  const lab = new Lab(root, backend, tables.setup, { panels });
   await lab.open([query]);
   return lab;
 }
@@ -50,8 +49,16 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
 async function render({ model, el }: { model: Model; el: HTMLElement }) {
   const root = document.createElement("div");
   el.append(root);
-  const backend = await widgetBackend(model);
-  const lab = new Lab(root, backend, model.get("setup"), {
+  const python = new NotebookKernel(model);
+  let backend: Backend;
+  try {
+    backend = await widgetBackend(model, python);
+  } catch (error) {
+    say(root, (error as Error).message);
+    return () => python.close();
+  }
+  const shown = () => backend.shown(unpack(model.get("film")));
+  const lab = new Lab(root, backend, tables.setup, {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
     onmotion: (query) => {
@@ -60,13 +67,13 @@ async function render({ model, el }: { model: Model; el: HTMLElement }) {
       model.save_changes();
     },
   });
-  lab.motions.set([unpack(model.get("film"))]);
+  lab.motions.set([shown()]);
   lab.begin();
-  const replaced = () => lab.motions.replace(unpack(model.get("film")));
+  const replaced = () => lab.motions.replace(shown());
   model.on("change:film", replaced);
   return () => {
     model.off("change:film", replaced);
-    backend.close?.();
+    python.close();
     lab.close();
   };
 }

@@ -34,7 +34,7 @@ export class Share {
         "div",
         { class: "menu-body" },
         lab.backend.shares && this.item("Copy a link to this motion", () => this.copyLink()),
-        FILES.filter(([name]) => lab.backend.files?.includes(name) ?? true).map(([name, label]) =>
+        FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
           this.item(label, () => this.download(name)),
         ),
         this.item("Save a picture (PNG)", () => this.picture("png", png)),
@@ -91,8 +91,8 @@ export class Share {
   }
 
   async code() {
-    const { header } = await this.lab.backend.call("code", { scenario: this.lab.film().scenario });
-    this.show("The same motion in Python", header.python, "The scenario as a file", header.toml);
+    const { python, toml } = this.lab.backend.code(this.lab.film().scenario);
+    this.show("The same motion in Python", python, "The scenario as a file", toml);
   }
 
   /** Headings and texts in turn. */

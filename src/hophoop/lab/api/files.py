@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from hophoop._support.stopping import temporary_folder
 from hophoop.io import write_csv
-from hophoop.lab.limits import Limits, TooMuch, within
+from hophoop.lab.api.limits import Limits, TooMuch, within
 from hophoop.scenario import Scenario
 from hophoop.simulation.simulate import simulate
 
