@@ -230,7 +230,7 @@ def test_words_point_to_their_place_in_picture_bar_and_diagrams(visit):
     # beside the picture, an arrow leads to what lies outside of it
     last = page.locator(".story-list button").last
     last.focus()
-    wait_for(page, "lab.clock.pointed > 5")
+    wait_for(page, f"lab.clock.pointed > 5 && {SETTLED}")
     assert page.evaluate(painted, places[:1]) != before[:1]
     # the motion is the same: the list keeps the focus when the page is drawn anew
     page.evaluate("hophoopLab.show()")
