@@ -3,6 +3,19 @@
 type Film = import("./lab/film.js").Film;
 type Clock = import("./lab/clock.js").Clock;
 
+/** A hash of the tables of all languages, written by the build. */
+declare const WORDS: string;
+
+/** A table of a language: a text by its key, or one for each plural. */
+type Words = Record<string, string | { [plural: string]: string; other: string }>;
+type Values = Record<string, Said>;
+interface Phrase {
+  key: string;
+  values?: Values;
+}
+/** What is said: a key, or what needs none such as a number or a symbol; a key with its values; parts; what makes a text. */
+type Said = string | number | Phrase | Said[] | (() => string);
+
 interface Colors {
   modes: Record<string, string>;
   mode_names: Record<string, string>;
@@ -117,7 +130,7 @@ interface Sentence {
   t: number;
   event: number;
   mode: string;
-  text: string;
+  text: Said;
 }
 
 interface Phase {

@@ -1,7 +1,9 @@
 // Workers that hold the module: one a call at a time, replaced where one is stopped in the middle of a call.
 
+import { Refused } from "../words/texts.js";
+
 /** An answer that took longer than anything asked for in a page may take. */
-export class TooLong extends Error {}
+export class TooLong extends Refused {}
 
 class Hand {
   /**
@@ -108,7 +110,7 @@ export class Crew {
     const hand = await this.hand();
     const stop = () => hand.stop(new DOMException("superseded", "AbortError"));
     const timer = setTimeout(
-      () => hand.stop(new TooLong(`This takes longer than ${this.limit / 1000} s, and was stopped.`)),
+      () => hand.stop(new TooLong({ key: "This takes longer than {time} s, and was stopped.", values: { time: this.limit / 1000 } })),
       this.limit,
     );
     try {

@@ -1,6 +1,7 @@
 // Where answers come from: the server of the page, or the notebook's kernel. Both take the same calls.
 
 import { unpack } from "./packing.js";
+import { Refused } from "./words.js";
 
 const TRIES = 4; // of a server that says it is busy
 const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
@@ -42,7 +43,7 @@ export class HttpBackend {
       const again = Number(response.headers.get("Retry-After"));
       if (response.status !== 503 || !(again > 0) || left <= 1) {
         const said = await response.json().catch(() => ({}));
-        throw new Error(said.detail ?? `The server answered ${response.status}.`);
+        throw said.detail ? new Error(said.detail) : new Refused({ key: "The server answered {status}.", values: { status: response.status } });
       }
       await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
       asked?.signal?.throwIfAborted();

@@ -3,7 +3,7 @@
 import { h, say } from "./dom.js";
 import { GOALS, stars } from "./goals.js";
 import { recall, remember } from "./memory.js";
-import { t } from "./words.js";
+import { spoken } from "./words.js";
 
 const KEY = "hophoop-best-";
 
@@ -96,14 +96,12 @@ export class Challenges {
     if (!goal) return;
     const { points, text, values = {} } = goal.score(lab.film());
     this.meter.value = points;
-    const said = t("{stars} {points} points. {what}", {
-      stars: drawn(points),
-      points,
-      what: t(text, values),
-    });
-    if (this.result.textContent !== said) this.result.textContent = said;
+    const what = { key: text, values };
+    const said = { key: "{stars} {points} points. {what}", values: { stars: drawn(points), count: points, what } };
+    if (this.result.textContent !== spoken(said)) say(this.result, said);
     const best = Number(recall(KEY + goal.key) ?? 0);
     if (points > best && !lab.stage.options.ahead) remember(KEY + goal.key, String(points));
-    say(this.kept, t("Your best: {points} points.", { points: Math.max(best, lab.stage.options.ahead ? 0 : points) }));
+    const count = Math.max(best, lab.stage.options.ahead ? 0 : points);
+    say(this.kept, { key: "Your best: {points} points.", values: { count } });
   }
 }

@@ -1,9 +1,9 @@
 // What a little more of a parameter does: the rates of events, as changes with a step, and in words.
 
 import { CHANGE, layout } from "../kernel/layout.js";
-import { EVENT_WORDS } from "./events.js";
+import { eventWord } from "./events.js";
 import { show, withUnit } from "./numbers.js";
-import { current, t, utter } from "./words.js";
+import { listed } from "./words.js";
 
 const PASSING = new Set(layout.passing);
 const MOST_HOPS = 3;
@@ -132,12 +132,11 @@ export function signed(value, unit) {
  * Words for each change that there is.
  * @param {[value: number, unit: "s" | "m" | "m/s" | "°", more: string, less: string][]} changes
  */
-function listed(changes) {
-  const said = changes
+function listOf(changes) {
+  const parts = changes
     .filter(([value]) => Number.isFinite(value) && counts(value, 1))
-    .map(([value, unit, more, less]) => t(value > 0 ? more : less, { amount: amount(value, unit) }))
-    .join(current() === "zh" ? "，" : ", ");
-  return utter(said);
+    .map(([value, unit, more, less]) => ({ key: value > 0 ? more : less, values: { amount: amount(value, unit) } }));
+  return parts.length ? listed(parts) : null;
 }
 
 const ALONG = /** @type {const} */ (["m", "{amount} further to the right", "{amount} further to the left"]);
@@ -146,15 +145,16 @@ const LATER = /** @type {const} */ (["s", "{amount} later", "{amount} earlier"])
 /**
  * What changes, in a sentence or a few.
  * @param {Changes} changes
- * @returns {string[]}
+ * @returns {Said[]}
  */
 export function sentences(changes) {
   const { events, count } = changes;
+  /** @type {Said[]} */
   const said = [];
   const hops = changes.hops();
   for (const [k, { begin, end, height, distance, duration }] of hops.slice(0, MOST_HOPS).entries()) {
     const way = end >= 0 && events[end].x < events[begin].x ? -distance : distance;
-    const list = listed([
+    const list = listOf([
       [height, "m", "{amount} higher", "{amount} lower"],
       [way, "m", "{amount} longer", "{amount} shorter"],
       [duration, "s", "{amount} more in the air", "{amount} less in the air"],
@@ -162,25 +162,27 @@ export function sentences(changes) {
     ]);
     if (list)
       said.push(
-        hops.length > 1 ? t("Hop {number}: {list}.", { number: k + 1, list }) : t("The hop: {list}.", { list }),
+        hops.length > 1
+          ? { key: "Hop {number}: {list}.", values: { number: k + 1, list } }
+          : { key: "The hop: {list}.", values: { list } },
       );
   }
   const first = hops.length ? -1 : events.findIndex(({ kind }, k) => k < count && kind !== "start" && kind !== "end");
   if (first >= 0) {
-    const list = listed([
+    const list = listOf([
       [changes.of(first, "t"), ...LATER],
       [changes.of(first, "x"), ...ALONG],
     ]);
-    if (list) said.push(t("The first event, {what}: {list}.", { what: t(EVENT_WORDS[events[first].kind]), list }));
+    if (list) said.push({ key: "The first event, {what}: {list}.", values: { what: eventWord(events[first].kind), list } });
   }
   const last = count - 1;
   if (last > 0 && events[last].kind === "end") {
     const faster = Math.sign(events[last].vx) * changes.of(last, "vx");
-    const list = listed([
+    const list = listOf([
       [changes.of(last, "x"), ...ALONG],
       [faster, "m/s", "{amount} faster", "{amount} slower"],
     ]);
-    if (list) said.push(t("At the end, after {time} s: {list}.", { time: show(events[last].t, 4), list }));
+    if (list) said.push({ key: "At the end, after {time} s: {list}.", values: { time: show(events[last].t, 4), list } });
   }
   return said;
 }

@@ -52,7 +52,9 @@ class Slider {
       onblur: hold(false),
     });
     const { label, unit } = info;
-    const name = `${label}, exact value${unit ? ` in ${unit}` : ""}`;
+    const name = unit
+      ? { key: "{name}, exact value in {unit}", values: { name: label, unit } }
+      : { key: "{name}, exact value", values: { name: label } };
     this.entry = new Entry({ label, unit, name, range: rangeOf(info) }, (value) => this.send(value, true));
     this.element = h(
       "div",
@@ -285,7 +287,7 @@ export class Controls {
   /**
    * A change that was refused is said at its field, if it is one that is seen.
    * @param {Change[]} changes
-   * @param {string} sentence
+   * @param {Said} sentence
    */
   refuse(changes, sentence) {
     const slider = changes.length === 1 ? this.sliders.get(changes[0][0]) : undefined;

@@ -1,4 +1,4 @@
-// Elements of the page. Words go through `t` on their way there, see words.js.
+// Elements of the page. Words follow the language, see words.js.
 
 import { luminance } from "./colors.js";
 import { name as called, spokenText } from "./words.js";
@@ -20,13 +20,13 @@ export function h(tag, attributes = {}, ...children) {
     if (value === undefined || value === null || value === false) continue;
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (name === "class") element.className = value;
+    else if (SAID.has(name)) called(element, name, value);
     else if (name in element && name !== "list" && typeof value !== "string") properties[name] = value;
-    else if (SAID.has(name)) called(element, name, String(value));
     else element.setAttribute(name, value === true ? "" : value);
   }
-  for (const child of children.flat()) {
+  for (const child of children.flat(2)) {
     if (child === null || child === undefined || child === false) continue;
-    element.append(child.nodeType ? child : spokenText(String(child)));
+    element.append(child.nodeType ? child : spokenText(child));
   }
   return element;
 }
@@ -34,10 +34,10 @@ export function h(tag, attributes = {}, ...children) {
 /**
  * Put other words into an element; they change with the language.
  * @param {Element} element
- * @param {string} text in English
+ * @param {Said} said
  */
-export function say(element, text) {
-  if (text) element.replaceChildren(spokenText(text));
+export function say(element, said) {
+  if (said) element.replaceChildren(spokenText(said));
   else element.replaceChildren();
 }
 

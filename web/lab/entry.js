@@ -27,15 +27,19 @@ export function readNumber(text, unit = "") {
  * @param {string} text as it was typed
  * @param {number} value in the field's unit
  * @param {{ label: string, unit: string, range?: AllowedRange }} field its range in the field's unit
+ * @returns {Said}
  */
 export function refusal(text, value, { label, unit, range }) {
   const typed = text.trim();
-  if (Number.isNaN(value)) return `${label} = ${typed} must be a number, such as 2.5.`;
+  if (Number.isNaN(value)) {
+    return { key: "{name} = {value} must be a number, such as 2.5.", values: { name: label, value: typed } };
+  }
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
-  const zero = range.also.includes(0) ? "0 or " : "";
-  const span = `from ${show(range.least, 4)} to ${withUnit(show(range.most, 4), unit)}`;
-  const endless = range.also.includes(Infinity) ? ", or inf" : "";
-  return `${label} = ${withUnit(show(value, 6), unit)} must be ${zero}${span}${endless}.`;
+  const [zero, endless] = [range.also.includes(0), range.also.includes(Infinity)];
+  const span = `range.${zero ? "zero_or_" : ""}from_to${endless ? "_or_inf" : ""}`;
+  const rule = { key: span, values: { least: show(range.least, 4), most: withUnit(show(range.most, 4), unit) } };
+  const values = { name: label, value: withUnit(show(value, 6), unit), rule };
+  return { key: "{name} = {value} must be {rule}.", values };
 }
 
 /**
@@ -43,7 +47,7 @@ export function refusal(text, value, { label, unit, range }) {
  * @property {string} label
  * @property {string} unit
  * @property {AllowedRange} [range] in the field's unit
- * @property {string} [name] for a screen reader, where no label belongs to it
+ * @property {Said} [name] for a screen reader, where no label belongs to it
  */
 
 let count = 0;
@@ -99,7 +103,7 @@ export class Entry {
     else this.onvalue(value);
   }
 
-  /** @param {string} sentence */
+  /** @param {Said} sentence */
   refuse(sentence) {
     this.input.setAttribute("aria-invalid", "true");
     this.input.setAttribute("aria-describedby", this.error.id);

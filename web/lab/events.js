@@ -1,11 +1,7 @@
 // What happens in a motion, in the words of the player.
 
-import { tables } from "../model/tables.js";
-
-/** @type {[string, { label: string }][]} */
-const KINDS = Object.entries(tables.words.events);
-/** @type {Record<string, string>} */
-export const EVENT_WORDS = Object.fromEntries(KINDS.map(([kind, { label }]) => [kind, label]));
+/** The name of a kind of event. @param {string} kind */
+export const eventWord = (kind) => `event.${kind}`;
 
 /**
  * Whether a flight begins here: also without a take-off, at the start or after a paradox.

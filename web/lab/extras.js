@@ -12,12 +12,9 @@ import { Sound } from "./sound.js";
 import { Table } from "./table.js";
 import { teachDialog } from "./teach.js";
 import { Visit } from "./visit.js";
-import { current, repeat, t, untranslated } from "./words.js";
+import { current, repeat, t } from "./words.js";
 
 export class Extras {
-  // what the page says, for tests and for those who look in from outside
-  words = { t, untranslated };
-
   /** @param {import("./lab.js").Lab} lab */
   constructor(lab) {
     this.lab = lab;
@@ -124,11 +121,12 @@ export class Extras {
   }
 
   languages() {
-    return languageMenu(() => {
+    const changed = () => {
       this.spoken();
       repeat(this.lab.root);
       this.lab.show();
-    });
+    };
+    return languageMenu(changed, (error) => this.lab.notice.fail(error));
   }
 
   spoken() {

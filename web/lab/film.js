@@ -1,7 +1,6 @@
 // A computed motion: what Python has sent, and the state at any time in it.
 
 import { clamp } from "./numbers.js";
-import { told } from "./words.js";
 
 export const MODE_LETTERS = "RSKHM";
 
@@ -33,13 +32,13 @@ export class Film {
     this.values = header.values;
     /** @type {Record<string, number>} */
     this.automatic = header.automatic;
-    /** @type {string} */
-    this.said = header.summary;
+    /** @type {Said} what happens, in one sentence */
+    this.summary = header.summary;
     /** @type {Sentence[]} */
     this.story = header.story;
     /** @type {boolean} */
     this.shortened = header.shortened;
-    /** @type {string} that more digits would have to decide what comes, if they would */
+    /** @type {Said} that more digits would have to decide what comes, if they would */
     this.doubt = header.doubt ?? "";
     /** @type {Record<string, Column>} */
     this.columns = reply.arrays;
@@ -101,11 +100,6 @@ export class Film {
   holding(time) {
     const { part } = this;
     return part && time >= part.t[0] && time <= part.t[part.length - 1] ? part : this;
-  }
-
-  // What happens, in one sentence.
-  get summary() {
-    return told(this.said);
   }
 
   findPhases() {

@@ -5,8 +5,8 @@ import { h } from "./dom.js";
 export class Hoops {
   /** @param {(lane: number) => void} choose */
   constructor(choose) {
-    this.tabs = ["A", "B"].map((name, i) =>
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, `Hoop ${name}`),
+    this.tabs = ["Hoop A", "Hoop B"].map((name, i) =>
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, name),
     );
     this.bar = h(
       "div",

@@ -22,6 +22,7 @@ import { Story, Theory } from "./story.js";
 import { Theme } from "./theme.js";
 import { Timeline } from "./timeline.js";
 import { Transport } from "./transport.js";
+import { saidOf } from "./words.js";
 
 /**
  * @typedef {object} Options
@@ -176,7 +177,7 @@ export class Lab {
    * @param {Change[]} [changes]
    */
   failed(error, changes = []) {
-    if (!this.controls.refuse(changes, error.message)) {
+    if (!this.controls.refuse(changes, saidOf(error))) {
       this.notice.fail(error);
       this.controls.restore();
     }
@@ -328,8 +329,7 @@ export class Lab {
       this.theory.draw(reply.header.thresholds, this.motions.name());
       await this.phase.fetch(scenario, signal);
     } catch (error) {
-      const { name, message } = /** @type {Error} */ (error);
-      if (name !== "AbortError") this.theory.draw([{ label: "–", text: message }]);
+      if (/** @type {Error} */ (error).name !== "AbortError") this.theory.draw([{ label: "–", text: saidOf(error) }]);
     }
   }
 
@@ -344,7 +344,7 @@ export class Lab {
       try {
         this.stage.turn(() => this.drawStage());
       } catch (error) {
-        this.notice.say(/** @type {Error} */ (error).message);
+        this.notice.say(saidOf(error));
       }
     }
     this.transport.show(options);

@@ -5,17 +5,23 @@ import { current, keep, LANGUAGES, speak } from "./words.js";
 
 /**
  * @param {() => void} changed called when another one is spoken
+ * @param {(error: Error) => void} [failed] where it is not to be had
  */
-export function languageMenu(changed) {
+export function languageMenu(changed, failed = () => {}) {
   const select = h(
     "select",
     {
       class: "language",
       "aria-label": "Language",
-      onchange: () => {
-        keep(select.value);
-        speak(select.value);
-        changed();
+      onchange: async () => {
+        try {
+          await speak(select.value);
+          keep(select.value);
+          changed();
+        } catch {
+          select.value = current();
+          failed(new Error("language.not_loaded"));
+        }
       },
     },
     Object.entries(LANGUAGES).map(([code, name]) =>

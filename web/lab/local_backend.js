@@ -135,7 +135,7 @@ export class LocalBackend {
   async file(name, query) {
     if (!(name in OWN_FILES)) {
       if (this.server) return this.server.file(name, query);
-      throw new model.InputError(`${name} needs Python: run hophoop lab.`);
+      throw new model.InputError({ key: "{name} needs Python: run hophoop lab.", values: { name } });
     }
     return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
   }

@@ -4,8 +4,34 @@ import { readShown } from "./address.js";
 import { Lab } from "./lab.js";
 import { unpack } from "./packing.js";
 import { backendOf, keepOffline, widgetBackend } from "./start.js";
+import { preferred, saidOf, speak, spoken, wordsFrom } from "./words.js";
 
 const here = new URL("./", import.meta.url);
+
+/** The visitor's language, from the files beside the script; English where it is not to be had. */
+function speakFrom(/** @type {URL} */ folder) {
+  wordsFrom(async (code) => {
+    const response = await fetch(new URL(`words.${code}.json?${WORDS}`, folder));
+    if (!response.ok) throw new Error(`words.${code}.json: ${response.status}`);
+    return response.json();
+  });
+  return speak(preferred()).catch(() => {});
+}
+
+/**
+ * Of a notebook, with which the words of all languages travel.
+ * @param {DataView<ArrayBuffer>} packed
+ */
+function speakPacked(packed) {
+  const unpacked = async () => {
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Response(stream).json();
+  };
+  /** @type {Promise<Record<string, Words>> | undefined} */
+  let tables;
+  wordsFrom(async (code) => (await (tables ??= unpacked()))[code]);
+  return speak(preferred()).catch(() => {});
+}
 
 /** @param {HTMLElement} root */
 async function startPage(root) {
@@ -13,13 +39,16 @@ async function startPage(root) {
   const site = document.querySelector("meta[name=hophoop-site]");
   let backend;
   let setup;
+  const words = speakFrom(here);
   try {
     backend = await backendOf(here, site ? null : base, base);
     setup = (await backend.call("setup", {})).header;
   } catch (error) {
-    root.textContent = /** @type {Error} */ (error).message;
+    await words;
+    root.textContent = spoken(saidOf(error));
     return;
   }
+  await words;
   if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
@@ -43,7 +72,9 @@ async function startPage(root) {
  * @param {string[]} panels
  */
 export async function mount(root, folder, query, panels) {
+  const words = speakFrom(folder);
   const backend = await backendOf(folder, null, new URL("../", folder));
+  await words;
   const { header } = await backend.call("setup", {});
   const lab = new Lab(root, backend, header, { panels });
   await lab.open([query]);
@@ -57,7 +88,7 @@ export async function mount(root, folder, query, panels) {
 async function render({ model, el }) {
   const root = document.createElement("div");
   el.append(root);
-  const backend = await widgetBackend(model);
+  const [backend] = await Promise.all([widgetBackend(model), speakPacked(model.get("words"))]);
   const lab = new Lab(root, backend, model.get("setup"), {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
@@ -84,5 +115,7 @@ if (page) startPage(page);
 export default { render };
 
 // for the page that makes tags
+export { say } from "./dom.js";
 export { languageMenu } from "./languages.js";
-export { adopt, current, repeat, t, untranslated } from "./words.js";
+export { current, name, repeat, t } from "./words.js";
+export { speakFrom };

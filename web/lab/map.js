@@ -4,9 +4,9 @@ import { fitted, focused, h, once, say } from "./dom.js";
 import { AXES, cross, MapAxes } from "./map_axes.js";
 import { takeHands } from "./map_hands.js";
 import { otherStart } from "./map_words.js";
-import { zoomHint } from "./zoom.js";
+import { byFingers } from "./zoom.js";
 import { layerOf, legendOf, stacked, textAt } from "./map_layers.js";
-import { t } from "./words.js";
+import { saidOf } from "./words.js";
 
 const LEVELS = [
   [24, 16],
@@ -109,7 +109,13 @@ export class MotionMap {
       ),
       this.body,
       this.keys,
-      h("p", { class: "hint" }, `Click to take that motion into the player; ${zoomHint("drag to move")}.`),
+      h(
+        "p",
+        { class: "hint" },
+        byFingers()
+          ? "Click to take that motion into the player; two fingers zoom."
+          : "Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.",
+      ),
     );
     takeHands(this);
     this.soon = once(() => this.refresh(), 140);
@@ -215,7 +221,7 @@ export class MotionMap {
     this.redraw();
     try {
       for (const [x, y] of LEVELS) {
-        say(this.state, `computing ${x * y} motions …`);
+        say(this.state, { key: "computing {count} motions …", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
         const reply = await this.backend.call("map", body, signal);
@@ -223,15 +229,15 @@ export class MotionMap {
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
         const other = otherStart(base, Object.values(this.axes.paths));
-        const done = t(changes.length ? "{count} motions, with rigid contact" : "{count} motions", { count: x * y });
-        say(this.state, other ? `${done}; ${t(other)}` : done);
+        const key = changes.length ? "{count} motions, with rigid contact" : "{count} motions";
+        const done = { key, values: { count: x * y } };
+        say(this.state, other ? [done, "; ", other] : done);
         this.redraw();
       }
       this.level = LEVELS.length;
     } catch (error) {
-      const { name, message } = /** @type {Error} */ (error);
-      if (name === "AbortError") return;
-      say(this.state, message);
+      if (/** @type {Error} */ (error).name === "AbortError") return;
+      say(this.state, saidOf(error));
     }
     this.computing = false;
   }

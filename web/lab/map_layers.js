@@ -3,7 +3,7 @@
 import { parsed, SPEED_COLORS } from "./colors.js";
 import { h, pen } from "./dom.js";
 import { clamp, show, withUnit } from "./numbers.js";
-import { t } from "./words.js";
+import { spoken, t } from "./words.js";
 
 const DEGREE = Math.PI / 180;
 const MOST = 12; // layers that are kept
@@ -111,7 +111,7 @@ export function legendOf({ header, low, high, values }) {
       const { color, text } = classes[code];
       return h("span", {}, h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
     }),
-    order.length > 10 ? h("span", {}, `and ${order.length - 10} more`) : "",
+    order.length > 10 ? h("span", {}, { key: "and {count} more", values: { count: order.length - 10 } }) : "",
   ];
 }
 
@@ -127,7 +127,7 @@ export function textAt(layers, place) {
     const row = Math.floor(((place.y - y.from) / (y.to - y.from)) * y.cells);
     if (column < 0 || row < 0 || column >= x.cells || row >= y.cells) continue;
     const value = values[row * x.cells + column];
-    if (classes) return t(classes[value]?.text ?? "not allowed");
+    if (classes) return spoken(classes[value]?.text ?? "not allowed");
     const [scale, unit] = units(header);
     return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("none");
   }

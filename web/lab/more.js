@@ -1,31 +1,19 @@
 // What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
 
-import { tables } from "../model/tables.js";
 import { Changes, sentences, signed } from "./changes.js";
 import { h, once, say } from "./dom.js";
-import { EVENT_WORDS } from "./events.js";
+import { eventWord } from "./events.js";
 import { show, withUnit } from "./numbers.js";
 import { arrowsOf, drawArrows, magnified } from "./scene_arrows.js";
-import { t, utter } from "./words.js";
+import { saidOf } from "./words.js";
 
 const DEGREE = Math.PI / 180;
 const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
 const LEFT_OUT = /^(contact\.|duration$)/;
 const MOST = 200; // events in the table
-/** @type {Record<string, string>} */
-const REASONS = tables.reasons;
-
-/**
- * What is put together of translated pieces is put together again in another language.
- * @template {HTMLElement} E
- * @param {E} element
- * @param {string} text
- */
-function named(element, text) {
-  element.textContent = text;
-  return element;
-}
+/** Why there is no derivative. @param {string} name */
+const reasonOf = (name) => `reason.${name}`;
 
 export class More {
   on = false;
@@ -41,7 +29,7 @@ export class More {
   /** What the shown numbers belong to. */
   known = "";
   /** What is offered. */
-  texts = "";
+  paths = "";
   /** Whether a screen reader is told what comes. */
   speak = false;
 
@@ -182,10 +170,11 @@ export class More {
     if (!infos.some(({ path }) => path === this.path)) {
       this.path = infos.find(({ path }) => path.startsWith(FIRST))?.path ?? infos[0].path;
     }
-    const texts = infos.map(({ label, symbol }) => `${t(label)} ${symbol}`);
-    if (texts.join() !== this.texts) {
-      this.texts = texts.join();
-      this.picked.replaceChildren(...infos.map(({ path }, k) => named(h("option", { value: path }), texts[k])));
+    const paths = infos.map(({ path }) => path).join();
+    if (paths !== this.paths) {
+      this.paths = paths;
+      const option = (/** @type {SliderInfo} */ { path, label, symbol }) => h("option", { value: path }, label, " ", symbol);
+      this.picked.replaceChildren(...infos.map(option));
     }
     this.picked.value = this.path;
   }
@@ -211,14 +200,13 @@ export class More {
     try {
       const sides = await lab.backend.changes(film.scenario, path, signal);
       if (signal.aborted || lab.film() !== film) return undefined;
-      if (!sides) return this.refuse(REASONS.edge);
+      if (!sides) return this.refuse(reasonOf("edge"));
       this.changes = new Changes(film, sides, found.step);
       this.arrows = arrowsOf(this.changes);
       this.factor = 0; // until they are drawn
       this.tell();
     } catch (error) {
-      const { name, message } = /** @type {Error} */ (error);
-      if (name !== "AbortError" && !signal.aborted) this.refuse(message);
+      if (/** @type {Error} */ (error).name !== "AbortError" && !signal.aborted) this.refuse(saidOf(error));
     }
     lab.request();
     return undefined;
@@ -226,7 +214,7 @@ export class More {
 
   /**
    * No numbers: why.
-   * @param {string} words
+   * @param {Said} words
    */
   refuse(words) {
     this.forget();
@@ -235,7 +223,7 @@ export class More {
     this.rows.hidden = this.scale.hidden = true;
     this.reason.hidden = false;
     say(this.reason, words);
-    if (this.speak) this.lab.story.say(t(words));
+    if (this.speak) this.lab.story.say(words);
     this.speak = false;
     this.lab.request();
   }
@@ -251,15 +239,15 @@ export class More {
     this.take.disabled = false;
     this.rows.hidden = this.scale.hidden = false;
     const said = sentences(changes);
-    if (!said.length && changes.failed < 0) said.push(t("Nothing: no event moves."));
-    this.said.replaceChildren(...said.map((sentence) => named(h("li", {}), sentence)));
+    if (!said.length && changes.failed < 0) said.push("Nothing: no event moves.");
+    this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
     const why = this.why(changes);
     this.reason.hidden = !why;
-    this.reason.textContent = why;
+    say(this.reason, why);
     this.fill(changes);
     this.tellScale();
     if (this.speak)
-      this.lab.story.say(utter([`${t(info.label)} ${than}.`, ...said, why && t(why)].filter(Boolean).join(" ")));
+      this.lab.story.say([info.label, ` ${than}.`, ...[...said, why].flatMap((sentence) => (sentence ? [" ", sentence] : []))]);
     this.speak = false;
   }
 
@@ -275,26 +263,27 @@ export class More {
     const { three } = this.lab.stage.options;
     const drawn = three
       ? "The arrows are drawn in the picture in the plane: leave 3D to see them."
-      : t("The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.", {
-          factor: show(this.factor, 3),
-        });
-    this.scale.textContent = three || this.factor ? t(drawn) : "";
+      : {
+          key: "The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.",
+          values: { factor: show(this.factor, 3) },
+        };
+    say(this.scale, three || this.factor ? drawn : "");
   }
 
   /**
    * Where there is no derivative, or one to this side only, and why.
    * @param {Changes} changes
+   * @returns {Said}
    */
   why(changes) {
     const { failed, side, events, edge, sided } = changes;
     if (failed >= 0 && side) {
       const { kind, t: time } = events[Math.min(failed, events.length - 1)];
-      const what = t(EVENT_WORDS[kind] ?? kind);
-      const reason = t(REASONS[side.reason]);
-      return utter(t("From {what} at {time} s on no derivative: {reason}.", { what, time: show(time, 4), reason }));
+      const values = { what: eventWord(kind), time: show(time, 4), reason: reasonOf(side.reason) };
+      return { key: "From {what} at {time} s on no derivative: {reason}.", values };
     }
-    if (edge) return utter(t("To one side only: {reason}.", { reason: t(REASONS.edge) }));
-    return sided ? utter(t("To one side only: {reason}.", { reason: t(REASONS.sided) })) : "";
+    if (!edge && !sided) return "";
+    return { key: "To one side only: {reason}.", values: { reason: reasonOf(edge ? "edge" : "sided") } };
   }
 
   /** @param {Changes} changes */
@@ -302,7 +291,7 @@ export class More {
     const cell = (/** @type {number} */ value, /** @type {"s" | "m" | "°"} */ unit, /** @type {number} */ rate) => {
       const text = signed(value, unit);
       const mark = text[0] === "+" ? "▲ " : text[0] === "−" ? "▼ " : "";
-      return h("td", { "data-rate": String(rate) }, mark && h("span", { "aria-hidden": "true" }, mark), utter(text));
+      return h("td", { "data-rate": String(rate) }, mark && h("span", { "aria-hidden": "true" }, mark), text);
     };
     const units = /** @type {["t" | "x" | "height" | "angle", "s" | "m" | "°"][]} */ ([
       ["t", "s"],
@@ -315,7 +304,7 @@ export class More {
         h(
           "tr",
           { onclick: () => this.lab.clock.seek(time) },
-          h("th", { scope: "row" }, EVENT_WORDS[kind] ?? kind, h("small", {}, ` ${show(time, 4)} s`)),
+          h("th", { scope: "row" }, eventWord(kind), h("small", {}, ` ${show(time, 4)} s`)),
           units.map(([name, unit]) => cell(changes.of(k, name), unit, changes.rate(k, name))),
         ),
       ),

@@ -1,6 +1,7 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "./dom.js";
+import { saidOf } from "./words.js";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -13,9 +14,10 @@ export class Notice {
 
   /** @param {Error} error */
   fail(error) {
-    say(this.message, error.message);
+    const said = saidOf(error);
+    say(this.message, said);
     this.message.hidden = false;
-    if (!this.seen()) this.say(error.message, this.message.isConnected);
+    if (!this.seen()) this.say(said, this.message.isConnected);
   }
 
   // Whether the refusal stands where one looks.
@@ -29,7 +31,7 @@ export class Notice {
   }
 
   /**
-   * @param {string} text
+   * @param {Said} text
    * @param {boolean} [heard] whether a screen reader has it already
    */
   say(text, heard = false) {

@@ -3,11 +3,10 @@
 import { h } from "./dom.js";
 import { Plot } from "./plot.js";
 import { QUANTITIES, withSymbol } from "./quantities.js";
-import { t } from "./words.js";
 
 /**
  * Options of a list of quantities.
- * @param {(quantity: import("./quantities.js").Quantity) => string | string[]} words
+ * @param {(quantity: import("./quantities.js").Quantity) => Said} words
  */
 export const optionsOf = (words) =>
   Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));
@@ -23,7 +22,7 @@ export function ownPlot(shared) {
       key: "own",
       title: "Your choice",
       unit: "",
-      curves: (film) => [{ name: t(QUANTITIES[key].name), values: QUANTITIES[key].values(film) }],
+      curves: (film) => [{ name: QUANTITIES[key].name, values: QUANTITIES[key].values(film) }],
     },
     shared,
   );

@@ -126,7 +126,7 @@ export class Parts {
             {
               type: "button",
               class: "quiet",
-              "aria-label": `Remove part ${i + 1}, ${label}`,
+              "aria-label": { key: "Remove part {number}, {what}", values: { number: i + 1, what: label } },
               onclick: () => this.send(this.parts.filter((_, k) => k !== i)),
             },
             "×",
@@ -147,6 +147,7 @@ export class Parts {
       this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: value } : one))),
     );
     entry.show(String(part[key] ?? 0));
-    return h("div", {}, h("label", {}, `${label} [${unit}]`, entry.input), entry.error);
+    return h("div", {}, h("label", {}, label,
+      ` [${unit}]`, entry.input), entry.error);
   }
 }

@@ -6,7 +6,7 @@ import { clamp, niceStep } from "./numbers.js";
 import { axes, hatch, pictureOf } from "./phase_picture.js";
 import { BOTTOM, LEFT, RIGHT, TOP } from "./plot_axes.js";
 import { swatch } from "./swatch.js";
-import { zoomable, zoomHint } from "./zoom.js";
+import { byFingers, zoomable } from "./zoom.js";
 
 export class PhasePlane {
   /** @type {Film[]} */
@@ -65,7 +65,9 @@ export class PhasePlane {
         { class: "hint" },
         "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
         " ",
-        `Click to go there; ${zoomHint("")}.`,
+        byFingers()
+          ? "Click to go there; two fingers zoom."
+          : "Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.",
       ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));

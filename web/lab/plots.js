@@ -3,7 +3,6 @@
 import { h, say } from "./dom.js";
 import { optionsOf, ownPlot } from "./own_plot.js";
 import { Plot } from "./plot.js";
-import { zoomHint } from "./zoom.js";
 
 /**
  * @param {Colors} colors
@@ -117,7 +116,7 @@ export class Plots {
           this.redraw();
         },
       },
-      optionsOf(({ name }) => `over ${name}`),
+      optionsOf(({ name }) => ({ key: "over {quantity}", values: { quantity: name } })),
     );
     this.back = h(
       "button",
@@ -144,11 +143,16 @@ export class Plots {
     this.look = look;
     const hands = matchMedia("(hover: none)").matches
       ? "slide to go there, two fingers zoom"
-      : `click to go there, drag to zoom; ${zoomHint("")}`;
+      : "click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all";
     const two = films.length > 1;
     say(
       this.hint,
-      two ? `A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
+      two
+        ? {
+            key: "A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}",
+            values: { hoop: "AB"[active], hands },
+          }
+        : hands,
     );
     this.redraw();
   }

@@ -214,7 +214,7 @@ export function sketch({ label, unit, most }, onguess) {
       class: "sketch-point",
       role: "slider",
       tabindex: "0",
-      "aria-label": `${label} with the load at ${45 * i}°`,
+      "aria-label": { key: "{what} with the load at {angle}", values: { what: label, angle: `${45 * i}°` } },
       "aria-orientation": "vertical",
       "aria-valuemin": "0",
       "aria-valuemax": String(most),

@@ -8,7 +8,7 @@ const OTHER = {
   link: "The bits differ: {own} here, {other} where the link was made, perhaps with another version.",
 };
 
-/** @typedef {{ same: boolean, text: string }} Comparison */
+/** @typedef {{ same: boolean, text: Said }} Comparison */
 
 export class Sameness {
   /** @param {Preset[]} presets */
@@ -47,7 +47,7 @@ export class Sameness {
       const other = this[whose].get(query);
       if (!other) return [];
       const same = own === other;
-      return [{ same, text: same ? SAME[whose] : OTHER[whose].replace("{own}", own).replace("{other}", other) }];
+      return [{ same, text: same ? SAME[whose] : { key: OTHER[whose], values: { own, other } } }];
     });
   }
 }

@@ -74,9 +74,12 @@ export class Share {
   /** @param {string} name */
   async download(name) {
     const film = this.lab.film();
-    this.lab.notice.say(name.endsWith("mp4") ? "The film is being made; this takes a while …" : `Fetching ${name} …`);
+    this.lab.notice.say(name.endsWith("mp4")
+        ? "The film is being made; this takes a while …"
+        : { key: "Fetching {name} …", values: { name } },
+    );
     saveBlob(await this.lab.backend.file(name, film.query), `hophoop-${name}`);
-    this.lab.notice.say(`${name} is there.`);
+    this.lab.notice.say({ key: "{name} is there.", values: { name } });
   }
 
   /**

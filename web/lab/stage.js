@@ -5,7 +5,7 @@ import { h } from "./dom.js";
 import { degrees, length, show, withUnit } from "./numbers.js";
 import { Stage2D } from "./stage2d.js";
 import { Stage3D } from "./stage3d.js";
-import { local, t } from "./words.js";
+import { local, name, t } from "./words.js";
 
 const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
 
@@ -122,8 +122,7 @@ export class Stage {
 
   /** @param {Film[]} films */
   describe(films) {
-    const said = films.map((film) => film.summary).join(" ");
-    this.element.setAttribute("aria-label", `${t("The hoop.")} ${said}`);
+    name(this.element, "aria-label", ["The hoop.", ...films.flatMap((film) => [" ", film.summary])]);
   }
 
   /**

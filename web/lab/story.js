@@ -2,7 +2,6 @@
 
 import { h, say } from "./dom.js";
 import { show } from "./numbers.js";
-import { utter } from "./words.js";
 
 export class Story {
   /** @type {Film} */
@@ -46,12 +45,12 @@ export class Story {
    */
   draw(films, active, colors, comparisons) {
     this.film = films[active];
-    say(this.heading, films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens");
+    say(this.heading, films.length > 1 ? { key: "What happens to hoop {hoop}", values: { hoop: "AB"[active] } } : "What happens");
     this.summary.replaceChildren(
       ...films.flatMap((film, i) => [
         films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
-        film.summary,
-        film.status === "event_limit" || film.shortened ? " (not all events are shown)" : "",
+        h("span", {}, film.summary),
+        film.status === "event_limit" || film.shortened ? h("span", {}, " ", "(not all events are shown)") : "",
         i + 1 < films.length ? h("br") : "",
       ]),
     );
@@ -89,15 +88,15 @@ export class Story {
 
   /**
    * Tell a screen reader: the one place where changes are said, so that they do not talk over each other.
-   * @param {string} text
+   * @param {Said} said
    */
-  say(text) {
-    say(this.live, text);
+  say(said) {
+    say(this.live, said);
   }
 
   /** @param {Film[]} films */
   announce(films) {
-    this.say(utter(films.map((film) => film.summary).join(" ")));
+    this.say(films.flatMap((film, k) => (k ? [" ", film.summary] : [film.summary])));
   }
 
   /** @param {number} time */
@@ -150,11 +149,11 @@ export class Theory {
     this.element = h("section", { class: "theory" }, this.heading, this.list);
   }
 
-  /** @param {{ label: string, text: string }[]} thresholds */
+  /** @param {{ label: Said, text: Said }[]} thresholds */
   draw(thresholds, hoop = "") {
-    say(this.heading, hoop ? `What theory says of hoop ${hoop}` : "What theory says");
+    say(this.heading, hoop ? { key: "What theory says of hoop {hoop}", values: { hoop } } : "What theory says");
     this.list.replaceChildren(
-      ...thresholds.flatMap(({ label, /** @type {string} */ text }) => [h("dt", {}, label), h("dd", {}, text)]),
+      ...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]),
     );
   }
 }

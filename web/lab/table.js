@@ -3,7 +3,7 @@
 import { h, saveBlob, say } from "./dom.js";
 import { show } from "./numbers.js";
 import { QUANTITIES } from "./quantities.js";
-import { t, utter } from "./words.js";
+import { t } from "./words.js";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -155,8 +155,8 @@ export class Table {
     }));
     this.body.replaceChildren(...this.rows.map(({ row }) => row));
     const whole = film.duration / step + 1 <= MOST + 1e-6;
-    const more = t("The first {count} rows.", { count: MOST });
-    say(this.caption, whole ? film.summary : utter(`${film.summary} ${more}`));
+    const more = { key: "The first {count} rows.", values: { count: MOST } };
+    say(this.caption, whole ? film.summary : [film.summary, " ", more]);
     this.cursor(this.lab.clock.time);
   }
 
@@ -174,7 +174,7 @@ export class Table {
 
   save() {
     const { film, columns } = this;
-    const head = [...columns.map((key) => `${QUANTITIES[key].name} [${QUANTITIES[key].unit || "1"}]`), "mode"];
+    const head = [...columns.map((key) => `${t(QUANTITIES[key].name)} [${QUANTITIES[key].unit || "1"}]`), t("mode")];
     const rows = rowsOf(film, columns, Number(this.step.value)).map(({ mode, values }) => [...values, mode].join(","));
     saveBlob(new Blob([[head.join(","), ...rows, ""].join("\r\n")], { type: "text/csv" }), "hophoop-table.csv");
   }

@@ -2,13 +2,13 @@
 
 import { hoopInk, writing } from "./colors.js";
 import { fitted, h } from "./dom.js";
-import { EVENT_WORDS } from "./events.js";
+import { eventWord } from "./events.js";
 import { within } from "./map_axes.js";
 import { placed, stretches } from "./marks.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
 import { follow } from "./pointer.js";
 import { zoomable } from "./zoom.js";
-import { t, utter } from "./words.js";
+import { t } from "./words.js";
 
 export class Timeline {
   /** @type {Film[]} */
@@ -105,7 +105,7 @@ export class Timeline {
     const time = this.timeAt(event);
     const near = this.nearest(time, 8);
     const said = near
-      ? `${t(EVENT_WORDS[near.kind] ?? near.kind)} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      ? `${t(eventWord(near.kind))} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
       : `${show(time, 4)} s`;
     this.tip.textContent = said;
     this.tip.hidden = false;
@@ -202,10 +202,7 @@ export class Timeline {
     this.said = said;
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
     this.element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.element.setAttribute(
-      "aria-valuetext",
-      t("{time} seconds, {what}", { time: show(time, 4), what: utter(said) }),
-    );
+    this.element.setAttribute("aria-valuetext", t("{time} seconds, {what}", { time: show(time, 4), what: said }));
   }
 
   /**

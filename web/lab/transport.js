@@ -4,20 +4,19 @@ import { SPEEDS } from "./clock.js";
 import { h } from "./dom.js";
 import { icon } from "./icons.js";
 import { degrees, show } from "./numbers.js";
-import { EVENT_WORDS, leaves } from "./events.js";
-import { name, t, utter } from "./words.js";
+import { eventWord, leaves } from "./events.js";
+import { name } from "./words.js";
 
 const STEP = 1 / 60; // seconds
 
 /** @type {[keyof StageOptions, string, string][]} */
 const SWITCHES = [
-  ["traces", "Traces", "t"],
-  ["forces", "Forces", "f"],
-  ["speed", "Rim speed", "c"],
-  ["whole", "Whole path", "w"],
-  ["three", "3D", "3"],
+  ["traces", "Traces", "Traces (t)"],
+  ["forces", "Forces", "Forces (f)"],
+  ["speed", "Rim speed", "Rim speed (c)"],
+  ["whole", "Whole path", "Whole path (w)"],
+  ["three", "3D", "In space (3)"],
 ];
-const TITLES = { three: "In space" };
 
 /**
  * @param {Node | string} label
@@ -41,7 +40,7 @@ export class Transport {
    * @param {() => Film[]} films
    * @param {(name: keyof StageOptions) => void} toggle
    * @param {(text: string) => void} say what is seen
-   * @param {(text: string) => void} tell what a screen reader says
+   * @param {(said: Said) => void} tell what a screen reader says
    */
   constructor(clock, films, toggle, say, tell) {
     this.clock = clock;
@@ -62,10 +61,10 @@ export class Transport {
     );
     this.speeds.value = "1";
     this.switches = new Map(
-      SWITCHES.map(([name, label, key]) => {
-        const title = `${name === "three" ? TITLES.three : label} (${key})`;
-        return [name, h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label)];
-      }),
+      SWITCHES.map(([name, label, title]) => [
+        name,
+        h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label),
+      ]),
     );
     this.element = h(
       "div",
@@ -132,12 +131,8 @@ export class Transport {
     }
     this.clock.seek(next.event.t);
     const { event, lane } = next;
-    const hoop = this.films().length > 1 ? `${t(`Hoop ${"AB"[lane]}`)}: ` : "";
-    const what = t(EVENT_WORDS[event.kind] ?? event.kind);
-    this.tell(
-      utter(
-        `${hoop}${t("{what} at {angle}, {time} s", { what, angle: degrees(event.angle), time: show(event.t, 4) })}`,
-      ),
-    );
+    const values = { what: eventWord(event.kind), angle: degrees(event.angle), time: show(event.t, 4) };
+    const said = { key: "{what} at {angle}, {time} s", values };
+    this.tell(this.films().length > 1 ? [["Hoop A", "Hoop B"][lane], ": ", said] : said);
   }
 }

@@ -4,7 +4,7 @@ import { h, say } from "./dom.js";
 import { Film } from "./film.js";
 import { recall, remember } from "./memory.js";
 import { STEPS } from "./visit_steps.js";
-import { english, t } from "./words.js";
+import { name } from "./words.js";
 
 const KEY = "hophoop-visit";
 
@@ -117,7 +117,7 @@ export class Visit {
   /** What would tell the answer waits for the guess. */
   veil() {
     this.lab.root.classList.toggle("guessing", this.guessing);
-    if (this.guessing) this.lab.stage.element.setAttribute("aria-label", t("The hoop, before it is let go."));
+    if (this.guessing) name(this.lab.stage.element, "aria-label", "The hoop, before it is let go.");
   }
 
   /** @param {number} number */
@@ -135,7 +135,7 @@ export class Visit {
       h(
         "header",
         {},
-        h("span", { class: "visit-count" }, `Step ${number + 1} of ${STEPS.length}`),
+        h("span", { class: "visit-count" }, { key: "Step {number} of {all}", values: { number: number + 1, all: STEPS.length } }),
         h("progress", { max: String(STEPS.length), value: String(number + 1), "aria-hidden": "true" }),
         h(
           "button",
@@ -211,7 +211,7 @@ export class Visit {
     const points = guess.judge(truth);
     this.points.set(step.key, points);
     this.said.replaceChildren(
-      h("p", {}, h("b", {}, `${points} of 100 points.`), " ", english(text, values)),
+      h("p", {}, h("b", {}, { key: "{points} of 100 points.", values: { points } }), " ", { key: text, values }),
       h("p", {}, step.why ?? ""),
     );
     this.veil();
@@ -222,7 +222,7 @@ export class Visit {
 
   total() {
     const sum = [...this.points.values()].reduce((one, other) => one + other, 0);
-    this.said.replaceChildren(h("p", {}, `You have ${sum} of ${100 * this.points.size} points.`));
+    this.said.replaceChildren(h("p", {}, { key: "You have {sum} of {most} points.", values: { sum, most: 100 * this.points.size } }));
   }
 
   challenge() {

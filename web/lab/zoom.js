@@ -3,12 +3,8 @@
 import { focused } from "./dom.js";
 import { pinch } from "./pointer.js";
 
-// How it is said beside each of them.
-/** @type {(drags: string) => string} */
-export const zoomHint = (drags) =>
-  matchMedia("(hover: none)").matches
-    ? "two fingers zoom"
-    : `once clicked, or with Ctrl, the wheel zooms${drags && `; ${drags}`}; double-click for all`;
+/** Whether fingers zoom, not a wheel. */
+export const byFingers = () => matchMedia("(hover: none)").matches;
 
 const WHEEL = 0.0018;
 const MOST = 200; // of one turn of the wheel

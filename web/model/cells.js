@@ -115,7 +115,8 @@ export const spanOf = (what) => quantities[what].span;
  * @param {MapValues} found
  */
 export function mapReply({ x, y, what }, found) {
-  const { label, unit, words } = quantities[what];
+  const { unit, words } = quantities[what];
+  const label = `quantity.${what}`;
   const { values, names } = ordered(found, unit === "" ? words : null);
   const classes =
     unit === "" ? names.map((name) => ({ name, text: classText(name, what), color: classColor(name, what) })) : null;

@@ -2,28 +2,26 @@
 
 import { closest } from "./close.js";
 import { number, tables } from "./tables.js";
-import { fill, plain, pythonText, shortened } from "./text.js";
+import { listed, Refused, spoken } from "../words/texts.js";
+import { general, pythonText, shortened, written } from "./text.js";
 
 const { texts, scenario } = tables;
 
 /** Bad input, said in one sentence. */
-export class InputError extends Error {
-  /** @param {string} message */
-  constructor(message) {
-    super(plain(message));
-    this.name = "InputError";
-  }
+export class InputError extends Refused {
+  name = "InputError";
 }
 
 /** The request is valid, but asks for more than the lab computes at a time. */
 export class TooMuch extends InputError {}
 
 /**
- * A sentence of Python's, filled.
+ * A sentence with its values.
  * @param {string} name
  * @param {Record<string, any>} [values]
+ * @returns {Phrase}
  */
-export const say = (name, values = {}) => fill(texts[name], values);
+export const say = (name, values = {}) => ({ key: `refusal.${name}`, values: written(texts[name], values) });
 
 /** @param {any} value */
 export const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
@@ -31,7 +29,7 @@ export const isTable = (value) => value !== null && typeof value === "object" &&
 /**
  * What was found, and how numbers were given.
  * @typedef {object} Findings
- * @property {string[]} said one sentence each
+ * @property {Phrase[]} said one sentence each
  * @property {string} above path under which the scenario stands, with its dot
  * @property {(path: string) => boolean} float whether numbers there are always shown with a point
  */
@@ -56,12 +54,33 @@ export function refuse(found, path, value, kind, values) {
  * @param {Findings} found
  * @param {string} path
  * @param {any} value
- * @param {string} allowed what would be, in words
+ * @param {Phrase} allowed what would be, in words
  */
 export function refuseAs(found, path, value, allowed) {
   const shown = typeof value === "bigint" ? String(value) : pythonText(value, found.float(path));
-  const where = found.above + path || texts.whole_scenario;
+  const where = found.above + path || say("whole_scenario");
   found.said.push(say("finding", { path: where, shown: shortened(shown), allowed }));
+}
+
+/**
+ * A range in words.
+ * @param {Range} range
+ * @returns {Phrase}
+ */
+export function rangeText({ least, most, unit = "", also = [] }) {
+  const name = `${also.some((one) => number(one) === 0) ? "zero_or_" : ""}from_to${also.includes("inf") ? "_or_inf" : ""}`;
+  return { key: `range.${name}`, values: { least: general(least), most: `${general(most)}${unit && ` ${unit}`}` } };
+}
+
+/**
+ * One of several words.
+ * @param {string[]} words
+ * @returns {Said}
+ */
+function oneOf(words) {
+  const quoted = words.map((word) => `'${word}'`);
+  if (quoted.length === 1) return quoted[0];
+  return { key: "list.or", values: { some: listed(quoted.slice(0, -1)), last: quoted[quoted.length - 1] } };
 }
 
 /**
@@ -120,7 +139,7 @@ export function readValue(field, value, path, found) {
   if (value === null && field.nullable) return null;
   if (field.kind === "parts") return readParts(value, path, found);
   if (field.kind === "word") {
-    if (!field.options.includes(value)) refuse(found, path, value, "literal_error", field);
+    if (!field.options.includes(value)) refuse(found, path, value, "literal_error", { expected: oneOf(field.options) });
     return value;
   }
   const infinite = field.kind === "friction";
@@ -133,7 +152,7 @@ export function readValue(field, value, path, found) {
     if (within(kind, given, limit)) continue;
     return refuse(found, path, field.kind === "whole" ? BigInt(given) : value, kind, { limit });
   }
-  if (field.range && !holds(field.range, given)) return refuse(found, path, value, "range", field.range);
+  if (field.range && !holds(field.range, given)) return refuse(found, path, value, "range", { words: rangeText(field.range) });
   return given + 0; // no −0
 }
 
@@ -149,7 +168,8 @@ function within(kind, value, limit) {
 }
 
 /**
- * @param {{ least: number, most: number, also?: any[] }} range
+ * @typedef {{ least: number, most: number, unit?: string, also?: any[] }} Range
+ * @param {Range} range
  * @param {number} value
  */
 export const holds = ({ least, most, also = [] }, value) =>
@@ -201,9 +221,7 @@ export function tagged(data, key, models, path, found, usual) {
   }
   if (typeof word === "string" && Object.hasOwn(models, word)) return models[word];
   const said = typeof word === "string" ? word : pythonText(word, found.float(`${path}.${key}`));
-  const words = Object.keys(models).map((name) => `'${name}'`);
-  const expected = `${words.slice(0, -1).join(", ")} or ${words.at(-1)}`;
-  const allowed = say("literal_error", { expected });
+  const allowed = say("literal_error", { expected: oneOf(Object.keys(models)) });
   const values = { path: `${found.above}${path}.${key}`, shown: shortened(pythonText(said)), allowed };
   found.said.push(say("finding", values));
   return null;
@@ -211,10 +229,12 @@ export function tagged(data, key, models, path, found, usual) {
 
 /**
  * The one sentence of all that was found.
- * @param {string[]} said
+ * @param {Phrase[]} said
+ * @returns {Phrase}
  */
 export function whole(said) {
   const count = said.length - 1;
   if (!count) return said[0];
-  return say(count === 1 ? "other_problem" : "other_problems", { first: said[0].replace(/\.$/, ""), count });
+  const first = () => spoken(said[0]).replace(/[.。]$/, "");
+  return { key: "refusal.other_problems", values: { first, count } };
 }

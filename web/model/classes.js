@@ -3,7 +3,6 @@
 import { tables } from "./tables.js";
 
 const { codes, families, massless, hops, rolls, other } = tables.classes;
-const { sequence: letters } = tables.words;
 const SEQUENCE = "sequence";
 
 /**
@@ -51,8 +50,10 @@ export function classColor(name, quantity) {
  * A class in words.
  * @param {string} name
  * @param {string} quantity
+ * @returns {Said}
  */
 export function classText(name, quantity) {
-  if (quantity !== SEQUENCE) return name.replaceAll("_", " ");
-  return [...name].map((letter) => letters[letter]).join(" → ");
+  if (quantity !== SEQUENCE) return `class.${name}`;
+  const letters = [...name].map((letter) => (letter === "+" ? "…" : `sequence.${letter}`));
+  return letters.flatMap((letter, k) => (k ? [" → ", letter] : [letter]));
 }

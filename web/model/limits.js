@@ -4,7 +4,7 @@ import { holds, InputError, TooMuch } from "./check.js";
 import { stateOf } from "./given.js";
 import { contradiction } from "./paths.js";
 import { tables } from "./tables.js";
-import { fill, general } from "./text.js";
+import { general, written } from "./text.js";
 
 const { lab, limits } = tables;
 const { allowed, events: MOST_EVENTS, flight_turns: FLIGHT_TURNS, quantities } = tables.map;
@@ -13,11 +13,12 @@ const TINY = 1e-300;
 /** @typedef {{ path: string, from: number, to: number, cells: number }} Axis */
 
 /**
- * A sentence of the lab's, filled.
+ * A sentence of the lab's, with its values.
  * @param {string} name
  * @param {Record<string, any>} [values]
+ * @returns {Phrase}
  */
-export const labText = (name, values = {}) => fill(lab[name], values);
+export const labText = (name, values = {}) => ({ key: `lab.${name}`, values: written(lab[name], values) });
 
 /**
  * What the page says of a motion that doubles do not decide.

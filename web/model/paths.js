@@ -51,7 +51,7 @@ const PART_FIELDS = Object.assign(
 /**
  * A path that no scenario has, in a sentence.
  * @param {string} path
- * @returns {string | null}
+ * @returns {Phrase | null}
  */
 export function unknownPath(path) {
   if (PATHS.has(path) || (PART.exec(path)?.[1] ?? "") in PART_FIELDS) return null;

@@ -1,6 +1,7 @@
 // What ties the fields of a scenario together: Python's validators of hoop, plane, start and contact.
 
-import { holds, say } from "./check.js";
+import { Refused } from "../words/texts.js";
+import { holds, rangeText, say } from "./check.js";
 import { number, tables } from "./tables.js";
 
 const { scenario } = tables;
@@ -9,7 +10,7 @@ const FRICTIONS = ["mu_static", "mu_kinetic"];
 const FREE = ["height", "vx", "vy", "omega"];
 
 /** A rule that is broken. */
-export class Broken extends Error {}
+export class Broken extends Refused {}
 
 /**
  * @param {string} name
@@ -58,9 +59,9 @@ export function completeHoop({ values, given }, mechanics) {
   }
   const { mass, inertia_ratio, load_fraction, eccentricity } = hoop;
   const ranges = scenario.ranges;
-  if (!holds(ranges["hoop.mass"], mass)) broken("hoop_mass", { mass, words: ranges["hoop.mass"].words });
+  if (!holds(ranges["hoop.mass"], mass)) broken("hoop_mass", { mass, words: rangeText(ranges["hoop.mass"]) });
   if (!holds(ranges["hoop.inertia_ratio"], inertia_ratio)) {
-    const { words } = ranges["hoop.inertia_ratio"];
+    const words = rangeText(ranges["hoop.inertia_ratio"]);
     broken(hoop.parts ? "parts_inertia" : "load_inertia", { load_fraction, inertia_ratio, words });
   }
   if (inertia_ratio === 0 && eccentricity !== 1) broken("massless_eccentricity", { eccentricity });
@@ -99,7 +100,7 @@ export function completePlane({ values, given }) {
   if (mu_kinetic > mu_static) broken("kinetic_above_static", { mu_kinetic, mu_static });
   if (!(Math.abs(slope) < 0.5 * Math.PI)) broken("vertical", { slope });
   const range = scenario.ranges["plane.slope"];
-  if (!holds(range, slope)) broken("slope", { slope, words: range.words });
+  if (!holds(range, slope)) broken("slope", { slope, words: rangeText(range) });
   return plane;
 }
 
@@ -162,7 +163,7 @@ function fittingContact(contact, compliance) {
     const value = contact[name];
     if (value === null) continue;
     const relative = /** @type {any} */ (compliance)[name];
-    if (!holds(range, relative)) broken("relative_contact", { name, value, relative, unit, words: range.words });
+    if (!holds(range, relative)) broken("relative_contact", { name, value, relative, unit, words: rangeText(range) });
   }
   const { depth } = compliance;
   const most = number(scenario.most_depth);

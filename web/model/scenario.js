@@ -100,7 +100,7 @@ function kept(found, make) {
     return make();
   } catch (error) {
     if (!(error instanceof Broken)) throw error;
-    found.said.push(error.message);
+    found.said.push(error.said);
     return null;
   }
 }

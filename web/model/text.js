@@ -115,20 +115,23 @@ export function fixed(value, decimals) {
 }
 
 /**
- * A template of Python's, filled: `{name}`, `{name!r}`, `{name:.3g}`.
+ * The values of a template of Python's as texts: of `{name}`, `{name!r}`, `{name:.3g}`. What is said already stays.
  * @param {string} template
  * @param {Record<string, any>} values
+ * @returns {Values}
  */
-export function fill(template, values) {
-  return template.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g, (_, name, quoted, digits, kind) => {
-    const value = values[name];
-    if (value instanceof Shown) return value.text;
+export function written(template, values) {
+  const one = (/** @type {any} */ value, /** @type {string[]} */ [, , quoted, digits, kind]) => {
+    if (value?.key || typeof value === "function") return value;
+    if (value instanceof Shown) return plain(value.text);
     if (quoted) return pythonText(value);
     if (kind === "g") return general(value, digits === "" ? 6 : Number(digits) || 1);
     if (kind === "e") return exponential(value, Number(digits));
     if (kind === "f") return fixed(value, Number(digits));
-    return String(value);
-  });
+    return typeof value === "number" ? value : plain(String(value));
+  };
+  const places = [...template.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g)];
+  return Object.fromEntries(places.map((place) => [place[1], one(values[place[1]], place)]));
 }
 
 /**

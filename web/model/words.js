@@ -1,9 +1,10 @@
 // A motion told in words, from its events: the page's side of lab/words.py, with the same sentences.
 
 import { tables } from "./tables.js";
-import { fill, fixed, general } from "./text.js";
+import { listed } from "../words/texts.js";
+import { fixed, general } from "./text.js";
 
-const { letters, modes, verbs, events: kinds, statuses, story: STORY, summary: SUMMARY } = tables.words;
+const { letters, modes, summed_up: SUMMED_UP } = tables.words;
 const MOST_TOLD = 400;
 const [, SPIN, SKID, FLIGHT, SKIM] = modes;
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -49,15 +50,16 @@ export function story(motion, most = MOST_TOLD) {
   for (const [number, event] of motion.events.entries()) {
     const bounces = many.get(number);
     if (bounces === 0) continue;
-    const text = bounces === undefined ? say(motion, number, event) : fill(STORY.more_bounces, { count: bounces });
-    if (!text) continue;
+    if (event.kind === "end") continue;
+    const text =
+      bounces === undefined ? say(motion, number, event) : { key: "story.more_bounces", values: { count: bounces } };
     if (told.length >= most) {
       leftOut++;
       continue;
     }
     told.push({ t: event.t, event: number, mode: letters[modes.indexOf(wordAfter(motion, number))], text });
   }
-  if (leftOut) told.push({ ...told[told.length - 1], text: fill(STORY.left_out, { count: leftOut }) });
+  if (leftOut) told.push({ ...told[told.length - 1], text: { key: "story.left_out", values: { count: leftOut } } });
   return told;
 }
 
@@ -90,31 +92,32 @@ function manyBounces(events, told = 3, least = 6) {
 /**
  * The motion in one sentence.
  * @param {Told} motion
+ * @returns {Phrase}
  */
 export function summary(motion, most = 6) {
-  /** @type {string[]} */
+  /** @type {Said[]} */
   const phrases = [];
   let changes = 0;
   const many = manyBounces(motion.events, 1);
   for (const [number, event] of motion.events.entries()) {
     const more = many.get(number);
     if (more !== undefined) {
-      if (more) phrases.push(fill(SUMMARY.more_bounces, { count: more }));
+      if (more) phrases.push({ key: "summary.more_times", values: { what: phrases.pop() ?? "", count: more } });
       continue;
     }
     if (event.kind === "start" || !phrases.length) {
-      phrases.push(verbs[wordAfter(motion, number)]);
+      phrases.push(`verb.${wordAfter(motion, number)}`);
       continue;
     }
-    const phrase = phraseOf(motion, number, event);
-    if (!phrase) continue;
+    const key = phraseOf(motion, number, event);
+    if (!key) continue;
     changes++;
-    if (changes <= most) phrases.push(fill(SUMMARY.change, { phrase, where: degrees(event.angle) }));
+    if (changes <= most) phrases.push({ key, values: { where: degrees(event.angle) } });
   }
-  const rest = changes > most ? fill(SUMMARY.more_changes, { count: changes - most }) : "";
-  const text = phrases.join(", ").replaceAll(", and ", " and ") + rest;
-  const values = { phrases: text.slice(0, 1).toUpperCase() + text.slice(1), ending: statuses[motion.status] };
-  return fill(SUMMARY.sentence, values).trim();
+  if (changes > most) phrases.push({ key: "summary.more_changes", values: { count: changes - most } });
+  const ending = `status.${motion.status}`;
+  if (motion.status === "completed") return { key: "summary.whole", values: { phrases: listed(phrases) } };
+  return { key: "summary.with_ending", values: { phrases: listed(phrases), ending } };
 }
 
 /**
@@ -124,26 +127,24 @@ export function summary(motion, most = 6) {
  * @returns {string}
  */
 function phraseOf(motion, number, event) {
-  if (event.collision === false) return SUMMARY.without_collision;
-  if (bounces(event)) return SUMMARY.bounces;
+  if (event.collision === false) return "summary.without_collision";
+  if (bounces(event)) return "summary.bounces";
   if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event))
-    return verbs[wordAfter(motion, number)];
-  const { verb, summed_up } = kinds[event.kind];
-  return summed_up ? verb : "";
+    return `summary.${wordAfter(motion, number)}`;
+  return SUMMED_UP.includes(event.kind) ? `summary.${event.kind}` : "";
 }
 
 /**
  * @param {Told} motion
  * @param {number} number
  * @param {MotionEvent} event
- * @returns {string}
+ * @returns {Phrase}
  */
 function say(motion, number, event) {
   const word = wordAfter(motion, number);
-  /** @type {Record<string, any>} */
-  const values = { where: degrees(event.angle), verb: verbs[word], kind: event.kind.replaceAll("_", " ") };
-  const name = nameOf(motion.events, number, word, values);
-  return fill(STORY[name] ?? STORY.other, values);
+  /** @type {Values} */
+  const values = { where: degrees(event.angle), verb: `verb.${word}` };
+  return { key: `story.${nameOf(motion.events, number, word, values)}`, values };
 }
 
 /**
@@ -151,17 +152,14 @@ function say(motion, number, event) {
  * @param {MotionEvent[]} events
  * @param {number} number
  * @param {string} word
- * @param {Record<string, any>} values
+ * @param {Values} values
  */
 function nameOf(events, number, word, values) {
   const event = events[number];
   const { kind } = event;
   if (kind === "start") {
     values.speed = inWords(event.vx);
-    values.started = fill(
-      word === FLIGHT ? STORY.started_flight : word === SKIM ? STORY.started_skim : STORY.started,
-      values,
-    );
+    if (word === FLIGHT || word === SKIM) return `start_${word}`;
   }
   if (kind === "slip_start" && word === SPIN) return "slip_start_spin";
   if (kind === "takeoff") return takeoff(events, number, values);
@@ -179,7 +177,7 @@ function nameOf(events, number, word, values) {
 /**
  * @param {MotionEvent[]} events
  * @param {number} number
- * @param {Record<string, any>} values
+ * @param {Values} values
  */
 function takeoff(events, number, values) {
   const { t } = events[number];

@@ -5,7 +5,8 @@ import { qrcode } from "./qr.js";
 const site = new URL("../", import.meta.url);
 
 // the words of the lab, and its choice of a language
-const { adopt, current, languageMenu, repeat, t } = await import(new URL("lab.js", import.meta.url).href);
+const lab = await import(new URL("lab.js", import.meta.url).href);
+const { current, languageMenu, name, repeat, say, speakFrom, t } = lab;
 
 /** @param {string} id */
 const find = (id) => /** @type {any} */ (document.getElementById(id));
@@ -46,7 +47,7 @@ function show() {
 /** @param {any} event */
 async function copy({ target }) {
   await navigator.clipboard.writeText(find(target.dataset.copies).value);
-  find("said").textContent = t("Copied.");
+  say(find("said"), "Copied.");
 }
 
 function spoken() {
@@ -56,7 +57,10 @@ function spoken() {
   show();
 }
 
-adopt(document.body);
+await speakFrom(new URL("./", import.meta.url));
+// the page holds keys; from now on its words follow the language
+for (const element of document.querySelectorAll("[data-said]")) say(element, element.dataset.said);
+for (const element of document.querySelectorAll("[data-label]")) name(element, "aria-label", element.dataset.label);
 find("language").append(
   languageMenu(() => {
     repeat(document.body);

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import UnionType
@@ -19,11 +20,12 @@ from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.records.layout import CELL
 from hophoop.lab.calls import CALLS
+from hophoop.lab.controls import GRAVITIES
 from hophoop.lab.files import SAMPLES_PER_SECOND
 from hophoop.lab.film import SHOWN
 from hophoop.lab.limits import USUAL
 from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
-from hophoop.lab.presets import presets
+from hophoop.lab.presets import GROUPS, presets
 from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
@@ -41,8 +43,9 @@ from hophoop.vocabulary.events import EVENTS, SIGNS
 from hophoop.vocabulary.laws import LAWS
 from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
 from hophoop.vocabulary.quantities import COLUMNS
-from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
+from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
 from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.words import plain
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 
@@ -71,16 +74,8 @@ def tables() -> dict[str, Any]:
         "words": {
             "letters": "".join(modes.MODE_LETTERS),
             "modes": modes.MODE_WORDS,
-            "verbs": modes.VERBS,
-            "events": {
-                kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
-            },
+            "summed_up": [kind for kind, event in EVENTS.items() if event.summed_up],
             "signs": SIGNS,
-            "statuses": {status: facts.sentence for status, facts in STATUSES.items()},
-            "sequence": modes.LETTERS,
-            "story": STORY,
-            "summary": SUMMARY,
-            "theory": THEORY,
             "least_speed": LEAST_SPEED,
         },
         "classes": {
@@ -102,13 +97,11 @@ def tables() -> dict[str, Any]:
             # the columns of a cell that change by as much as a parameter of which a motion has derivatives
             "rates": {row.path: row.column for row in TABLE if row.derivative and row.column},
             "quantities": {
-                name: {"label": label, "span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
-                for name, (label, span) in MAP_QUANTITIES.items()
+                name: {"span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
+                for name, (_, span) in MAP_QUANTITIES.items()
             },
         },
         "lab": LAB,
-        # reasons for a missing derivative, by the module's names; and the reason for a one-sided one
-        "reasons": {reason.name.lower(): text for reason, text in REASONS.items()} | {"edge": EDGE, "sided": SIDED},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
         # options of each call
         "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
@@ -117,6 +110,42 @@ def tables() -> dict[str, Any]:
         "shown": SHOWN,
     }
     return found
+
+
+def english() -> dict[str, str | dict[str, str]]:
+    """Return what the page says in words of Python's own, by their keys in web/words/en.json.
+
+    Returns
+    -------
+    texts : dict
+        A text, or one for each plural; {places} without the format of their values.
+    """
+    found: dict[str, str] = {
+        **{f"mode.{word}": word for word in modes.WORDS},
+        **{f"verb.{word}": verb for word, verb in modes.VERBS.items()},
+        **{f"sequence.{letter}": text for letter, text in modes.LETTERS.items() if letter in modes.MODE_LETTERS},
+        **{f"event.{kind}": event.label for kind, event in EVENTS.items()},
+        **{f"status.{status}": facts.sentence for status, facts in STATUSES.items() if facts.sentence},
+        **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in classes.CODES.get(what, ())},
+        **{f"reason.{reason.name.lower()}": text for reason, text in REASONS.items()},
+        **{"reason.edge": EDGE, "reason.sided": SIDED},
+        **{f"quantity.{name}": label for name, (label, _) in MAP_QUANTITIES.items()},
+        **{f"gravity.{name.lower()}": name for name, _ in GRAVITIES},
+        **{f"examples.{key}": title for key, title in GROUPS.items()},
+        **{f"refusal.{name}": text for name, text in TEXTS.items() if not name.startswith("other_problem")},
+        **{f"lab.{name}": text for name, text in LAB.items()},
+    }
+    for row in TABLE:
+        if row.slider or row.choices:
+            found |= {f"parameter.{row.path}": row.label, f"help.{row.path}": row.meaning}
+        found |= {f"choice.{row.path}.{value}": label for value, label in row.choices}
+        if row.axis:
+            found[f"axis.{row.path}"] = row.axis.label or f"{row.label} {row.symbol}"
+    for preset in presets():
+        found |= {f"example.{preset.key}": preset.title, f"example.{preset.key}.text": preset.text}
+    texts: dict[str, str | dict[str, str]] = {key: re.sub(r"\{(\w+)[^}]*\}", r"{\1}", text) for key, text in found.items()}
+    texts["refusal.other_problems"] = {"one": TEXTS["other_problem"], "other": TEXTS["other_problems"]}
+    return texts
 
 
 def _fingerprint(scenario: Scenario) -> str | None:
@@ -182,9 +211,7 @@ def _field(field: FieldInfo) -> dict[str, Any]:
                 made.setdefault("limits", []).extend(found)
     if get_origin(kind) is Literal:
         options = get_args(kind)
-        quoted = [repr(option) for option in options]
-        said = " or ".join(part for part in (", ".join(quoted[:-1]), quoted[-1]) if part)
-        made.update(kind="word", options=options, expected=said)
+        made.update(kind="word", options=options)
     elif get_origin(kind) is tuple:
         made["kind"] = "parts"
     return made
@@ -207,7 +234,9 @@ def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], 
 
 
 def _range(allowed: Range, unit: str = "") -> dict[str, Any]:
-    made = {"least": allowed.least, "most": allowed.most, "words": allowed.words(unit)}
+    made: dict[str, Any] = {"least": allowed.least, "most": allowed.most}
+    if unit not in ("", "1"):
+        made["unit"] = unit
     return made | ({"also": _written(list(allowed.also))} if allowed.also else {})
 
 
