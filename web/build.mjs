@@ -2,8 +2,8 @@
 // one program for the films that turn. Both are kept in git, so that installing the package needs no Node.
 
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync } from "node:fs";
-import { basename, dirname, join } from "node:path";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
@@ -30,27 +30,10 @@ function stamp() {
   return hash.digest("hex").slice(0, 32);
 }
 
-// Each language has the same keys, English sentences, which are a third of all that the page loads: they are put in once.
-const words = {
-  name: "words",
-  setup(bundler) {
-    bundler.onLoad({ filter: /words[/\\]\w+\.json$/ }, ({ path }) => {
-      if (basename(path) === "de.json") return undefined;
-      const read = (name) => JSON.parse(readFileSync(name, "utf8"));
-      const table = read(path);
-      const keys = Object.keys(read(join(dirname(path), "de.json")));
-      if (Object.keys(table).length !== keys.length || keys.some((key) => !(key in table)))
-        throw new Error(`${path} has not the keys of de.json`);
-      const values = JSON.stringify(keys.map((key) => table[key]));
-      return {
-        contents:
-          `import de from "./de.json" with { type: "json" };\nconst values = ${values};\n` +
-          "export default Object.fromEntries(Object.keys(de).map((key, place) => [key, values[place]]));",
-        loader: "js",
-      };
-    });
-  },
-};
+// English is in the script; another language is a file beside it, which the page asks for by the hash of all.
+const LANGUAGES = readdirSync(join(here, "words")).filter((name) => name.endsWith(".json") && name !== "en.json");
+const tables = LANGUAGES.map((name) => [name, JSON.stringify(JSON.parse(readFileSync(join(here, "words", name), "utf8")))]);
+const hash = createHash("sha256").update(tables.join()).digest("hex").slice(0, 12);
 
 const folder = process.argv[2]; // where to write instead, to compare
 for (const { entry, file, format } of TARGETS) {
@@ -64,7 +47,10 @@ for (const { entry, file, format } of TARGETS) {
     target: "es2022",
     charset: "utf8",
     legalComments: "none",
-    plugins: [words],
+    define: { WORDS: JSON.stringify(hash) },
     banner: { js: `/* Built from web/${entry} by esbuild ${version}; sources ${stamp()} */` },
   });
+}
+for (const [name, text] of tables) {
+  writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), `words.${name}`), `${text}\n`);
 }

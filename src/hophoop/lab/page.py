@@ -52,6 +52,7 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
     kinds = {
         ".js": "text/javascript; charset=utf-8",
         ".css": "text/css; charset=utf-8",
+        ".json": "application/json",
         ".svg": "image/svg+xml",
         ".txt": "text/plain; charset=utf-8",
     }

@@ -73,6 +73,8 @@ def _widget_class() -> Any:
         # the page's own kernel and worker: sliders need no round trip, even in a notebook exported to HTML
         module = traitlets.Bytes().tag(sync=True)
         worker = traitlets.Unicode().tag(sync=True)
+        # of all languages: a saved notebook speaks that of its reader
+        words = traitlets.Bytes().tag(sync=True)
         # the scenario's link; changes when another motion is chosen, so that other cells can follow
         query = traitlets.Unicode().tag(sync=True)
 
@@ -83,6 +85,7 @@ def _widget_class() -> Any:
                 panels=panels,
                 module=site.packed_module(),
                 worker=site.static_bytes("kernel.js").decode(),
+                words=site.packed_words(),
                 query=motion.scenario.to_query(),
             )
             self._motion = motion
