@@ -29,7 +29,10 @@ function speakPacked(packed) {
   };
   /** @type {Promise<Record<string, Words>> | undefined} */
   let tables;
-  wordsFrom(async (code) => (await (tables ??= unpacked()))[code]);
+  wordsFrom(async (code) => {
+    tables ??= unpacked();
+    return (await tables)[code];
+  });
   return speak(preferred()).catch(() => {});
 }
 
