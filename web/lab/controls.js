@@ -52,6 +52,7 @@ class Slider {
       onblur: hold(false),
     });
     const { label, unit } = info;
+    /** @type {Phrase} */
     const name = unit
       ? { key: "{name}, exact value in {unit}", values: { name: label, unit } }
       : { key: "{name}, exact value", values: { name: label } };

@@ -21,7 +21,7 @@ const OPTIONS = {
  * A key that a call does not take, in a sentence.
  * @param {string} name
  * @param {Record<string, any>} body
- * @returns {string | null}
+ * @returns {Phrase | null}
  */
 export function strange(name, body) {
   const takes = calls[name];
@@ -52,7 +52,7 @@ export function readOptions(name, body, found) {
  * @param {string} name
  * @param {Findings} found
  * @param {number} count
- * @param {string} allowed
+ * @param {Phrase} allowed
  */
 function readNumbers(value, name, found, count, allowed) {
   if (!Array.isArray(value) || value.length !== count) return refuseAs(found, name, value, allowed);

@@ -59,8 +59,10 @@ function spoken() {
 
 await speakFrom(new URL("./", import.meta.url));
 // the page holds keys; from now on its words follow the language
-for (const element of document.querySelectorAll("[data-said]")) say(element, element.dataset.said);
-for (const element of document.querySelectorAll("[data-label]")) name(element, "aria-label", element.dataset.label);
+for (const element of document.querySelectorAll("[data-said]")) say(element, element.getAttribute("data-said"));
+for (const element of document.querySelectorAll("[data-label]")) {
+  name(element, "aria-label", element.getAttribute("data-label"));
+}
 find("language").append(
   languageMenu(() => {
     repeat(document.body);
