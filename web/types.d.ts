@@ -1,7 +1,7 @@
 // What Python sends, and the shapes that several files share. The classes are in the files themselves.
 
-type Film = import("./lab/film.js").Film;
-type Clock = import("./lab/clock.js").Clock;
+type Film = import("./lab/player/film.ts").Film;
+type Clock = import("./lab/player/clock.ts").Clock;
 
 /** A hash of the tables of all languages, written by the build. */
 declare const WORDS: string;
@@ -253,7 +253,7 @@ interface PlotShared {
 
 type Vector = number[]; // of three
 type Matrix = Float32Array; // columns of four
-type Camera = import("./scene/camera.js").Camera;
+type Camera = import("./scene/camera.ts").Camera;
 
 interface Program {
   program: WebGLProgram;

@@ -1,0 +1,100 @@
+// A motion's states as a film shows them: at a steady rate, and at both sides of every event.
+
+import { EVENT, layout, SAMPLE } from "./layout.ts";
+import type { HoopModule } from "./module.ts";
+
+const RATE = 150; // samples a second
+const FEWEST = 240;
+const MOST = 6000;
+const [ROLL, SPIN, SKID] = [0, 1, 2]; // places of the words, and of the modes' letters
+
+/** Fields of a state, and of which columns of the module each is the sum. */
+const COLUMNS: Record<string, string[]> = {
+  x: ["x"],
+  height: ["height"],
+  angle: ["angle"],
+  vx: ["vx"],
+  vy: ["vy"],
+  omega: ["omega"],
+  slip: ["slip"],
+  friction_force: ["friction_force"],
+  normal_force: ["normal_force"],
+  kinetic: ["kinetic"],
+  potential: ["potential"],
+  friction_loss: ["friction", "impact_tangential"],
+  normal_loss: ["impact_normal", "damping"],
+  rolling_resistance: ["rolling_resistance"],
+  utilization: ["utilization"],
+};
+
+/** `module`: in which the motion was computed last; `window`: times from and to; the whole motion by default. */
+export function columnsOf(module: HoopModule, computed: Computed, window?: [number, number]) {
+  const { rows, count, duration } = computed;
+  const [begin, end] = (window ?? [0, duration]).map((time) => Math.min(Math.max(time, 0), duration));
+  const steps = Math.min(Math.max(Math.ceil((end - begin) * RATE), FEWEST), MOST);
+  const width = layout.events.length;
+  const places: Set<number> = new Set();
+  for (let k = 0; k <= steps && duration > 0; k++) places.add(k === steps ? end : begin + k * ((end - begin) / steps));
+  const marks = new Set();
+  // the end of the last piece can lie a rounding beyond the duration
+  for (let k = 0; k < count; k++) {
+    const mark = Math.min(rows[k * width + EVENT.t], duration);
+    if (mark >= begin && mark <= end) marks.add(mark);
+  }
+  for (const mark of marks) places.add(mark);
+  const times = Float64Array.from(places).sort();
+  const sides = Float64Array.from(marks)
+    .filter((time) => time > 0)
+    .sort();
+  const after = module.states(computed, times, false);
+  const before = module.states(computed, sides, true);
+  return joined(times, after, sides, before);
+}
+
+function joined(times: Float64Array, after: Float64Array, sides: Float64Array, before: Float64Array) {
+  const size = times.length + sides.length;
+  const width = layout.samples.length;
+  const t = new Float64Array(size);
+  const states = new Float64Array(size * width);
+  let place = 0;
+  let side = 0;
+  for (let k = 0; k < times.length; k++) {
+    if (side < sides.length && sides[side] <= times[k]) {
+      t[place] = sides[side];
+      states.set(before.subarray(side * width, (side + 1) * width), place * width);
+      place++;
+      side++;
+    }
+    t[place] = times[k];
+    states.set(after.subarray(k * width, (k + 1) * width), place * width);
+    place++;
+  }
+  const columns: Record<string, Column> = { t };
+  for (const [name, parts] of Object.entries(COLUMNS)) {
+    // from −0, so that a sum of one part has all its bits
+    const column = new Float64Array(size).fill(-0);
+    for (const part of parts) {
+      for (let k = 0; k < size; k++) column[k] += states[k * width + SAMPLE[part]];
+    }
+    columns[name] = column;
+  }
+  columns.mode = wordsOf(states, size, columns.omega);
+  return columns;
+}
+
+// A slip's word follows the rotation; where the hoop does not turn, the one that comes.
+function wordsOf(states: Float64Array, size: number, omega: Column) {
+  const width = layout.samples.length;
+  const words = new Float64Array(size);
+  let turning = 0;
+  for (let k = size - 1; k >= 0 && !turning; k--) turning = Math.sign(omega[k]) || 0;
+  for (let k = size - 1; k >= 0; k--) {
+    turning = Math.sign(omega[k]) || turning;
+    const mode = states[k * width + SAMPLE.mode];
+    const slip = mode === SPIN ? -1 : mode === SKID ? 1 : 0;
+    words[k] = slip === 0 ? mode : slip * turning < 0 ? SPIN : SKID;
+  }
+  return words;
+}
+
+export { ROLL };

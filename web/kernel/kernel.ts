@@ -1,0 +1,134 @@
+// The kernel of a page without a server: the module in workers, and in the page itself what checking a scenario needs.
+
+import { Crew } from "./crew.ts";
+import { layout } from "./layout.ts";
+import { HoopModule } from "./module.ts";
+
+const LIMIT = 10_000; // milliseconds
+const UNLOADED =
+  "The part of the page that computes this could not be loaded; choose it again when there is a network.";
+const BLOCK = 256; // cells of a map that a worker gets at a time
+
+function ofText(script: string): () => Worker {
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  return () => new Worker(address, { type: "module" });
+}
+
+async function fetched(address: URL): Promise<WebAssembly.Module> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`The kernel is not there: ${address.pathname} gives ${response.status}.`);
+  const typed = response.headers.get("Content-Type") === "application/wasm";
+  return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+async function unpacked(packed: ArrayBufferView<ArrayBuffer>): Promise<WebAssembly.Module> {
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+}
+
+export class WorkerKernel implements Kernel {
+  rates: Promise<Crew> | null = null;
+  mechanics: HoopModule;
+  motions: Crew;
+  maps: Crew;
+
+  /** `derivatives`: fetches their module. */
+  constructor(
+    compiled: WebAssembly.Module,
+    readonly start: () => Worker,
+    readonly derivatives: () => Promise<WebAssembly.Module>,
+  ) {
+    this.mechanics = new HoopModule(compiled);
+    this.motions = new Crew(start, compiled, 2, LIMIT);
+    const cores = navigator.hardwareConcurrency || 2;
+    this.maps = new Crew(start, compiled, Math.max(1, Math.min(cores - 1, 8)), LIMIT);
+  }
+
+  /** From the files beside the page. `base`: folder of kernel.js and hophoop.wasm. */
+  static async load(base: URL | string) {
+    const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
+    const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
+    const script = new URL(`kernel.js?${layout.module}`, base);
+    if (script.origin === globalThis.location?.origin) {
+      return new WorkerKernel(compiled, () => new Worker(script, { type: "module" }), derivatives);
+    }
+    // a page elsewhere embeds this one: a worker's script must be its own
+    return new WorkerKernel(compiled, ofText(await (await fetch(script)).text()), derivatives);
+  }
+
+  /**
+   * From what travels with a notebook. `packed`: the module, compressed by gzip; `script`: of the worker;
+   * `derivatives`: asks for their module, compressed as well.
+   */
+  static async unpack(
+    packed: ArrayBufferView<ArrayBuffer>,
+    script: string,
+    derivatives: () => Promise<ArrayBufferView<ArrayBuffer>>,
+  ) {
+    return new WorkerKernel(await unpacked(packed), ofText(script), async () => unpacked(await derivatives()));
+  }
+
+  motion(given: Given, signal?: AbortSignal) {
+    return this.motions.ask("motion", [given], signal);
+  }
+
+  film(given: Given, signal?: AbortSignal) {
+    return this.motions.ask("film", [given], signal);
+  }
+
+  /** `window`: times from and to; the whole motion by default. */
+  columns(given: Given, signal?: AbortSignal, window?: [number, number]) {
+    return this.motions.ask("columns", [given, window], signal);
+  }
+
+  samples(given: Given, times: Float64Array, signal?: AbortSignal) {
+    return this.motions.ask("samples", [given, times], signal);
+  }
+
+  /** Its module is fetched when it is first asked for, and again where that failed. */
+  async changes(given: Given, rates: Float64Array, signal?: AbortSignal): Promise<MotionChanges> {
+    this.rates ??= this.derivatives().then((compiled) => new Crew(this.start, compiled, 1, LIMIT));
+    const crew = await this.rates.catch(() => {
+      this.rates = null;
+      throw new Error(UNLOADED);
+    });
+    return crew.ask("changes", [given, rates], signal);
+  }
+
+  thresholds(given: Given, signal?: AbortSignal) {
+    return this.motions.ask("thresholds", [given], signal);
+  }
+
+  regions(given: Given, window: [number, number, number, number], columns: number, rows: number, signal?: AbortSignal) {
+    return this.motions.ask("regions", [given, window, columns, rows], signal);
+  }
+
+  async map({ count, rows }: MapCells, what: string, span: string, signal?: AbortSignal): Promise<MapValues> {
+    const fields = layout.cell.length;
+    const values = new Float64Array(count).fill(Number.NaN);
+    const sequences: string[] = [];
+    const block = async (first: number) => {
+      const size = Math.min(BLOCK, count - first);
+      const part = new Float64Array(fields * size);
+      for (let field = 0; field < fields; field++) {
+        part.set(rows.subarray(field * count + first, field * count + first + size), field * size);
+      }
+      const found = await this.maps.ask("map", [{ count: size, rows: part }, what, span], signal, [part.buffer]);
+      const codes = found.sequences?.map((word: string) => {
+        if (!sequences.includes(word)) sequences.push(word);
+        return sequences.indexOf(word);
+      });
+      for (let k = 0; k < size; k++)
+        values[first + k] = codes ? (codes[found.values[k]] ?? Number.NaN) : found.values[k];
+    };
+    const firsts = Array.from({ length: Math.ceil(count / BLOCK) }, (_, k) => k * BLOCK);
+    await Promise.all(firsts.map(block));
+    return what === "sequence" ? { values, sequences } : { values };
+  }
+
+  close() {
+    this.motions.close();
+    this.maps.close();
+    this.rates?.then((crew) => crew.close()).catch(() => {});
+  }
+}

@@ -1,0 +1,347 @@
+// The kernel as WebAssembly, called at once and without waiting: in a worker, or where one motion is wanted now.
+
+import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.ts";
+import { Memory } from "./memory.ts";
+import { columnsOf } from "./columns.ts";
+import { fingerprintOf } from "./fingerprint.ts";
+import { sequencesOf } from "./sequences.ts";
+
+const FIRST_EVENTS = 256;
+const FIRST_SEGMENTS = 2048;
+const FIRST_ROWS = 4096;
+const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
+const BUFFER = layout.statuses.indexOf("buffer");
+const PASSING = new Set(layout.passing);
+const finite = (value: number) => (Number.isFinite(value) ? value : null);
+
+export class HoopModule implements Mechanics {
+  exports: any;
+  memory: Memory;
+  mostEvents: number;
+  mostSegments: number;
+  mostRows: number;
+
+  constructor(compiled: WebAssembly.Module) {
+    this.exports = new WebAssembly.Instance(compiled, {}).exports as any;
+    this.exports._initialize?.();
+    this.memory = new Memory(this.exports);
+    this.mostEvents = FIRST_EVENTS;
+    this.mostSegments = FIRST_SEGMENTS;
+    this.mostRows = FIRST_ROWS;
+  }
+
+  call(name: string, ...values: number[]) {
+    const failed = this.exports[name](...values);
+    if (failed) throw new Error(`The kernel ended ${name} with ${failed}.`);
+  }
+
+  // --- motions --------------------------------------------------------------------------------
+
+  /** Computes a motion; its events stay in memory for what follows. */
+  compute(given: Given): Computed {
+    const { memory } = this;
+    const width = layout.events.length;
+    for (;;) {
+      const table = memory.room("table", 8 * width * this.mostEvents);
+      const heads = memory.room("heads", 8 * layout.heads.length);
+      if (given.contact) this.computeCompliant(given, given.contact, table, heads);
+      else this.computeRigid(given, table, heads);
+      const head = memory.floats(heads, layout.heads.length).slice();
+      const count = head[HEAD.events];
+      if (head[HEAD.status] === BUFFER) this.makeRoom(given, head[HEAD.segments]);
+      else if (count === this.mostEvents && count < given.max_events) this.mostEvents *= 4;
+      else {
+        const rows = memory.floats(table, count * width).slice();
+        return { given, head, rows, count, duration: head[HEAD.duration], segments: head[HEAD.segments] };
+      }
+    }
+  }
+
+  computeRigid(given: Given, table: number, heads: number) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const events = memory.room("events", layout.event_bytes * this.mostEvents);
+    const segments = memory.room("segments", layout.segment_bytes * this.mostSegments);
+    this.call("motion", cell, events, this.mostEvents, segments, this.mostSegments, table, heads);
+  }
+
+  computeCompliant(given: Given, contact: GivenContact, table: number, heads: number) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const numbers = memory.put("contact", contactOf(contact));
+    const events = memory.room("events", layout.event_bytes * this.mostEvents);
+    const rows = memory.room("rows", layout.compliant_segment_bytes * this.mostRows);
+    this.call(
+      "compliant_motion",
+      cell,
+      numbers,
+      events,
+      this.mostEvents,
+      MOST_STEPS,
+      rows,
+      this.mostRows,
+      table,
+      heads,
+    );
+  }
+
+  makeRoom(given: Given, wanted: number) {
+    if (given.contact) this.mostRows = wanted;
+    else this.mostSegments *= 4;
+  }
+
+  motion(given: Given): ComputedMotion {
+    return told(this.compute(given));
+  }
+
+  /** A film's header and columns at once. */
+  film(given: Given) {
+    const computed = this.compute(given);
+    return { motion: told(computed), columns: columnsOf(this, computed) };
+  }
+
+  /** `window`: times from and to; the whole motion by default. */
+  columns(given: Given, window?: [number, number]) {
+    return columnsOf(this, this.compute(given), window);
+  }
+
+  samples(given: Given, times: Float64Array): Samples {
+    const rows = this.states(this.compute(given), times, false);
+    const width = layout.samples.length;
+    return Object.fromEntries(
+      layout.samples.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
+    );
+  }
+
+  /** Rows of `layout.samples` of the motion that was computed last. `left`: just before an event. */
+  states(computed: Computed, times: Float64Array, left: boolean) {
+    return this.rows("samples", layout.samples.length, computed, times, left);
+  }
+
+  /**
+   * What decides about the mode at times of a motion with rigid contact, a column for each of `layout.margins`.
+   * `left`: just before an event.
+   */
+  margins(given: Given, times: Float64Array, left = false): Record<string, Float64Array> {
+    if (given.contact) throw new TypeError("A compliant contact has no such rules.");
+    const width = layout.margins.length;
+    const rows = this.rows("margins", width, this.compute(given), times, left);
+    return Object.fromEntries(
+      layout.margins.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
+    );
+  }
+
+  /** Rows of an entry that tells of times of the motion that was computed last. `left`: just before an event. */
+  rows(name: string, width: number, computed: Computed, times: Float64Array, left: boolean) {
+    const { memory } = this;
+    const size = times.length * width;
+    const when = memory.put("times", times);
+    const out = memory.room("states", 8 * Math.max(size, 1));
+    const cell = memory.room("cell", 8);
+    const ask = [computed.segments, when, times.length, Number(left), out];
+    if (computed.given.contact) {
+      this.call("compliant_samples", cell, memory.room("contact", 8), memory.room("rows", 8), ...ask);
+    } else {
+      this.call(name, cell, memory.room("segments", 8), ...ask);
+    }
+    return memory.floats(out, size).slice();
+  }
+
+  // --- derivatives: entries of the module of their own ------------------------------------------
+
+  /**
+   * The rates of all events with one parameter: how they change where it becomes larger, and where it becomes
+   * smaller. `rates`: of the cell, with the parameter.
+   */
+  changes(given: Given, rates: Float64Array): MotionChanges {
+    const { memory } = this;
+    const computed = this.compute(given);
+    const more = memory.put("rates", rates);
+    const larger = this.side(computed, more, 1);
+    const { reason, sided } = larger;
+    const smaller = sided || reason === "border" || reason === "contact" ? this.side(computed, more, -1) : larger;
+    return { count: computed.count, larger, smaller };
+  }
+
+  side({ count, segments, head }: Computed, more: number, sign: 1 | -1): ChangedEvents {
+    const { memory } = this;
+    const size = count * layout.changes.length;
+    const out = memory.room("changes", 8 * size);
+    const why = memory.room("why", 16);
+    const [cell, events, pieces] = ["cell", "events", "segments"].map((name) => memory.room(name, 8));
+    const doubt = head[HEAD.doubt_from];
+    this.call("changes", cell, more, 1, sign, events, count, pieces, segments, doubt, out, why);
+    const [reason, failed] = memory.floats(why, 2);
+    return {
+      rates: memory.floats(out, size).slice(),
+      reason: layout.reasons[Math.max(reason, 0)],
+      sided: reason < 0,
+      failed,
+    };
+  }
+
+  // --- theory ---------------------------------------------------------------------------------
+
+  thresholds(given: Given): TheoryNumbers {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    const starts = given.rolling && given.angle === 0;
+    this.call("thresholds", cell, starts ? given.vx : Number.NaN, out);
+    const values = memory.floats(out, layout.thresholds.length);
+    const value = (name: string) => {
+      const found = values[layout.thresholds.indexOf(name)];
+      return Number.isNaN(found) ? null : found;
+    };
+    const jams = ["jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4"].map(value);
+    return {
+      first_slip_speed: value("first_slip_speed"),
+      first_hop_speed: value("first_hop_speed"),
+      immediate_hop_speed: value("immediate_hop_speed"),
+      needed_friction: value("needed_friction"),
+      painleve_friction: value("painleve_friction"),
+      painleve_angle: value("painleve_angle"),
+      jam_angles: jams.filter((angle) => angle !== null),
+      stable_angle: value("stable_angle"),
+      massless_loss_angle: value("massless_loss_angle"),
+      massless_loss_by_friction: value("massless_loss_by_friction") === 1,
+    };
+  }
+
+  regions(given: Given, [left, right, bottom, top]: [number, number, number, number], columns: number, rows: number) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const modes = memory.room("modes", columns * rows);
+    const sides = memory.room("sides", columns);
+    this.call("regions", cell, left, right, bottom, top, columns, rows, modes, sides);
+    const { buffer } = this.exports.memory;
+    return {
+      modes: new Uint8Array(buffer, modes, columns * rows).slice(),
+      paradox: Float32Array.from(new Int8Array(buffer, sides, columns)),
+    };
+  }
+
+  map({ count, rows }: MapCells, what: string, span: string): MapValues {
+    const { memory } = this;
+    const place = memory.put("cells", rows);
+    const numbers = memory.room("numbers", 8 * count * layout.numbers.length);
+    const words = memory.room("words", 4 * count * layout.words.length);
+    const keys = memory.room("keys", 8 * count * layout.keys);
+    const { angle, stop, timed } = (layout.spans as Record<string, any>)[span];
+    const wanted = (layout.wanted as Record<string, number>)[what];
+    this.call("map_cells", place, count, angle ?? Number.NaN, stop, timed, wanted, numbers, words, keys);
+    const { buffer } = this.exports.memory;
+    if (what === "sequence") return sequencesOf(new BigUint64Array(buffer, keys, count * layout.keys), count);
+    const values = new Float64Array(count);
+    if (what in WORD) {
+      const codes = new Int32Array(buffer, words, count * layout.words.length);
+      for (let k = 0; k < count; k++) values[k] = codes[k * layout.words.length + WORD[what]];
+    } else {
+      const found = memory.floats(numbers, count * layout.numbers.length);
+      for (let k = 0; k < count; k++) values[k] = found[k * layout.numbers.length + NUMBER[what]];
+    }
+    return { values };
+  }
+
+  // --- mechanics that checking a scenario needs -------------------------------------------------
+
+  ideal(loadFraction: number) {
+    const out = this.memory.room("answers", 8 * layout.thresholds.length);
+    this.call("ideal_hoop", loadFraction, out);
+    return this.memory.floats(out, 1)[0];
+  }
+
+  resistance(eccentricity: number, inertiaRatio: number) {
+    const out = this.memory.room("answers", 8 * layout.thresholds.length);
+    this.call("resistance_limit", eccentricity, inertiaRatio, out);
+    return this.memory.floats(out, 1)[0];
+  }
+
+  combine(radius: number, parts: WholePart[]) {
+    const { memory } = this;
+    const rows = memory.put("parts", parts.flatMap(rowOf));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    const reaches = memory.room("reaches", 8 * parts.length);
+    this.call("hoop_of_parts", radius, rows, parts.length, out, reaches);
+    const [mass, eccentricity, inertia_ratio] = memory.floats(out, 3);
+    return { mass, eccentricity, inertia_ratio, reaches: [...memory.floats(reaches, parts.length)] };
+  }
+
+  compliance(given: Given): Compliance {
+    const { memory } = this;
+    if (!given.contact) throw new TypeError("The contact is rigid.");
+    const cell = memory.put("cell", cellOf(given));
+    const contact = memory.put("contact", contactOf(given.contact));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    this.call("compliance", cell, contact, out);
+    const values = memory.floats(out, layout.chosen.length);
+    const value = (name: string) => values[layout.chosen.indexOf(name)];
+    return {
+      stiffness: value("stiffness"),
+      tangential_stiffness: value("tangential_stiffness"),
+      slip_speed: value("slip_speed"),
+      depth: value("depth"),
+      automatic: { stiffness: value("stiffness_si"), slip_speed: value("slip_speed_si") },
+    };
+  }
+}
+
+function rowOf(part: WholePart) {
+  const kind = part.shape === "rod" ? `${part.direction}_rod` : part.shape;
+  const shape = layout.shapes.indexOf(kind);
+  if (part.shape === "ring") return [shape, part.mass, part.inner_radius, part.outer_radius, 0];
+  if (part.shape === "disk") return [shape, part.mass, part.radius, 0, part.at];
+  if (part.shape === "rod") return [shape, part.mass, part.length, 0, part.at];
+  return [shape, part.mass, 0, 0, part.at];
+}
+
+// --- a motion as it is told -----------------------------------------------------------------------
+
+const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
+const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
+const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
+
+/** As Trajectory.to_dict has it. */
+function told({ given, head, rows, count, duration }: Computed): ComputedMotion {
+  const width = layout.events.length;
+  const events = Array.from({ length: count }, (_, k) => eventOf(rows.subarray(k * width, (k + 1) * width)));
+  const last = events[count - 1];
+  const energy = Object.fromEntries(
+    [...ENERGIES, ...(given.contact ? ["spring", "damping"] : [])].map((name) => [name, head[HEAD[name]]]),
+  );
+  const doubt = finite(head[HEAD.doubt_from]);
+  return {
+    status: layout.statuses[head[HEAD.status]],
+    sequence: sequenceOf(events),
+    fingerprint: doubt === null ? fingerprintOf(rows, count) : null,
+    duration,
+    events,
+    final: { t: last.t, mode: last.to, ...Object.fromEntries(STATE.map((name) => [name, last[name]])) },
+    energy,
+    doubt,
+  };
+}
+
+function eventOf(row: Float64Array): any {
+  const kind = layout.kinds[row[EVENT.kind]];
+  const from = row[EVENT.from_mode];
+  const event: Record<string, any> = {
+    t: row[EVENT.t],
+    kind,
+    from: from < 0 ? null : layout.letters[from],
+    to: layout.letters[row[EVENT.to_mode]],
+  };
+  for (const name of STATE) event[name] = finite(row[EVENT[name]]);
+  event.before = Object.fromEntries(["vx", "vy", "omega"].map((name) => [name, finite(row[EVENT[`before_${name}`]])]));
+  event.impulse = { normal: row[EVENT.impulse_normal], tangential: row[EVENT.impulse_tangential] };
+  if (row[EVENT.collision] === 0) event.collision = false;
+  if (kind === "kane_gain") event.gain = row[EVENT.gain];
+  if (row[EVENT.stable] >= 0) event.stable = row[EVENT.stable] === 1;
+  return event;
+}
+
+function sequenceOf(events: any[]) {
+  const marks = events.filter((event, k) => k === events.length - 1 || !PASSING.has(event.kind));
+  const letters = marks.slice(0, -1).map((event, k) => (marks[k + 1].t > event.t ? event.to : ""));
+  return letters.join("") || (events.at(-1)?.to ?? "");
+}

@@ -1,0 +1,43 @@
+// Whether the motions here have the same bits as elsewhere: presets as in Python, links as where they were made.
+
+import { tables } from "../../model/tables.ts";
+
+const SAME = { python: "✓ Same bits as in Python", link: "✓ Same bits as where the link was made" };
+const OTHER = {
+  python: "The bits differ: {own} here, {other} in Python.",
+  link: "The bits differ: {own} here, {other} where the link was made, perhaps with another version.",
+};
+
+export type Comparison = { same: boolean; text: Said };
+
+export class Sameness {
+  /** By the query of the motion. */
+  link: Map<string, string> = new Map();
+  python: Map<string, any>;
+
+  constructor(presets: Preset[]) {
+    this.python = new Map(presets.map(({ key, query }) => [query, tables.fingerprints[key]]));
+  }
+
+  /** What a link carries, in the order of its motions. */
+  expect(films: Film[], fingerprints: string[]) {
+    for (const [k, { query }] of films.entries()) {
+      if (fingerprints[k]) this.link.set(query, fingerprints[k]);
+    }
+  }
+
+  /** What the link said of the motions that are shown, to stay in the address of the page. */
+  expected(films: Film[]) {
+    return films.map(({ query }) => this.link.get(query) ?? "");
+  }
+
+  of({ query, fingerprint: own }: Film): Comparison[] {
+    if (!own) return [];
+    return (["python", "link"] as const).flatMap((whose) => {
+      const other = this[whose].get(query);
+      if (!other) return [];
+      const same = own === other;
+      return [{ same, text: same ? SAME[whose] : { key: OTHER[whose], values: { own, other } } }];
+    });
+  }
+}

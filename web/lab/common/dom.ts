@@ -1,0 +1,99 @@
+// Elements of the page. Words follow the language, see words.js.
+
+import { luminance } from "./colors.ts";
+import { name as called, spokenText } from "../words/words.ts";
+
+const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
+
+/** An element with attributes, listeners (`onclick`) and children; what is null or false is left out. */
+export function h<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, any> = {},
+  ...children: any[]
+): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  const properties = element as unknown as Record<string, any>;
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name === "class") element.className = value;
+    else if (SAID.has(name)) called(element, name, value);
+    else if (name in element && name !== "list" && typeof value !== "string") properties[name] = value;
+    else element.setAttribute(name, value === true ? "" : value);
+  }
+  for (const child of children.flat(2)) {
+    if (child === null || child === undefined || child === false) continue;
+    element.append(child.nodeType ? child : spokenText(child));
+  }
+  return element;
+}
+
+/** Put other words into an element; they change with the language. */
+export function say(element: Element, said: Said) {
+  if (said) element.replaceChildren(spokenText(said));
+  else element.replaceChildren();
+}
+
+// Also inside a shadow tree, where notebooks put widgets.
+export const focused = (element: HTMLElement | null) =>
+  element !== null && (element.getRootNode() as Document | ShadowRoot).activeElement === element;
+
+/** The 2D context of a canvas, which every browser gives unless the canvas is used otherwise. */
+export const pen = (canvas: HTMLCanvasElement) => canvas.getContext("2d") as CanvasRenderingContext2D;
+
+/** A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels. */
+export function fitted(canvas: HTMLCanvasElement) {
+  const box = canvas.getBoundingClientRect();
+  const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
+  const width = Math.max(Math.round(box.width * ratio), 1);
+  const height = Math.max(Math.round(box.height * ratio), 1);
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const context = pen(canvas);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return { context, width: width / ratio, height: height / ratio };
+}
+
+/** A colour as #rrggbb, also one that the system names, such as CanvasText. */
+function plainColor(color: string) {
+  if (/^#[0-9a-f]{6}$/i.test(color)) return color;
+  const context = pen(h("canvas", { width: 1, height: 1 }));
+  context.fillStyle = color;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
+  return `#${[r, g, b].map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+}
+
+export function theme(element: HTMLElement) {
+  const style = getComputedStyle(element);
+  const given = (name: string) => style.getPropertyValue(name).trim();
+  const read = (name: string) => plainColor(given(name));
+  return {
+    ink: read("--ink"),
+    soft: read("--soft"),
+    line: read("--line"),
+    paper: read("--paper"),
+    panel: read("--panel"),
+    ground: read("--ground"),
+    font: given("--font"),
+    dark: luminance(read("--paper")) < 0.2,
+  };
+}
+
+export function saveBlob(blob: Blob, name: string) {
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+export function once(callback: () => void, wait: number) {
+  let timer = 0;
+  return () => {
+    clearTimeout(timer);
+    timer = setTimeout(callback, wait);
+  };
+}

@@ -1,0 +1,82 @@
+// Numbers as a reader wants them, and round steps for axes.
+
+import { local } from "../words/words.ts";
+
+export const clamp: (value: number, least: number, most: number) => number = (value, least, most) =>
+  Math.min(Math.max(value, least), most);
+
+/** A number as a reader wants it: so many significant digits, no trailing zeros, a real minus sign. */
+export function show(value: number, digits = 4) {
+  if (value === null || value === undefined) return "–";
+  if (typeof value !== "number") return String(value);
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  let text;
+  if (size >= 1e6 || size < 1e-4) {
+    const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+    text = `${trimZeros(mantissa)}·10${superscript(Number(exponent))}`;
+  } else {
+    text = trimZeros(value.toPrecision(digits));
+    if (text.includes("e")) text = String(Math.round(value));
+  }
+  return local(text.replace("-", "−"));
+}
+
+function trimZeros(text: string) {
+  return text.includes(".") && !text.includes("e") ? text.replace(/\.?0+$/, "") : text;
+}
+
+function superscript(number: number) {
+  const signs: Record<string, string> = {
+    "-": "⁻",
+    0: "⁰",
+    1: "¹",
+    2: "²",
+    3: "³",
+    4: "⁴",
+    5: "⁵",
+    6: "⁶",
+    7: "⁷",
+    8: "⁸",
+    9: "⁹",
+  };
+  return [...String(number)].map((sign) => signs[sign]).join("");
+}
+
+export const withUnit = (text: string, unit: string) => (unit ? (unit === "°" ? `${text}°` : `${text} ${unit}`) : text);
+
+export const degrees = (angle: number) => local(`${((angle * 180) / Math.PI).toFixed(1)}°`.replace("-", "−"));
+
+/** A length in the unit in which it reads well. */
+export function length(metres: number) {
+  const size = Math.abs(metres);
+  const [scale, unit] = size >= 0.995 ? [1, "m"] : size >= 0.00995 ? [100, "cm"] : [1000, "mm"];
+  return withUnit(show(metres * scale, 3), unit);
+}
+
+/** Round steps for an axis: 1, 2 or 5 times a power of ten. */
+export function niceStep(span: number, count: number) {
+  const rough = span / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const share = rough / power;
+  return (share > 5 ? 10 : share > 2 ? 5 : share > 1 ? 2 : 1) * power;
+}
+
+export function ticks(low: number, high: number, count: number) {
+  if (!(high > low) || !Number.isFinite(low) || !Number.isFinite(high)) return [];
+  const step = niceStep(high - low, count);
+  const found = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step && found.length < 200; k++) {
+    found.push(k * step);
+  }
+  return found;
+}
+
+/** Label of a tick with as many decimals as the step between ticks needs. */
+export function tickText(value: number, step: number) {
+  const decimals = clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 15);
+  const size = Math.max(Math.abs(value), step);
+  if (size >= 1e6 || decimals > 12) return show(value, 3);
+  return local((Math.abs(value) < step * 1e-6 ? 0 : value).toFixed(decimals).replace("-", "−"));
+}

@@ -1,0 +1,66 @@
+// What fingers and mouse do: drag, pinch.
+
+/**
+ * One press: `move` follows the finger, `end` gets the last event and whether the finger was lifted (or taken away).
+ */
+export function follow(
+  element: HTMLElement,
+  event: PointerEvent,
+  move: (event: PointerEvent) => void,
+  end: (event: PointerEvent, lifted: boolean) => void = () => {},
+) {
+  const leave = new AbortController();
+  const { signal } = leave;
+  const on: (kind: "pointermove" | "pointerup" | "pointercancel", action: (other: PointerEvent) => void) => void = (
+    kind,
+    action,
+  ) => element.addEventListener(kind, (other) => other.pointerId === event.pointerId && action(other), { signal });
+  const finish = (lifted: boolean) => (last: PointerEvent) => {
+    leave.abort();
+    end(last, lifted);
+  };
+  element.setPointerCapture(event.pointerId);
+  on("pointermove", move);
+  on("pointerup", finish(true));
+  on("pointercancel", finish(false));
+}
+
+/**
+ * Two fingers zoom: `zoom` gets the factor by which they have spread and the point between them. The function that
+ * comes back tells whether two fingers are down; what one finger does has to wait then.
+ */
+export function pinch(element: HTMLElement, zoom: (factor: number, at: Point) => void) {
+  const fingers: Map<number, PointerEvent> = new Map();
+  let before: { span: number; clientX: number; clientY: number } | null = null;
+  const measured = () => {
+    const [a, b] = [...fingers.values()];
+    return {
+      span: Math.max(Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY), 1),
+      clientX: 0.5 * (a.clientX + b.clientX),
+      clientY: 0.5 * (a.clientY + b.clientY),
+    };
+  };
+  element.addEventListener("pointerdown", (event) => {
+    if (event.pointerType === "mouse") return;
+    fingers.set(event.pointerId, event);
+    before = fingers.size === 2 ? measured() : null;
+  });
+  element.addEventListener("pointermove", (event) => {
+    if (!fingers.has(event.pointerId)) return;
+    fingers.set(event.pointerId, event);
+    if (fingers.size !== 2 || !before) return;
+    const now = measured();
+    zoom(now.span / before.span, now);
+    before = now;
+  });
+  for (const kind of ["pointerup", "pointercancel"] as const) {
+    element.addEventListener(kind, (event: PointerEvent) => {
+      fingers.delete(event.pointerId);
+      before = null;
+    });
+  }
+  // the page neither scrolls nor zooms under two fingers
+  const still = (event: TouchEvent) => event.touches.length > 1 && event.cancelable && event.preventDefault();
+  element.addEventListener("touchmove", still, { passive: false });
+  return () => fingers.size > 1;
+}

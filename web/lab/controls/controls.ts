@@ -1,0 +1,331 @@
+// Sliders with exact entry, and choices; what they show comes back from the server with each motion.
+
+import { h } from "../common/dom.ts";
+import { Entry } from "./entry.ts";
+import { clamp, show, withUnit } from "../common/numbers.ts";
+import { Parts, partsLike } from "./parts.ts";
+import { t } from "../words/words.ts";
+
+const DEGREE = Math.PI / 180;
+
+/** The range that Python allows, in the unit of the field. */
+function rangeOf({ allowed, degrees }: SliderInfo): AllowedRange | undefined {
+  if (!allowed) return undefined;
+  const scale = degrees ? 1 / DEGREE : 1;
+  return {
+    least: allowed.least * scale,
+    most: allowed.most * scale,
+    also: allowed.also.map((value) => (value === "inf" ? Infinity : Number(value))),
+  };
+}
+
+class Slider {
+  held = false;
+  range: HTMLInputElement;
+  entry: Entry;
+  element: HTMLDivElement;
+
+  constructor(
+    readonly info: SliderInfo,
+    public onchange: (changes: Change[], commit: boolean) => void,
+  ) {
+    const id = `hh-${info.path}-${Math.random().toString(36).slice(2, 7)}`;
+    const hold = (held: boolean) => () => {
+      this.held = held;
+    };
+    this.range = h("input", {
+      type: "range",
+      id,
+      class: "slider",
+      min: String(this.low()),
+      max: String(this.high()),
+      step: info.logarithmic ? "0.01" : String(info.step),
+      "data-path": info.path,
+      oninput: () => this.slid(false),
+      onchange: () => this.slid(true),
+      onpointerdown: hold(true),
+      onpointerup: hold(false),
+      onpointercancel: hold(false),
+      onblur: hold(false),
+    });
+    const { label, unit } = info;
+    const name: Phrase = unit
+      ? { key: "{name}, exact value in {unit}", values: { name: label, unit } }
+      : { key: "{name}, exact value", values: { name: label } };
+    this.entry = new Entry({ label, unit, name, range: rangeOf(info) }, (value) => this.send(value, true));
+    this.element = h(
+      "div",
+      { class: "control", title: info.help },
+      h("label", { for: id }, h("span", {}, label), h("span", { class: "symbol" }, info.symbol)),
+      this.range,
+      h("span", { class: "entry" }, this.entry.input, h("span", { class: "unit" }, unit)),
+      this.entry.error,
+    );
+  }
+
+  low() {
+    return this.info.logarithmic ? Math.log10(this.info.least) : this.info.least;
+  }
+
+  high() {
+    return this.info.logarithmic ? Math.log10(this.info.most) : this.info.most;
+  }
+
+  slid(commit: boolean) {
+    const place = Number(this.range.value);
+    const value = this.info.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
+    this.entry.typing = false;
+    this.entry.show(String(value));
+    this.say(value);
+    this.send(value, commit);
+  }
+
+  send(value: number, commit: boolean) {
+    const number = this.info.degrees ? value * DEGREE : value;
+    this.onchange([[this.info.path, Number.isFinite(number) ? number : "inf"]], commit);
+  }
+
+  say(value: number) {
+    this.range.setAttribute("aria-valuetext", withUnit(show(value, 4), this.info.unit));
+  }
+
+  /** `value`: "inf" for no limit; `automatic`: what is chosen where there is no value. */
+  show(value: number | string | null | undefined, automatic: number | null = null) {
+    if (this.held) return; // what the hand says comes back with its own answer
+    // what the lab chooses by itself stands behind an empty field
+    const own = value !== null && value !== undefined;
+    const found = own ? value : automatic;
+    if (found === null || found === undefined) {
+      this.entry.show("");
+      return;
+    }
+    const shown = found === "inf" ? Infinity : Number(found) / (this.info.degrees ? DEGREE : 1);
+    this.entry.show(!own ? "" : Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "∞");
+    this.entry.input.placeholder = own ? "" : t("auto {value}", { value: show(shown, 2) });
+    this.entry.input.title = own ? withUnit(String(shown), this.info.unit) : "";
+    const place = clamp(this.info.logarithmic ? Math.log10(shown) : shown, this.low(), this.high());
+    if (Math.abs(Number(this.range.value) - place) > 1e-6) this.range.value = String(place);
+    this.say(shown);
+  }
+}
+
+function choice(info: ChoiceInfo, onchange: (changes: Change[], commit: boolean) => void) {
+  const select = h(
+    "select",
+    { "data-path": info.path, onchange: () => onchange([[info.path, select.value]], true) },
+    info.options.map(([value, label]) => h("option", { value }, label)),
+  );
+  const element = h("label", { class: "choice", title: info.help }, h("span", {}, info.label), select);
+  return { element, select, path: info.path };
+}
+
+export class Controls {
+  way: { select: HTMLSelectElement; element: HTMLElement };
+  kind: { select: HTMLSelectElement; element: HTMLElement };
+  gravity: { select: HTMLSelectElement; element: HTMLElement };
+  apart: HTMLInputElement;
+  derived: HTMLElement;
+  film: Film;
+
+  sliders: Map<string, Slider> = new Map();
+  onchange: (changes: Change[], commit?: boolean) => void;
+  choices: Map<string, { element: HTMLLabelElement; select: HTMLSelectElement; path: string }>;
+  parts: Parts;
+  gravities: [string, number][];
+  element: HTMLDivElement;
+
+  constructor(setup: ControlsInfo, onchange: (changes: Change[], commit: boolean) => void) {
+    this.onchange = (changes: Change[], commit = true) => onchange(changes, commit);
+    for (const list of Object.values(setup.groups)) {
+      for (const info of list) this.sliders.set(info.path, new Slider(info, this.onchange));
+    }
+    this.choices = new Map(setup.choices.map((info) => [info.path, choice(info, this.onchange)]));
+    this.parts = new Parts(this.onchange);
+    this.gravities = setup.gravities;
+    this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.contact());
+  }
+
+  at(path: string) {
+    const found = this.sliders.get(path) ?? this.choices.get(path);
+    if (!found) throw new Error(`There is no control of ${path}.`);
+    return found.element;
+  }
+
+  /**
+   * The controls of a section in the order of Python's table: sliders, then choices. `before`: what comes before some
+   * of them.
+   */
+  of(section: string, before: Record<string, HTMLElement[]> = {}) {
+    return [...this.sliders.keys(), ...this.choices.keys()]
+      .filter((path) => path.startsWith(`${section}.`))
+      .flatMap((path) => [...(before[path] ?? []), this.at(path)]);
+  }
+
+  select(label: string, options: [string, string][], onchange: (value: string) => void) {
+    const select = h(
+      "select",
+      { onchange: () => onchange(select.value) },
+      options.map(([value, text]) => h("option", { value }, text)),
+    );
+    return { select, element: h("label", { class: "choice" }, h("span", {}, label), select) };
+  }
+
+  group(title: string, ...children: HTMLElement[]) {
+    // on a phone all of it would be a long way to scroll
+    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 760px)").matches;
+    return h("details", { class: "group", open }, h("summary", {}, title), children);
+  }
+
+  hoop() {
+    this.way = this.select(
+      "Given by",
+      [
+        ["load_fraction", "load fraction γ"],
+        ["eccentricity", "ε and κ"],
+        ["parts", "real parts"],
+      ],
+      (way) => {
+        const { values } = this.film;
+        if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
+        else this.onchange([[`hoop.${way}`, values["hoop.eccentricity"]]]);
+      },
+    );
+    this.derived = h("p", { class: "derived" });
+    return this.group(
+      "Hoop",
+      this.way.element,
+      ...this.of("hoop", { "hoop.radius": [this.parts.element, this.derived] }),
+    );
+  }
+
+  plane() {
+    this.apart = h("input", {
+      type: "checkbox",
+      onchange: () => {
+        const { values } = this.film;
+        if (this.apart.checked) {
+          this.onchange([
+            ["plane.mu_static", values["plane.mu_static"]],
+            ["plane.mu_kinetic", values["plane.mu_kinetic"]],
+          ]);
+        } else this.onchange([["plane.mu", values["plane.mu_static"]]]);
+      },
+    });
+    this.gravity = this.select(
+      "Where",
+      [...this.gravities.map(([name]) => [name, name] as [string, string]), ["", "elsewhere"]],
+      (name: string) => {
+        const found = this.gravities.find(([known]) => known === name);
+        if (found) this.onchange([["plane.gravity", found[1]]]);
+      },
+    );
+    const apart = h("label", { class: "check" }, this.apart, "static and kinetic friction apart");
+    const before = { "plane.slope": [apart], "plane.gravity": [this.gravity.element] };
+    return this.group("Plane", ...this.of("plane", before));
+  }
+
+  start() {
+    this.kind = this.select(
+      "Starts",
+      [
+        ["rolling", "rolling"],
+        ["free", "in any state"],
+      ],
+      (kind: string) => {
+        const { values } = this.film;
+        if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
+        else this.onchange([["start.omega", values["start.omega"]]]);
+      },
+    );
+    return this.group("Start", this.kind.element, ...this.of("start"), this.at("duration"));
+  }
+
+  contact() {
+    return this.group(
+      "Contact",
+      this.at("contact.model"),
+      this.at("contact.law"),
+      this.at("contact.friction"),
+      this.at("contact.stiffness"),
+      this.at("contact.slip_speed"),
+      this.at("contact.restitution"),
+    );
+  }
+
+  /** A change that was refused is said at its field, if it is one that is seen. */
+  refuse(changes: Change[], sentence: Said) {
+    const slider = changes.length === 1 ? this.sliders.get(changes[0][0]) : undefined;
+    if (!slider?.element.checkVisibility()) return false;
+    slider.entry.refuse(sentence);
+    return true;
+  }
+
+  /**
+   * Bring back what is so where a choice was refused; what was typed stays beside its sentence.
+   */
+  restore() {
+    if (this.film) this.showChoices(this.film, new Set());
+  }
+
+  /** `waiting`: paths that have a newer value already, which must not be written over. */
+  show(film: Film, waiting: Set<string> = new Set()) {
+    this.film = film;
+    this.showChoices(film, waiting);
+    const sections: Record<string, any> = film.scenario;
+    for (const [path, slider] of this.sliders) {
+      if (waiting.has(path)) continue;
+      const [section, key] = path.split(".");
+      slider.show(film.values[path] ?? (key ? sections[section]?.[key] : sections[section]), film.automatic?.[path]);
+    }
+  }
+
+  showChoices(film: Film, waiting: Set<string>) {
+    const { scenario, values } = film;
+    const way = scenario.hoop.parts ? "parts" : "load_fraction" in scenario.hoop ? "load_fraction" : "eccentricity";
+    const rolling = "speed" in scenario.start;
+    const apart = "mu_static" in scenario.plane;
+    const compliant = scenario.contact.model === "compliant";
+    const newer = (...paths: string[]) => paths.some((path) => waiting.has(path));
+    if (!newer("hoop.load_fraction", "hoop.eccentricity", "hoop.parts")) this.way.select.value = way;
+    if (!newer("start.speed", "start.omega")) this.kind.select.value = rolling ? "rolling" : "free";
+    if (!newer("plane.mu", "plane.mu_static")) this.apart.checked = apart;
+    const near = this.gravities.find(([, g]) => Math.abs(g - scenario.plane.gravity) < 1e-9);
+    if (!newer("plane.gravity")) this.gravity.select.value = near ? near[0] : "";
+    const visible = {
+      "hoop.load_fraction": way === "load_fraction",
+      "hoop.eccentricity": way === "eccentricity",
+      "hoop.inertia_ratio": way === "eccentricity",
+      "hoop.mass": way !== "parts",
+      "plane.mu": !apart,
+      "plane.mu_static": apart,
+      "plane.mu_kinetic": apart,
+      "plane.restitution": !compliant,
+      "plane.impact_law": !compliant,
+      "plane.painleve": !compliant,
+      "start.speed": rolling,
+      "start.height": !rolling,
+      "start.vx": !rolling,
+      "start.vy": !rolling,
+      "start.omega": !rolling,
+      "contact.law": compliant,
+      "contact.friction": compliant,
+      "contact.stiffness": compliant,
+      "contact.slip_speed": compliant,
+      "contact.restitution": compliant,
+    };
+    for (const [path, seen] of Object.entries(visible)) this.at(path).hidden = !seen;
+    this.parts.element.hidden = way !== "parts";
+    if (scenario.hoop.parts) this.parts.show(scenario.hoop.parts, values["hoop.radius"], values["hoop.mass"]);
+    this.derived.textContent =
+      way === "eccentricity"
+        ? ""
+        : `ε = ${show(values["hoop.eccentricity"], 5)}, κ = ${show(values["hoop.inertia_ratio"], 5)}` +
+          (way === "parts" ? `, m = ${show(values["hoop.mass"], 5)} kg` : "");
+    const sections: Record<string, any> = scenario;
+    for (const [path, { select }] of this.choices) {
+      if (waiting.has(path)) continue;
+      const [section, key] = path.split(".");
+      if (sections[section]?.[key] !== undefined) select.value = sections[section][key];
+    }
+  }
+}

@@ -1,0 +1,128 @@
+// A field for a number: what may be typed, and what is said where it is none or not allowed.
+
+import { h, say } from "../common/dom.ts";
+import { show, withUnit } from "../common/numbers.ts";
+import { local } from "../words/words.ts";
+
+/**
+ * A number as people type it: a decimal comma or point, a real minus sign, powers of ten, ∞. NaN where it is none.
+ * `unit`: which may stand behind it.
+ */
+export function readNumber(text: string, unit = "") {
+  let plain = text.trim();
+  if (unit && plain.endsWith(unit)) plain = plain.slice(0, -unit.length);
+  plain = plain
+    .replace(/[\s\u00a0\u202f]/g, "")
+    .replace(/[−–]/g, "-")
+    .replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, (_, sign, power) => `e${sign && "-"}${power.normalize("NFKD")}`);
+  const endless = /^([+-]?)(inf|infinity|∞)$/i.exec(plain);
+  if (endless) return endless[1] === "-" ? -Infinity : Infinity;
+  if (!/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(plain)) return Number.NaN;
+  return Number(plain.replace(",", "."));
+}
+
+/**
+ * What is wrong with an entry, in the unit of its field; empty where nothing is. `text`: as it was typed; `value`: in
+ * the field's unit; `field`: its range in the field's unit.
+ */
+export function refusal(
+  text: string,
+  value: number,
+  { label, unit, range }: { label: string; unit: string; range?: AllowedRange },
+): Said {
+  const typed = text.trim();
+  if (Number.isNaN(value)) {
+    return { key: "{name} = {value} must be a number, such as 2.5.", values: { name: label, value: typed } };
+  }
+  if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
+  const [zero, endless] = [range.also.includes(0), range.also.includes(Infinity)];
+  const span = `range.${zero ? "zero_or_" : ""}from_to${endless ? "_or_inf" : ""}`;
+  const rule = { key: span, values: { least: show(range.least, 4), most: withUnit(show(range.most, 4), unit) } };
+  const values = { name: label, value: withUnit(show(value, 6), unit), rule };
+  return { key: "{name} = {value} must be {rule}.", values };
+}
+
+export interface FieldInfo {
+  label: string;
+  unit: string;
+  range?: AllowedRange; // in the field's unit
+  name?: Said; // for a screen reader, where no label belongs to it
+}
+
+let count = 0;
+
+// The text that is typed stays until it is a number that is taken, or until Escape brings back what was there.
+export class Entry {
+  shown = "";
+  typing = false;
+  error = h("p", { class: "error", role: "alert", id: `hh-error-${++count}`, hidden: true });
+  input: HTMLInputElement;
+
+  constructor(
+    readonly info: FieldInfo,
+    readonly onvalue: (value: number) => void,
+  ) {
+    this.input = h("input", {
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      class: "exact",
+      "aria-label": info.name,
+      oninput: () => {
+        this.typing = true;
+        this.accept();
+      },
+      onchange: () => this.typed(),
+      onblur: () => this.typing && this.typed(),
+      onkeydown: (event: KeyboardEvent) => {
+        if (event.key !== "Escape" || !(this.typing || this.refused())) return;
+        event.stopPropagation();
+        this.restore();
+      },
+    });
+  }
+
+  refused() {
+    return this.input.getAttribute("aria-invalid") === "true";
+  }
+
+  typed() {
+    const text = this.input.value;
+    if (!this.typing) return;
+    this.typing = false;
+    if (text.trim() === "") {
+      this.restore();
+      return;
+    }
+    const value = readNumber(text, this.info.unit);
+    const wrong = refusal(text, value, this.info);
+    if (wrong) this.refuse(wrong);
+    else this.onvalue(value);
+  }
+
+  refuse(sentence: Said) {
+    this.input.setAttribute("aria-invalid", "true");
+    this.input.setAttribute("aria-describedby", this.error.id);
+    say(this.error, sentence);
+    this.error.hidden = false;
+  }
+
+  accept() {
+    this.input.removeAttribute("aria-invalid");
+    this.input.removeAttribute("aria-describedby");
+    this.error.hidden = true;
+  }
+
+  restore() {
+    this.typing = false;
+    this.input.value = this.shown;
+    this.accept();
+  }
+
+  /** `text`: what is so now; what a hand is typing stays. */
+  show(text: string) {
+    this.shown = local(text);
+    if (!this.typing) this.restore();
+  }
+}

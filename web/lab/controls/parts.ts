@@ -1,0 +1,119 @@
+// The table of a real hoop's parts.
+
+import { h } from "../common/dom.ts";
+import { Entry } from "./entry.ts";
+
+const SHAPES = {
+  ring: { label: "Ring", keys: ["mass", "inner_radius", "outer_radius"] },
+  disk: { label: "Disk", keys: ["mass", "radius", "at"] },
+  point_mass: { label: "Point mass", keys: ["mass", "at"] },
+  rod: { label: "Rod", keys: ["mass", "length", "at"] },
+};
+const LABELS: Record<string, [string, string]> = {
+  mass: ["mass", "kg"],
+  inner_radius: ["inner radius", "m"],
+  outer_radius: ["outer radius", "m"],
+  radius: ["radius", "m"],
+  at: ["distance from centre", "m"],
+  length: ["length", "m"],
+};
+
+const fresh = (shape: Part["shape"], R: number, mass: number) =>
+  ({
+    ring: { shape, mass, inner_radius: 0.95 * R, outer_radius: R },
+    disk: { shape, mass, radius: 0.1 * R, at: 0.8 * R },
+    point_mass: { shape, mass, at: R },
+    rod: { shape, mass, length: 0.5 * R, at: 0.5 * R },
+  })[shape];
+
+/** Parts that stand for the hoop there is: a thin ring and a load. */
+export function partsLike(values: Record<string, any>): Part[] {
+  const R = values["hoop.radius"];
+  const mass = values["hoop.mass"];
+  const load = Math.min(Math.max(values["hoop.eccentricity"], 0.01), 0.99);
+  return [
+    { shape: "ring", mass: round(mass * (1 - load)), inner_radius: round(0.98 * R), outer_radius: R },
+    { shape: "point_mass", mass: round(mass * load), at: R },
+  ];
+}
+
+const round = (value: number) => Number(value.toPrecision(6));
+
+export class Parts {
+  parts: Part[];
+  text: string;
+  radius: number;
+  mass: number;
+
+  list = h("div", { class: "parts" });
+  element: HTMLDivElement;
+
+  constructor(public onchange: (changes: Change[], commit?: boolean) => void) {
+    this.element = h(
+      "div",
+      {},
+      this.list,
+      h(
+        "select",
+        {
+          "aria-label": "Add a part",
+          onchange: (event: any) => {
+            const shape = event.target.value;
+            event.target.value = "";
+            if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
+          },
+        },
+        h("option", { value: "" }, "+ add a part …"),
+        Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
+      ),
+    );
+  }
+
+  send(parts: Part[]) {
+    this.onchange([["hoop.parts", parts]]);
+  }
+
+  show(parts: Part[], radius: number, mass: number) {
+    const text = JSON.stringify(parts);
+    if (text === this.text || this.list.contains((this.list.getRootNode() as Document | ShadowRoot).activeElement)) {
+      this.parts = parts;
+      return;
+    }
+    Object.assign(this, { text, parts, radius, mass });
+    this.list.replaceChildren(...parts.map((part, i) => this.row(part, i)));
+  }
+
+  row(part: Part, i: number) {
+    const { label, keys } = SHAPES[part.shape];
+    return h(
+      "fieldset",
+      { class: "part" },
+      h(
+        "legend",
+        {},
+        label,
+        this.parts.length > 1 &&
+          h(
+            "button",
+            {
+              type: "button",
+              class: "quiet",
+              "aria-label": { key: "Remove part {number}, {what}", values: { number: i + 1, what: label } },
+              onclick: () => this.send(this.parts.filter((_, k) => k !== i)),
+            },
+            "×",
+          ),
+      ),
+      keys.map((key) => this.field(part, i, key)),
+    );
+  }
+
+  field(part: Part, i: number, key: string) {
+    const [label, unit] = LABELS[key];
+    const entry = new Entry({ label, unit }, (value) =>
+      this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: value } : one))),
+    );
+    entry.show(String(part[key] ?? 0));
+    return h("div", {}, h("label", {}, label, ` [${unit}]`, entry.input), entry.error);
+  }
+}

@@ -1,0 +1,315 @@
+// The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
+
+import { hoopInk } from "../common/colors.ts";
+import { fitted, h, once } from "../common/dom.ts";
+import { clamp, niceStep } from "../common/numbers.ts";
+import { axes, hatch, pictureOf } from "./phase_picture.ts";
+import { BOTTOM, LEFT, RIGHT, TOP } from "./plot_axes.ts";
+import { swatch } from "./swatch.ts";
+import { byFingers, zoomable } from "../common/zoom.ts";
+
+export class PhasePlane {
+  films: Film[];
+  active: number;
+  look: Look;
+  box: Box;
+  window: number[] | null;
+  pictures: { window: number[]; paradox: Column; picture: HTMLCanvasElement }[];
+  reached: number;
+  forwards: boolean;
+  backwards: boolean;
+  keyed: boolean;
+  sharpening: AbortController;
+
+  canvas = h("canvas", { class: "plot-canvas" });
+  over = h("canvas", { class: "plot-canvas plot-over" });
+  keys = h("div", { class: "plot-keys" });
+  asked = "";
+  body: HTMLDivElement;
+  element: HTMLElement;
+  pinched: () => boolean;
+  range: number[];
+  soon: () => void;
+
+  constructor(
+    readonly backend: Backend,
+    public clock: Clock,
+    public colors: Colors,
+  ) {
+    this.body = h(
+      "div",
+      {
+        class: "plot-body",
+        role: "img",
+        tabindex: "0",
+        "aria-label": "Plane of angle and angular velocity with the regions of rolling, slip and flight",
+      },
+      this.canvas,
+      this.over,
+    );
+    this.element = h(
+      "section",
+      { class: "phase" },
+      h("header", {}, h("h3", {}, "Plane of θ and θ̇"), this.keys),
+      this.body,
+      h(
+        "p",
+        { class: "hint" },
+        "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
+        " ",
+        byFingers()
+          ? "Click to go there; two fingers zoom."
+          : "Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.",
+      ),
+    );
+    this.body.addEventListener("pointerdown", (event) => this.seek(event));
+    this.pinched = zoomable(this.body, {
+      zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
+      home: () => this.home(),
+      keys: true,
+    });
+    this.range = [0, 2 * Math.PI];
+    this.soon = once(() => this.sharpen(), 140);
+  }
+
+  /** The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows. */
+  async fetch(scenario: Scenario, signal: AbortSignal | undefined) {
+    const reach = this.reach();
+    const key = JSON.stringify([scenario.hoop, scenario.plane, reach]);
+    if (key !== this.asked) {
+      const whole = await this.painted(scenario, [0, 2 * Math.PI, -reach, reach], signal);
+      this.asked = key;
+      this.pictures = [whole];
+      this.redraw();
+    }
+    if (this.window) await this.sharpen();
+  }
+
+  // The part that is zoomed into, as fine as the whole.
+  async sharpen() {
+    this.sharpening?.abort();
+    if (!this.pictures || this.isWhole()) return;
+    this.sharpening = new AbortController();
+    try {
+      const part = await this.painted(
+        this.films[this.active].scenario,
+        [...this.range, this.bottom(), this.top()],
+        this.sharpening.signal,
+      );
+      this.pictures = [this.pictures[0], part];
+      this.redraw();
+    } catch (error) {
+      if ((error as Error).name !== "AbortError") throw error;
+    }
+  }
+
+  async painted(scenario: Scenario, window: number[], signal: AbortSignal | undefined) {
+    const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
+    // an answer may be on its way already when it is given up
+    signal?.throwIfAborted();
+    return {
+      window: header.window,
+      paradox: arrays.paradox,
+      picture: pictureOf(arrays.modes, arrays.paradox.length, this.colors.modes),
+    };
+  }
+
+  reach() {
+    return this.reached;
+  }
+
+  // How far up the diagram goes: past nearly all of the motion, to a round number.
+  findReach() {
+    let most = 0;
+    for (const film of this.films ?? []) {
+      const rates = Float64Array.from(film.columns.omega, Math.abs).filter(Number.isFinite).sort();
+      most = Math.max(most, rates[Math.floor(0.99 * (rates.length - 1))] ?? 0);
+    }
+    const step = niceStep(Math.max(most, 1) * 1.15, 4);
+    return Math.ceil((Math.max(most, 1) * 1.12) / step) * step;
+  }
+
+  home() {
+    this.range = [0, 2 * Math.PI];
+    this.window = null;
+    this.wholeAgain();
+    this.redraw();
+  }
+
+  // Whether all is in sight that was computed for the whole.
+  isWhole() {
+    const [low, high] = this.range;
+    const wide = high - low >= 2 * Math.PI - 1e-9;
+    return wide && (!this.window || this.window[1] - this.window[0] >= 2 * this.reach() - 1e-9);
+  }
+
+  // No finer part, nor one that is still being computed.
+  wholeAgain() {
+    this.sharpening?.abort();
+    this.pictures?.splice(1);
+  }
+
+  /** θ and θ̇ under a pointer. */
+  point(event: Point) {
+    const box = this.body.getBoundingClientRect();
+    const across = (event.clientX - box.left - LEFT) / this.box.width;
+    const up = 1 - (event.clientY - box.top - TOP) / this.box.height;
+    return [
+      this.range[0] + across * (this.range[1] - this.range[0]),
+      this.bottom() + up * (this.top() - this.bottom()),
+    ];
+  }
+
+  middle() {
+    return [0.5 * (this.range[0] + this.range[1]), 0.5 * (this.bottom() + this.top())];
+  }
+
+  zoomAbout([th, om]: number[], factor: number) {
+    const low = Math.max(th - (th - this.range[0]) * factor, 0);
+    const high = Math.min(th + (this.range[1] - th) * factor, 2 * Math.PI);
+    const reach = this.reach();
+    const down = Math.max(om - (om - this.bottom()) * factor, -reach);
+    const up = Math.min(om + (this.top() - om) * factor, reach);
+    this.range = [low, high];
+    this.window = [down, up];
+    if (this.isWhole()) this.wholeAgain();
+    else this.soon();
+    this.redraw();
+  }
+
+  bottom() {
+    if (this.window) return this.window[0];
+    return this.backwards ? -this.reach() : 0;
+  }
+
+  top() {
+    return this.window ? this.window[1] : this.forwards ? this.reach() : 0.12 * this.reach();
+  }
+
+  draw(films: Film[], active: number, look: Look) {
+    this.films = films;
+    this.active = active;
+    this.look = look;
+    this.reached = this.findReach();
+    this.forwards = films.some((film) => film.columns.omega.some((value) => value > 0.3));
+    this.backwards = films.some((film) => film.columns.omega.some((value) => value < -0.3));
+    if (!this.forwards && !this.backwards) this.forwards = true;
+    this.redraw();
+  }
+
+  x(th: number) {
+    return LEFT + ((th - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
+  }
+
+  y(rate: number) {
+    return TOP + (1 - (rate - this.bottom()) / (this.top() - this.bottom())) * this.box.height;
+  }
+
+  redraw() {
+    if (!this.films) return;
+    const { colors, look } = this;
+    const { context, width, height } = fitted(this.canvas);
+    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    context.clearRect(0, 0, width, height);
+    context.save();
+    context.beginPath();
+    context.rect(LEFT, TOP, this.box.width, this.box.height);
+    context.clip();
+    if (this.pictures) {
+      context.imageSmoothingEnabled = false;
+      for (const { picture, window } of this.pictures) {
+        const [left, right, bottom, top] = window;
+        const place = [this.x(left), this.y(top), this.x(right) - this.x(left), this.y(bottom) - this.y(top)];
+        context.fillStyle = look.panel;
+        context.fillRect(place[0], place[1], place[2], place[3]);
+        context.globalAlpha = 0.35;
+        context.drawImage(picture, place[0], place[1], place[2], place[3]);
+        context.globalAlpha = 1;
+      }
+      hatch(context, this, this.pictures[0].paradox);
+    }
+    for (const [lane, film] of this.films.entries()) this.way(context, film, lane);
+    context.restore();
+    axes(context, this, width, height);
+    if (this.keyed !== look.dark) {
+      this.keyed = look.dark;
+      const names = Object.entries(colors.mode_names).filter(([letter]) => "RSKH".includes(letter));
+      this.keys.replaceChildren(
+        ...names.map(([letter, name]) => h("span", { class: "plot-key" }, swatch(colors.modes[letter]), name)),
+      );
+    }
+    this.cursor(this.clock.time);
+  }
+
+  way(context: CanvasRenderingContext2D, film: Film, lane: number) {
+    const { angle, omega, mode } = film.columns;
+    const turn = 2 * Math.PI;
+    context.lineWidth = lane ? 1.2 : 1.8;
+    context.setLineDash(lane ? [4, 3] : []);
+    context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
+    context.beginPath();
+    let last = null;
+    for (let i = 0; i < film.length; i++) {
+      if (!Number.isFinite(omega[i])) {
+        last = null;
+        continue;
+      }
+      const lap = Math.floor(angle[i] / turn);
+      const th = angle[i] - lap * turn;
+      if (last === null) context.moveTo(this.x(th), this.y(omega[i]));
+      else if (lap !== last.lap) {
+        // leave on one side, come back on the other
+        const out = lap > last.lap ? turn : 0;
+        context.lineTo(this.x(out), this.y(omega[i]));
+        context.moveTo(this.x(turn - out), this.y(omega[i]));
+        context.lineTo(this.x(th), this.y(omega[i]));
+      } else context.lineTo(this.x(th), this.y(omega[i]));
+      last = { lap, mode: mode[i] };
+    }
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  cursor(time: number) {
+    if (!this.films || !this.box) return;
+    const { context, width, height } = fitted(this.over);
+    context.clearRect(0, 0, width, height);
+    this.films.forEach((film, lane) => {
+      const pose = film.at(time);
+      const turn = 2 * Math.PI;
+      const th = pose.angle - Math.floor(pose.angle / turn) * turn;
+      const x = this.x(th);
+      const y = this.y(pose.omega);
+      if (!(x >= LEFT && x <= LEFT + this.box.width && y >= TOP && y <= TOP + this.box.height)) return;
+      context.beginPath();
+      context.arc(x, y, lane ? 4 : 5.5, 0, 2 * Math.PI);
+      context.fillStyle = this.colors.modes[pose.mode];
+      context.fill();
+      context.lineWidth = 2;
+      context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
+      context.stroke();
+      if (this.films.length < 2) return;
+      context.font = `700 12px ${this.look.font}`;
+      context.textAlign = "left";
+      context.fillStyle = context.strokeStyle;
+      context.fillText("AB"[lane], x + 8, y - 6);
+    });
+  }
+
+  /** The moment of the motion that passes nearest to where the finger points. */
+  seek(event: PointerEvent) {
+    const box = this.body.getBoundingClientRect();
+    const [px, py] = [event.clientX - box.left, event.clientY - box.top];
+    if (this.pinched()) return;
+    const film = this.films[this.active];
+    const { angle, omega } = film.columns;
+    const turn = 2 * Math.PI;
+    let best = { distance: Infinity, t: 0 };
+    for (let i = 0; i < film.length; i++) {
+      const th = angle[i] - Math.floor(angle[i] / turn) * turn;
+      const distance = Math.hypot(this.x(th) - px, this.y(omega[i]) - py);
+      if (distance < best.distance) best = { distance, t: film.t[i] };
+    }
+    if (best.distance < 40) this.clock.seek(clamp(best.t, 0, film.duration));
+  }
+}

@@ -1,0 +1,335 @@
+// One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
+
+import { faded, hoopInk, readable } from "../common/colors.ts";
+import { fitted, h } from "../common/dom.ts";
+import { clamp, show } from "../common/numbers.ts";
+import { BOTTOM, grid, heightsOf, LEFT, RIGHT, TOP } from "./plot_axes.ts";
+import { follow } from "../common/pointer.ts";
+import { QUANTITIES } from "./quantities.ts";
+import { DASHES, swatch } from "./swatch.ts";
+import { t } from "../words/words.ts";
+import { zoomable } from "../common/zoom.ts";
+
+export type Drawn = Curve & { film: Film; lane: number; number: number };
+
+export class Plot {
+  films: Film[];
+  active: number;
+  look: Look;
+  box: Box;
+  range: number[];
+  heights: number[];
+  picked: number[] | null;
+  named: string;
+  values: HTMLElement[];
+
+  key: string;
+  title: string;
+  unit: string;
+  curves: (film: Film) => Curve[];
+  limits: [number, number] | undefined;
+  symmetric: boolean;
+  canvas: HTMLCanvasElement;
+  over: HTMLCanvasElement;
+  keys: HTMLDivElement;
+  body: HTMLDivElement;
+  element: HTMLElement;
+  pinched: () => boolean;
+  onseek: (time: number) => void;
+
+  /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
+  constructor(
+    { key, title, unit, curves, limits, symmetric = false }: PlotDefinition,
+    public shared: PlotShared,
+  ) {
+    this.key = key;
+    this.title = title;
+    this.unit = unit;
+    this.curves = curves;
+    this.limits = limits;
+    this.symmetric = symmetric;
+    this.canvas = h("canvas", { class: "plot-canvas" });
+    this.over = h("canvas", { class: "plot-canvas plot-over" });
+    this.keys = h("div", { class: "plot-keys" });
+    this.body = h(
+      "div",
+      { class: "plot-body", tabindex: "0", role: "img", "aria-label": title },
+      this.canvas,
+      this.over,
+    );
+    this.element = h(
+      "section",
+      { class: "plot", "data-plot": key },
+      h("header", {}, h("h3", {}, title), this.keys),
+      this.body,
+    );
+    this.body.addEventListener("pointerdown", (event) => this.press(event));
+    this.pinched = zoomable(this.body, {
+      zoom: (factor, at) => this.films && this.zoomAbout(at ? this.valueAt(at) : this.middle(), 1 / factor),
+      home: () => this.zoomTo(null),
+      keys: true,
+    });
+    this.onseek = () => {};
+  }
+
+  abscissa(film: Film) {
+    return QUANTITIES[this.shared.axis].values(film);
+  }
+
+  fullRange() {
+    if (this.shared.axis === "time") return [0, Math.max(...this.films.map((film) => film.duration), 1e-9)];
+    let [low, high] = [Infinity, -Infinity];
+    for (const film of this.films) {
+      for (const value of this.abscissa(film)) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return high > low ? [low, high] : [low - 1, high + 1];
+  }
+
+  /** What it shows: enough for hands, and for the room of its legend, before any curve is drawn. */
+  take(films: Film[], active: number, look: Look) {
+    this.films = films;
+    this.active = active;
+    this.look = look;
+    this.range = this.shared.range ?? this.fullRange();
+    this.legend(this.shades(films[active], active), look.dark);
+  }
+
+  /** Curves and axes of what was taken; the cursor has its own canvas above. */
+  draw(colors: Colors) {
+    const { films, active } = this;
+    const { context, width, height } = fitted(this.canvas);
+    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    context.clearRect(0, 0, width, height);
+    const drawn = films.flatMap((film, lane) =>
+      this.shades(film, lane).map((curve, number) => ({ ...curve, film, lane, number })),
+    );
+    this.heights = this.limits ?? this.findHeights(drawn);
+    if (this.shared.axis === "time") this.bands(context, films[active], colors);
+    grid(context, this, width, height);
+    context.save();
+    context.beginPath();
+    context.rect(LEFT, TOP, this.box.width, this.box.height);
+    context.clip();
+    for (const curve of drawn) this.curve(context, curve);
+    if (films.length > 1) for (const curve of drawn) if (curve.number === 0) this.letter(context, curve);
+    context.restore();
+    this.describe(drawn);
+  }
+
+  /**
+   * The curves as they are drawn: one hoop's by the colour of the quantity; of two, by the colour of the hoop and a
+   * dash for the quantity.
+   */
+  shades(film: Film, lane: number): Curve[] {
+    const { dark } = this.look;
+    if (this.films.length < 2) {
+      return this.curves(film).map((curve) => ({ ...curve, color: curve.color && readable(curve.color, dark) }));
+    }
+    const dashes = Object.keys(DASHES) as Curve["dash"][];
+    return this.curves(film).map((curve, k) => ({
+      ...curve,
+      color: hoopInk(lane, dark),
+      dash: dashes[k % dashes.length],
+    }));
+  }
+
+  x(value: number) {
+    return LEFT + ((value - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
+  }
+
+  y(value: number) {
+    return TOP + (1 - (value - this.heights[0]) / (this.heights[1] - this.heights[0])) * this.box.height;
+  }
+
+  findHeights(drawn: (Curve & { film: Film; lane: number })[]) {
+    const seen = [];
+    for (const { film, values } of drawn) {
+      const across = this.abscissa(film);
+      for (let i = 0; i < values.length; i++) {
+        if (across[i] >= this.range[0] && across[i] <= this.range[1] && Number.isFinite(values[i]))
+          seen.push(values[i]);
+      }
+    }
+    return heightsOf(seen, this.symmetric);
+  }
+
+  bands(context: CanvasRenderingContext2D, film: Film, colors: Colors) {
+    for (const phase of film.phases) {
+      const from = clamp(this.x(phase.from), LEFT, LEFT + this.box.width);
+      const to = clamp(this.x(phase.to), LEFT, LEFT + this.box.width);
+      if (to <= from) continue;
+      context.fillStyle = faded(colors.modes[phase.mode], 0.14);
+      context.fillRect(from, TOP, to - from, this.box.height);
+    }
+  }
+
+  curve(context: CanvasRenderingContext2D, { film, color, dash, number }: Drawn) {
+    context.strokeStyle = color ?? this.look.ink;
+    context.lineWidth = 1.8;
+    context.setLineDash(DASHES[dash ?? "solid"]);
+    context.beginPath();
+    let open = false;
+    for (const piece of film.pieces()) {
+      const across = this.abscissa(piece.film);
+      const { values } = this.curves(piece.film)[number];
+      for (let i = piece.from; i < piece.to; i++) {
+        if (!Number.isFinite(values[i]) || !Number.isFinite(across[i])) {
+          open = false;
+          continue;
+        }
+        const x = this.x(across[i]);
+        const y = clamp(this.y(values[i]), -1e4, 1e4);
+        if (open) context.lineTo(x, y);
+        else context.moveTo(x, y);
+        open = true;
+      }
+    }
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  /** Which of two hoops a curve is of. */
+  letter(context: CanvasRenderingContext2D, { film, lane, values, color }: Drawn) {
+    const across = this.abscissa(film);
+    const place = this.range[0] + (lane ? 0.84 : 0.7) * (this.range[1] - this.range[0]);
+    const i = across.findIndex((value) => value >= place);
+    if (i < 0 || !Number.isFinite(values[i])) return;
+    const [x, y] = [this.x(across[i]), clamp(this.y(values[i]) - 8, TOP + 10, TOP + this.box.height - 4)];
+    context.font = `700 12px ${this.look.font}`;
+    context.textAlign = "center";
+    context.lineWidth = 4;
+    context.strokeStyle = this.look.panel;
+    context.strokeText("AB"[lane], x, y);
+    context.fillStyle = color ?? this.look.ink;
+    context.fillText("AB"[lane], x, y);
+  }
+
+  legend(curves: Curve[], dark: boolean) {
+    const names = curves.map((curve) => curve.name + curve.color + curve.dash).join() + dark;
+    if (this.named !== names) {
+      this.named = names;
+      this.values = curves.map(() => h("span", { class: "value" }));
+      this.keys.replaceChildren(
+        ...curves.map((curve, i) =>
+          h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
+        ),
+      );
+    }
+  }
+
+  describe(drawn: (Curve & { film: Film; lane: number })[]) {
+    const parts = drawn.slice(0, 6).map(({ name, values, lane }) => {
+      let [low, high] = [Infinity, -Infinity];
+      for (const value of values) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+      const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
+      const found = { name: t(name), low: show(low, 3), high: show(high, 3) };
+      return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
+    });
+    const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });
+    this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
+  }
+
+  cursor(time: number) {
+    if (!this.heights) return; // not drawn yet
+    const { context, width, height } = fitted(this.over);
+    context.clearRect(0, 0, width, height);
+    this.films.forEach((whole, lane) => {
+      const film = whole.holding(time);
+      const pose = film.at(time);
+      const i = film.index(pose.t);
+      const j = Math.min(i + 1, film.length - 1);
+      const share = film.t[j] > film.t[i] ? (pose.t - film.t[i]) / (film.t[j] - film.t[i]) : 0;
+      const across = this.abscissa(film);
+      const x = this.x(across[i] + share * (across[j] - across[i]));
+      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
+      if (inside) {
+        context.strokeStyle = this.look.soft;
+        context.lineWidth = 1;
+        context.beginPath();
+        context.moveTo(x, TOP);
+        context.lineTo(x, TOP + this.box.height);
+        context.stroke();
+      }
+      this.shades(film, lane).forEach((curve, k) => {
+        const next = curve.values[j];
+        const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
+        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
+        const y = this.y(value);
+        if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
+        context.fillStyle = curve.color ?? this.look.ink;
+        context.beginPath();
+        context.arc(x, y, 3.2, 0, 2 * Math.PI);
+        context.fill();
+      });
+    });
+    if (this.picked) {
+      const [a, b] = this.picked;
+      context.fillStyle = faded("#0072B2", 0.2);
+      context.fillRect(Math.min(a, b), TOP, Math.abs(b - a), this.box.height);
+    }
+  }
+
+  valueAt(event: Point) {
+    const box = this.body.getBoundingClientRect();
+    const share = clamp((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0, 1);
+    return this.range[0] + share * (this.range[1] - this.range[0]);
+  }
+
+  press(event: PointerEvent) {
+    if (!this.films) return;
+    const box = this.body.getBoundingClientRect();
+    const start = event.clientX - box.left;
+    const from = this.valueAt(event);
+    let twoFingers = this.pinched();
+    const move = (moved: PointerEvent) => {
+      twoFingers ||= this.pinched();
+      if (twoFingers) return;
+      const now = moved.clientX - box.left;
+      this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
+      if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
+      this.cursor(this.shared.clock.time);
+    };
+    follow(this.body, event, move, (last, lifted) => {
+      const to = this.valueAt(last);
+      const { picked } = this;
+      this.picked = null;
+      if (picked && lifted) this.zoomTo(from < to ? [from, to] : [to, from]);
+      else if (picked) this.cursor(this.shared.clock.time);
+      else if (lifted && !twoFingers) this.seek(event.pointerType === "mouse" ? from : to);
+    });
+  }
+
+  seek(value: number) {
+    if (this.shared.axis === "time") return this.onseek(value);
+    // the time at which the angle is passed first after the present time, else at all
+    const film = this.films[this.active];
+    const across = this.abscissa(film);
+    let best = 0;
+    for (let i = 0; i < across.length; i++) {
+      if (Math.abs(across[i] - value) < Math.abs(across[best] - value)) best = i;
+    }
+    return this.onseek(film.t[best]);
+  }
+
+  middle() {
+    return 0.5 * (this.range[0] + this.range[1]);
+  }
+
+  zoomAbout(center: number, factor: number) {
+    const full = this.fullRange();
+    const low = Math.max(center - (center - this.range[0]) * factor, full[0]);
+    const high = Math.min(center + (this.range[1] - center) * factor, full[1]);
+    this.zoomTo(low <= full[0] && high >= full[1] ? null : [low, high]);
+  }
+
+  zoomTo(range: number[] | null) {
+    this.shared.range = range && range[1] - range[0] > 1e-9 ? range : null;
+    this.shared.changed();
+  }
+}

@@ -1,0 +1,166 @@
+// Which diagrams there are: velocities, energies and losses, forces, friction utilization.
+
+import { h, say } from "../common/dom.ts";
+import { optionsOf, ownPlot } from "./own_plot.ts";
+import { Plot } from "./plot.ts";
+
+function definitions(colors: Colors): PlotDefinition[] {
+  return [
+    {
+      key: "velocities",
+      title: "Velocities",
+      unit: "velocity [m/s]",
+      curves: (film: Film) => [
+        { name: "v (centre)", color: colors.center_speed, values: film.columns.vx },
+        {
+          name: "R θ̇",
+          color: colors.rotation_speed,
+          dash: "dash",
+          values: film.derived("spin", ({ omega }) => Float64Array.from(omega, (value) => value * film.radius)),
+        },
+      ],
+    },
+    {
+      key: "energies",
+      title: "Energies and losses",
+      unit: "energy [J]",
+      curves: (film: Film) => [
+        { name: "kinetic", color: colors.kinetic, values: film.columns.kinetic },
+        { name: "potential", color: colors.potential, values: film.columns.potential },
+        {
+          name: "total",
+          values: film.derived("total", ({ t, kinetic, potential }) =>
+            Float64Array.from(t, (_, i) => kinetic[i] + potential[i]),
+          ),
+          dash: "dash",
+        },
+        // as in Python's plots: what an impact loses along the plane is friction's
+        { name: "lost to friction", color: colors.friction_loss, values: film.columns.friction_loss },
+        {
+          name: film.scenario.contact.model === "compliant" ? "lost in the damper" : "lost in impacts, normal part",
+          color: colors.impact_loss,
+          values: film.columns.normal_loss,
+          dash: "dot",
+        },
+        ...(film.scenario.plane.rolling_resistance
+          ? [
+              {
+                name: "lost to rolling resistance",
+                values: film.columns.rolling_resistance,
+                dash: "dot" as const,
+              },
+            ]
+          : []),
+      ],
+    },
+    {
+      key: "forces",
+      title: "Contact forces",
+      unit: "force [N]",
+      curves: (film: Film) => [
+        { name: "normal N", color: colors.normal_force, values: film.columns.normal_force },
+        { name: "friction F", color: colors.friction_force, dash: "dash", values: film.columns.friction_force },
+      ],
+    },
+    {
+      key: "utilization",
+      title: "Use of friction",
+      unit: "|F| / μN",
+      limits: [0, 1.08],
+      curves: (film: Film) => [{ name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization }],
+    },
+  ];
+}
+
+export class Plots {
+  films: Film[];
+  active: number;
+  look: Look;
+
+  shared: { axis: string; range: null; clock: Clock; changed: () => void };
+  plots: Plot[];
+  seen: Map<HTMLElement, boolean>;
+  axis: HTMLSelectElement;
+  back: HTMLButtonElement;
+  hint: HTMLSpanElement;
+  element: HTMLDivElement;
+
+  constructor(
+    clock: Clock,
+    public colors: Colors,
+  ) {
+    this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
+    this.plots = [...definitions(colors).map((definition) => new Plot(definition, this.shared)), ownPlot(this.shared)];
+    for (const plot of this.plots) plot.onseek = (time: number) => clock.seek(time);
+    // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
+    this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
+    const watch = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries) this.seen.set(target as HTMLElement, isIntersecting);
+        this.redraw();
+      },
+      { rootMargin: "400px" },
+    );
+    for (const plot of this.plots) watch.observe(plot.element);
+    this.axis = h(
+      "select",
+      {
+        "aria-label": "Horizontal axis of the diagrams",
+        onchange: () => {
+          this.shared.axis = this.axis.value;
+          this.shared.range = null;
+          this.redraw();
+        },
+      },
+      optionsOf(({ name }) => ({ key: "over {quantity}", values: { quantity: name } })),
+    );
+    this.back = h(
+      "button",
+      { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) },
+      "Whole motion",
+    );
+    this.hint = h("span", { class: "hint" });
+    this.element = h(
+      "div",
+      { class: "plots" },
+      h("div", { class: "plots-head" }, this.axis, this.back, this.hint),
+      this.plots.map((plot) => plot.element),
+    );
+  }
+
+  draw(films: Film[], active: number, look: Look) {
+    this.films = films;
+    this.active = active;
+    this.look = look;
+    const hands = matchMedia("(hover: none)").matches
+      ? "slide to go there, two fingers zoom"
+      : "click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all";
+    const two = films.length > 1;
+    say(
+      this.hint,
+      two
+        ? {
+            key: "A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}",
+            values: { hoop: "AB"[active], hands },
+          }
+        : hands,
+    );
+    this.redraw();
+  }
+
+  redraw() {
+    if (!this.films?.length) return;
+    this.back.hidden = !this.shared.range;
+    for (const plot of this.plots) plot.take(this.films, this.active, this.look);
+    for (const plot of this.visible()) plot.draw(this.colors);
+    this.cursor(this.shared.clock.time);
+  }
+
+  visible() {
+    return this.plots.filter((plot) => this.seen.get(plot.element));
+  }
+
+  cursor(time: number) {
+    for (const plot of this.visible()) plot.cursor(time);
+  }
+}

@@ -1,0 +1,74 @@
+// What can stand on the axes of diagrams and in the columns of the table: each quantity of a motion with its unit.
+
+const DEGREE = Math.PI / 180;
+
+export interface Quantity {
+  name: string; // in English
+  symbol: string;
+  unit: string;
+  values: (film: Film) => Column;
+}
+
+const plain: (column: string) => (film: Film) => Column = (column) => (film) => film.columns[column];
+
+const made =
+  (key: string, of: (columns: Record<string, Column>, i: number, film: Film) => number): ((film: Film) => Column) =>
+  (film) =>
+    film.derived(key, (columns) => Float64Array.from(film.t, (_, i) => of(columns, i, film)));
+
+export const QUANTITIES: Record<string, Quantity> = {
+  time: { name: "time", symbol: "t", unit: "s", values: (film) => film.t },
+  angle: { name: "angle", symbol: "θ", unit: "°", values: made("degrees", ({ angle }, i) => angle[i] / DEGREE) },
+  turns: {
+    name: "angle within a turn",
+    symbol: "θ mod 360°",
+    unit: "°",
+    // no line leads from one turn to the next
+    values: made("within", ({ angle }, i) => {
+      const turn = (k: number) => Math.floor(angle[k] / DEGREE / 360);
+      return i > 0 && turn(i) !== turn(i - 1) ? Number.NaN : angle[i] / DEGREE - 360 * turn(i);
+    }),
+  },
+  x: { name: "place of the centre", symbol: "x", unit: "m", values: plain("x") },
+  height: { name: "gap under the rim", symbol: "y", unit: "m", values: plain("height") },
+  rise: {
+    name: "height of the centre of gravity",
+    symbol: "h_G",
+    unit: "m",
+    values: made(
+      "rise",
+      ({ height, angle }, i, film) => film.radius * (1 + film.eccentricity * Math.cos(angle[i])) + height[i],
+    ),
+  },
+  vx: { name: "speed of the centre", symbol: "v", unit: "m/s", values: plain("vx") },
+  spin: {
+    name: "speed of rotation",
+    symbol: "R θ̇",
+    unit: "m/s",
+    values: made("spin", ({ omega }, i, film) => omega[i] * film.radius),
+  },
+  vy: { name: "speed away from the plane", symbol: "ẏ", unit: "m/s", values: plain("vy") },
+  slip: { name: "slip velocity", symbol: "v_t", unit: "m/s", values: plain("slip") },
+  omega: { name: "angular velocity", symbol: "θ̇", unit: "rad/s", values: plain("omega") },
+  normal_force: { name: "normal force", symbol: "N", unit: "N", values: plain("normal_force") },
+  friction_force: { name: "friction force", symbol: "F", unit: "N", values: plain("friction_force") },
+  utilization: { name: "use of friction", symbol: "|F|/μN", unit: "", values: plain("utilization") },
+  kinetic: { name: "kinetic energy", symbol: "E_k", unit: "J", values: plain("kinetic") },
+  potential: { name: "potential energy", symbol: "E_p", unit: "J", values: plain("potential") },
+  total: {
+    name: "total energy",
+    symbol: "E",
+    unit: "J",
+    values: made("total", ({ kinetic, potential }, i) => kinetic[i] + potential[i]),
+  },
+  friction_loss: { name: "lost to friction", symbol: "W_f", unit: "J", values: plain("friction_loss") },
+  normal_loss: { name: "lost in impacts, normal part", symbol: "W_i", unit: "J", values: plain("normal_loss") },
+  rolling_resistance: {
+    name: "lost to rolling resistance",
+    symbol: "W_r",
+    unit: "J",
+    values: plain("rolling_resistance"),
+  },
+};
+
+export const withSymbol = ({ name, symbol }: Quantity) => [name, " ", symbol];

@@ -1,0 +1,166 @@
+// The motion as a table: chosen columns at equal steps of time, to be read, copied and saved.
+
+import { h, saveBlob, say } from "../common/dom.ts";
+import { show } from "../common/numbers.ts";
+import { QUANTITIES } from "./quantities.ts";
+import { t } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+
+const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
+const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
+const MOST = 601; // rows
+
+/** The rows of the table: at equal steps, with the state at each time. `step`: in seconds. */
+export function rowsOf(film: Film, columns: string[], step: number) {
+  const count = Math.min(Math.floor(film.duration / step + 1e-9) + 1, MOST);
+  const rows = [];
+  for (let k = 0; k < count; k++) {
+    const time = Number((k * step).toPrecision(12));
+    rows.push({ time, mode: film.at(time).mode, values: columns.map((key) => valueAt(film, key, time)) });
+  }
+  return rows;
+}
+
+/** A quantity at a time, between the samples that are there. */
+export function valueAt(film: Film, key: string, time: number) {
+  if (key === "time") return time;
+  const pose = film.at(time);
+  if (key in pose && key !== "angle") return pose[key];
+  const degrees = (pose.angle * 180) / Math.PI;
+  if (key === "angle") return degrees;
+  if (key === "turns") return degrees - 360 * Math.floor(degrees / 360);
+  const values = QUANTITIES[key].values(film);
+  const i = film.index(time);
+  const j = Math.min(i + 1, film.length - 1);
+  const share = film.t[j] > film.t[i] ? (time - film.t[i]) / (film.t[j] - film.t[i]) : 0;
+  return values[i] + share * (values[j] - values[i]);
+}
+
+export class Table {
+  film: Film;
+  rows: { time: number; row: HTMLElement }[] = [];
+  now: HTMLElement | undefined;
+
+  columns = [...FIRST];
+  step: HTMLSelectElement;
+  picks: HTMLDivElement;
+  caption: HTMLTableCaptionElement;
+  head: HTMLTableSectionElement;
+  body: HTMLTableSectionElement;
+  element: HTMLElement;
+
+  constructor(public lab: Lab) {
+    this.step = h(
+      "select",
+      { onchange: () => this.fill() },
+      STEPS.map((step) => h("option", { value: String(step) }, `${step} s`)),
+    );
+    this.step.value = "0.1";
+    this.picks = h(
+      "div",
+      { class: "table-picks" },
+      Object.entries(QUANTITIES)
+        .filter(([key]) => key !== "time")
+        .map(([key, { name }]) => this.pick(key, name)),
+    );
+    this.caption = h("caption", {});
+    this.head = h("thead", {});
+    this.body = h("tbody", {});
+    this.element = h(
+      "section",
+      { class: "table", "aria-label": "Table of the motion", hidden: true },
+      h(
+        "header",
+        {},
+        h("h2", {}, "Table"),
+        h("label", { class: "table-step" }, h("span", {}, "Every"), this.step),
+        h("button", { type: "button", onclick: () => this.save() }, "Save as CSV"),
+        h("button", { type: "button", onclick: () => this.open(false) }, "Close"),
+      ),
+      h("details", { class: "table-columns" }, h("summary", {}, "Columns"), this.picks),
+      h(
+        "div",
+        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "Table of the motion, rows" },
+        h("table", {}, this.caption, this.head, this.body),
+      ),
+    );
+  }
+
+  pick(key: string, name: string) {
+    const box = h("input", {
+      type: "checkbox",
+      checked: this.columns.includes(key),
+      onchange: () => {
+        const wanted = new Set(this.columns);
+        if (box.checked) wanted.add(key);
+        else wanted.delete(key);
+        this.columns = Object.keys(QUANTITIES).filter((one) => wanted.has(one));
+        this.fill();
+      },
+    });
+    return h("label", {}, box, h("span", {}, name));
+  }
+
+  open(open: boolean) {
+    this.element.hidden = !open;
+    if (!open) return;
+    this.draw(this.lab.film());
+    this.element.scrollIntoView({ block: "nearest" });
+    this.element.querySelector("select")?.focus();
+  }
+
+  draw(film: Film) {
+    if (this.element.hidden) return;
+    this.film = film;
+    this.fill();
+  }
+
+  fill() {
+    const { film, columns } = this;
+    const step = Number(this.step.value);
+    const names = this.lab.theme.colors.mode_names;
+    const units = columns.map((key) => QUANTITIES[key]);
+    this.head.replaceChildren(
+      h(
+        "tr",
+        {},
+        units.map(({ name, symbol, unit }) =>
+          h("th", { scope: "col", title: name }, symbol, unit && h("small", {}, ` ${unit}`)),
+        ),
+        h("th", { scope: "col" }, "mode"),
+      ),
+    );
+    const rows = rowsOf(film, columns, step);
+    this.rows = rows.map(({ time, mode, values }) => ({
+      time,
+      row: h(
+        "tr",
+        { onclick: () => this.lab.clock.seek(time) },
+        values.map((value, i) => (i === 0 ? h("th", { scope: "row" }, show(value, 4)) : h("td", {}, show(value, 4)))),
+        h("td", { class: "table-mode" }, names[mode]),
+      ),
+    }));
+    this.body.replaceChildren(...this.rows.map(({ row }) => row));
+    const whole = film.duration / step + 1 <= MOST + 1e-6;
+    const more = { key: "The first {count} rows.", values: { count: MOST } };
+    say(this.caption, whole ? film.summary : [film.summary, " ", more]);
+    this.cursor(this.lab.clock.time);
+  }
+
+  cursor(time: number) {
+    if (this.element.hidden || !this.rows.length) return;
+    const step = Number(this.step.value);
+    const now: HTMLElement | undefined = this.rows[Math.min(Math.round(time / step), this.rows.length - 1)]?.row;
+    if (now === this.now) return;
+    this.now?.classList.remove("now");
+    now?.classList.add("now");
+    this.now = now;
+  }
+
+  save() {
+    const { film, columns } = this;
+    const head = [...columns.map((key) => `${t(QUANTITIES[key].name)} [${QUANTITIES[key].unit || "1"}]`), t("mode")];
+    const rows = rowsOf(film, columns, Number(this.step.value)).map(({ mode, values }) => [...values, mode].join(","));
+    saveBlob(new Blob([[head.join(","), ...rows, ""].join("\r\n")], { type: "text/csv" }), "hophoop-table.csv");
+  }
+}

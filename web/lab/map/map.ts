@@ -1,0 +1,286 @@
+// A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
+
+import { fitted, focused, h, once, say } from "../common/dom.ts";
+import { AXES, cross, MapAxes } from "./map_axes.ts";
+import { takeHands } from "./map_hands.ts";
+import { otherStart } from "./map_words.ts";
+import { byFingers } from "../common/zoom.ts";
+import { layerOf, legendOf, stacked, textAt } from "./map_layers.ts";
+import { saidOf } from "../words/words.ts";
+
+const LEVELS = [
+  [24, 16],
+  [72, 48],
+  [216, 144],
+];
+
+export class MotionMap {
+  film: Film;
+  look: Look;
+  asked: AbortController;
+  stale: boolean;
+  computing: boolean;
+  key_now: string;
+  kind: string;
+  level: number;
+  pointed: Place | null = null;
+
+  what = "sequence";
+  layers: MapLayer[] = [];
+  // only a map that is looked at is computed
+  seen = false;
+  onmotion: (changes: Change[]) => void;
+  say: (text: string) => void;
+  changed: () => void;
+  axes: MapAxes;
+  canvas: HTMLCanvasElement;
+  tip: HTMLDivElement;
+  body: HTMLDivElement;
+  keys: HTMLDivElement;
+  state: HTMLSpanElement;
+  selects: { x: HTMLSelectElement; y: HTMLSelectElement };
+  quantity: HTMLSelectElement;
+  element: HTMLElement;
+  soon: () => void;
+  watch: IntersectionObserver;
+
+  /**
+   * `rest.take`: what a click on a motion does; `rest.say`: for a screen reader; `rest.changed`: another part of it
+   * is looked at.
+   */
+  constructor(
+    readonly backend: Backend,
+    setup: Setup,
+    { take, say, changed }: { take: (changes: Change[]) => void; say: (text: string) => void; changed: () => void },
+  ) {
+    this.onmotion = take;
+    this.say = say;
+    this.changed = changed;
+    const axes = setup.controls.map_axes;
+    this.axes = new MapAxes(axes);
+    this.canvas = h("canvas", { class: "plot-canvas" });
+    this.tip = h("div", { class: "tip", hidden: true });
+    this.body = h(
+      "div",
+      {
+        class: "map-body",
+        tabindex: "0",
+        role: "application",
+        "aria-label": "Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.",
+      },
+      this.canvas,
+      this.tip,
+    );
+    this.keys = h("div", { class: "map-keys" });
+    this.state = h("span", { class: "hint" });
+    const pick: (name: AxisName) => HTMLSelectElement = (name) => {
+      const select = h(
+        "select",
+        { "data-axis": name, onchange: () => this.setAxis(name, select.value) },
+        axes.map(({ path, label }) => h("option", { value: path }, label)),
+      );
+      return select;
+    };
+    this.selects = { x: pick("x"), y: pick("y") };
+    this.quantity = h(
+      "select",
+      {
+        "aria-label": "What the map shows",
+        onchange: () => {
+          this.what = this.quantity.value;
+          this.refresh();
+        },
+      },
+      setup.map_quantities.map(([name, words]) => h("option", { value: name }, words)),
+    );
+    this.element = h(
+      "section",
+      { class: "map", "aria-label": "Map of motions" },
+      h(
+        "div",
+        { class: "map-head" },
+        h("h2", {}, "Map"),
+        h("label", {}, "of", this.quantity),
+        h("label", {}, "Across", this.selects.x),
+        h("label", {}, "Up", this.selects.y),
+        h(
+          "span",
+          { class: "buttons" },
+          h("button", { type: "button", "aria-label": "Zoom into the map", onclick: () => this.zoom(0.5) }, "+"),
+          h("button", { type: "button", "aria-label": "Zoom out of the map", onclick: () => this.zoom(2) }, "−"),
+          h("button", { type: "button", onclick: () => this.home() }, "Whole map"),
+        ),
+        this.state,
+      ),
+      this.body,
+      this.keys,
+      h(
+        "p",
+        { class: "hint" },
+        byFingers()
+          ? "Click to take that motion into the player; two fingers zoom."
+          : "Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.",
+      ),
+    );
+    takeHands(this);
+    this.soon = once(() => this.refresh(), 140);
+    this.watch = new IntersectionObserver(([entry]) => {
+      this.seen = entry.isIntersecting;
+      if (this.seen && this.stale) this.refresh();
+    });
+    this.watch.observe(this.body);
+    this.syncSelects();
+  }
+
+  close() {
+    this.asked?.abort();
+    this.watch.disconnect();
+  }
+
+  syncSelects() {
+    for (const name of AXES) this.selects[name].value = this.axes.paths[name];
+  }
+
+  setAxis(name: AxisName, path: string) {
+    this.axes.choose(name, path);
+    this.syncSelects();
+    this.refresh();
+  }
+
+  home() {
+    this.axes.home();
+    this.refresh();
+  }
+
+  /** What the map depends on, apart from its own axes. */
+  key_of(scenario: Scenario) {
+    const rest: Record<string, any> = structuredClone(scenario);
+    for (const path of Object.values(this.axes.paths)) {
+      const [section, name] = path.split(".");
+      if (rest[section]) delete rest[section][name];
+    }
+    return JSON.stringify(rest);
+  }
+
+  /** The present motion has changed: move the mark, and compute again if the map is another one now. */
+  mark(film: Film, look: Look) {
+    this.film = film;
+    this.look = look;
+    const key = this.key_of(film.scenario);
+    if (key !== this.key_now) {
+      this.key_now = key;
+      this.soon();
+    }
+    this.redraw();
+  }
+
+  // What a link says of it; nothing as long as it is as at first.
+  shown() {
+    const { paths, windows } = this.axes;
+    if (this.what === "sequence" && this.axes.isHome() && paths.x === "start.speed" && paths.y === "plane.mu") return;
+    const axis = (name: AxisName) => [paths[name], ...windows[name]] as [string, number, number];
+    return { what: this.what, x: axis("x"), y: axis("y") };
+  }
+
+  restore(asked: NonNullable<ReturnType<MotionMap["shown"]>>) {
+    if (![...this.quantity.options].some(({ value }) => value === asked.what) || !this.axes.restore(asked)) return;
+    this.quantity.value = this.what = asked.what;
+    this.syncSelects();
+  }
+
+  async refresh() {
+    if (!this.film) return;
+    this.changed();
+    if (!this.seen) {
+      this.stale = true;
+      return;
+    }
+    this.stale = false;
+    this.asked?.abort();
+    this.asked = new AbortController();
+    const { signal } = this.asked;
+    const base = this.film.scenario;
+    // maps know rigid contact only
+    const changes = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
+    this.computing = true;
+    // the coarse layers stay below as long as they show the same quantity of the same motion
+    const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
+    if (kind !== this.kind) this.layers = [];
+    this.kind = kind;
+    this.redraw();
+    try {
+      for (const [x, y] of LEVELS) {
+        say(this.state, { key: "computing {count} motions …", values: { count: x * y } });
+        const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
+        const body = { scenario: base, changes, ...asked, what: this.what };
+        const reply = await this.backend.call("map", body, signal);
+        const layer = layerOf(reply);
+        this.layers = stacked(this.layers, layer);
+        this.keys.replaceChildren(...legendOf(layer));
+        const other = otherStart(base, Object.values(this.axes.paths));
+        const key = changes.length ? "{count} motions, with rigid contact" : "{count} motions";
+        const done = { key, values: { count: x * y } };
+        say(this.state, other ? [done, "; ", other] : done);
+        this.redraw();
+      }
+      this.level = LEVELS.length;
+    } catch (error) {
+      if ((error as Error).name === "AbortError") return;
+      say(this.state, saidOf(error));
+    }
+    this.computing = false;
+  }
+
+  redraw() {
+    if (!this.film) return;
+    const { look } = this;
+    const { context, width, height } = fitted(this.canvas);
+    this.axes.fit(width, height);
+    context.clearRect(0, 0, width, height);
+    context.save();
+    this.axes.clip(context);
+    context.imageSmoothingEnabled = false;
+    const { axes } = this;
+    for (const layer of this.layers) {
+      const [x0, x1] = layer.x.map((value) => axes.x(value));
+      const [y0, y1] = layer.y.map((value) => axes.y(value));
+      context.drawImage(layer.picture, x0, y1, x1 - x0, y0 - y1);
+    }
+    const here = this.here();
+    if (here) cross(context, axes.x(here.x), axes.y(here.y), look.ink, look.paper);
+    if (this.pointed && focused(this.body)) {
+      cross(context, axes.x(this.pointed.x), axes.y(this.pointed.y), "#D55E00", look.paper);
+    }
+    context.restore();
+    axes.draw(context, height, look);
+  }
+
+  // Where the present motion stands on the map.
+  here() {
+    const value = (path: string) => {
+      const [section, name] = path.split(".");
+      return this.film.values[path] ?? (this.film.scenario as Record<string, any>)[section]?.[name];
+    };
+    const place = { x: value(this.axes.paths.x), y: value(this.axes.paths.y) };
+    return typeof place.x === "number" && typeof place.y === "number" ? place : null;
+  }
+
+  /** A place and what it holds, in words. */
+  said(place: Place) {
+    return `${this.axes.said(place)}: ${textAt(this.layers, place)}`;
+  }
+
+  take(place: Place) {
+    this.onmotion([
+      [this.axes.paths.x, place.x],
+      [this.axes.paths.y, place.y],
+    ]);
+  }
+
+  zoom(factor: number, center?: Place) {
+    this.tip.hidden = true;
+    if (!this.axes.zoom(factor, center)) return;
+    this.redraw();
+    this.soon();
+  }
+}

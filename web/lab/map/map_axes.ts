@@ -1,0 +1,228 @@
+// The two axes of a map: which parameters, from where to where, and where that is on the canvas.
+
+import { niceStep, show, tickText, ticks, withUnit, clamp } from "../common/numbers.ts";
+import { t } from "../words/words.ts";
+
+const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
+const RIGHT = 12;
+const TOP = 10;
+const BOTTOM = 36;
+const DEGREE = Math.PI / 180;
+export const AXES: AxisName[] = ["x", "y"];
+
+export class MapAxes {
+  box: Box;
+
+  paths: Record<AxisName, string> = { x: "start.speed", y: "plane.mu" };
+  known: Map<string, AxisInfo>;
+  windows: Record<AxisName, number[]>;
+  left: number;
+
+  constructor(axes: AxisInfo[]) {
+    this.known = new Map(axes.map((axis) => [axis.path, axis]));
+    this.windows = { x: this.whole("x"), y: this.whole("y") };
+    this.left = LEFT;
+  }
+
+  /** What is known of the parameter on an axis. */
+  info(name: AxisName) {
+    return this.known.get(this.paths[name]) as AxisInfo;
+  }
+
+  whole(name: AxisName): number[] {
+    return [...this.info(name).range];
+  }
+
+  home() {
+    for (const name of AXES) this.windows[name] = this.whole(name);
+  }
+
+  /** Another parameter on an axis; one that is on the other axis changes places. */
+  choose(name: AxisName, path: string) {
+    const other = name === "x" ? "y" : "x";
+    if (this.paths[other] === path) this.paths[other] = this.paths[name];
+    this.paths[name] = path;
+    this.home();
+  }
+
+  /** An axis as the server is asked for it. */
+  asked(name: AxisName, cells: number) {
+    const [from, to] = this.windows[name];
+    return { path: this.paths[name], from, to, cells };
+  }
+
+  /** How far out an axis goes: as far as its parameter is allowed, and no further than is of use. */
+  bounds(name: AxisName) {
+    const { range, allowed } = this.info(name);
+    const room = 2 * (range[1] - range[0]);
+    return [Math.max(allowed[0], range[0] - room), Math.min(allowed[1], range[1] + room)];
+  }
+
+  /** Whether there is room to zoom so. */
+  zoom(factor: number, center?: Place) {
+    const next: Record<AxisName, number[]> = { x: [], y: [] };
+    for (const name of AXES) {
+      const [low, high] = this.windows[name];
+      const middle = center?.[name] ?? 0.5 * (low + high);
+      next[name] = within([middle - (middle - low) * factor, middle + (high - middle) * factor], this.bounds(name));
+      // as deep as numbers go, and no further
+      const size = Math.max(Math.abs(next[name][0]), Math.abs(next[name][1]), 1e-9);
+      if (next[name][1] - next[name][0] < 400 * Number.EPSILON * size) return false;
+    }
+    if (AXES.every((name) => next[name].every((value, i) => value === this.windows[name][i]))) return false;
+    this.windows = next;
+    return true;
+  }
+
+  /** Move what is shown by a part of its width and height. `dx`: in pixels. */
+  drag(from: Record<AxisName, number[]>, dx: number, dy: number) {
+    const shift = (name: AxisName, part: number) =>
+      within(
+        from[name].map((value) => value + part * (from[name][1] - from[name][0])),
+        this.bounds(name),
+      );
+    this.windows = { x: shift("x", -dx / this.box.width), y: shift("y", dy / this.box.height) };
+  }
+
+  /** Show what a link says, if it is on an axis that there is. */
+  restore(asked: Record<AxisName, [string, number, number]>) {
+    if (!AXES.every((name) => this.known.has(asked[name][0])) || asked.x[0] === asked.y[0]) return false;
+    for (const name of AXES) this.paths[name] = asked[name][0];
+    for (const name of AXES) this.windows[name] = within(asked[name].slice(1).map(Number), this.bounds(name));
+    return true;
+  }
+
+  // Whether it shows all that it does at first.
+  isHome() {
+    return AXES.every((name) => this.windows[name].every((value, i) => value === this.whole(name)[i]));
+  }
+
+  // The middle of what is shown.
+  middle() {
+    const { x, y } = this.windows;
+    return { x: 0.5 * (x[0] + x[1]), y: 0.5 * (y[0] + y[1]) };
+  }
+
+  /** Take the room of a canvas. */
+  fit(width: number, height: number) {
+    this.left = this.deep("y") ? LEFT_DEEP : LEFT;
+    this.box = { width: width - this.left - RIGHT, height: height - TOP - BOTTOM };
+  }
+
+  clip(context: CanvasRenderingContext2D) {
+    context.beginPath();
+    context.rect(this.left, TOP, this.box.width, this.box.height);
+    context.clip();
+  }
+
+  x(value: number) {
+    const [low, high] = this.windows.x;
+    return this.left + ((value - low) / (high - low)) * this.box.width;
+  }
+
+  y(value: number) {
+    const [low, high] = this.windows.y;
+    return TOP + (1 - (value - low) / (high - low)) * this.box.height;
+  }
+
+  /** The place under a point of the canvas. */
+  place(x: number, y: number) {
+    const at = ([low, high]: number[], share: number) => low + clamp(share, 0, 1) * (high - low);
+    return {
+      x: at(this.windows.x, (x - this.left) / this.box.width),
+      y: at(this.windows.y, 1 - (y - TOP) / this.box.height),
+    };
+  }
+
+  /** Whether the numbers on an axis would differ in digits only that have no room. */
+  deep(name: AxisName) {
+    const [low, high] = this.windows[name];
+    return high - low < 5e-5 * Math.max(Math.abs(low), Math.abs(high));
+  }
+
+  /** A place in words. */
+  said(place: Place) {
+    const part = (name: AxisName) => {
+      const info = this.info(name);
+      // as many digits as tell a cell from the next
+      const [low, high] = this.windows[name];
+      const size = Math.max(Math.abs(low), Math.abs(high));
+      const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
+      return `${t(info.label)} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
+    };
+    return `${part("x")}, ${part("y")}`;
+  }
+
+  /** Frame, numbers and names. */
+  draw(context: CanvasRenderingContext2D, height: number, look: Look) {
+    context.strokeStyle = look.soft;
+    context.fillStyle = look.soft;
+    context.lineWidth = 1;
+    context.strokeRect(this.left + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
+    context.font = `11px ${look.font}`;
+    for (const name of AXES) {
+      const info = this.info(name);
+      const scale = info.degrees ? 1 / DEGREE : 1;
+      const [low, high] = this.windows[name].map((value) => value * scale);
+      const count = name === "x" ? this.box.width / 80 : this.box.height / 40;
+      const step = niceStep(high - low, count);
+      // far in, the labels show the distance from a rounded value that stands with the axis' name
+      const deep = this.deep(name);
+      const origin = deep ? Number((0.5 * (low + high)).toPrecision(12)) : 0;
+      const all = deep ? ticks(low - origin, high - origin, count).map((v) => v + origin) : ticks(low, high, count);
+      for (const value of all) {
+        const text = deep ? show(value - origin, 3) : tickText(value, step);
+        if (name === "x") {
+          context.textAlign = "center";
+          context.fillText(text, this.x(value / scale), TOP + this.box.height + 14);
+        } else {
+          context.textAlign = "right";
+          context.textBaseline = "middle";
+          context.fillText(text, this.left - 5, this.y(value / scale));
+          context.textBaseline = "alphabetic";
+        }
+      }
+      const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
+      const label = `${t(info.label)}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
+      context.save();
+      context.textAlign = "center";
+      if (name === "x") context.translate(this.left + 0.5 * this.box.width, height - 5);
+      else {
+        context.translate(12, TOP + 0.5 * this.box.height);
+        context.rotate(-Math.PI / 2);
+      }
+      context.fillText(label, 0, 0);
+      context.restore();
+    }
+  }
+}
+
+/** A window moved, and if it must be cut, so that it lies within bounds. */
+export function within([low, high]: number[], [least, most]: number[]) {
+  const size = Math.min(high - low, most - least);
+  if (low < least) return [least, least + size];
+  if (high > most) return [most - size, most];
+  return [low, high];
+}
+
+/** The mark of a motion. */
+export function cross(context: CanvasRenderingContext2D, x: number, y: number, ink: string, paper: string) {
+  for (const [color, line] of [
+    [paper, 4],
+    [ink, 1.8],
+  ] as [string, number][]) {
+    context.strokeStyle = color;
+    context.lineWidth = line;
+    context.beginPath();
+    context.arc(x, y, 7, 0, 2 * Math.PI);
+    context.moveTo(x - 13, y);
+    context.lineTo(x - 4, y);
+    context.moveTo(x + 4, y);
+    context.lineTo(x + 13, y);
+    context.moveTo(x, y - 13);
+    context.lineTo(x, y - 4);
+    context.moveTo(x, y + 4);
+    context.lineTo(x, y + 13);
+    context.stroke();
+  }
+}

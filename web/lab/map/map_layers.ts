@@ -1,0 +1,109 @@
+// The computed parts of a map, the finer over the coarser: pictures, legend, and what a place holds.
+
+import { parsed, SPEED_COLORS } from "../common/colors.ts";
+import { h, pen } from "../common/dom.ts";
+import { clamp, show, withUnit } from "../common/numbers.ts";
+import { spoken, t } from "../words/words.ts";
+
+const DEGREE = Math.PI / 180;
+const MOST = 12; // layers that are kept
+// Quantities whose colours begin at zero.
+const FROM_ZERO = ["hop_height", "flight_time", "energy_lost", "greatest_utilization"];
+
+/** How a quantity's numbers are shown: by which factor, in which unit. */
+function units(header: MapHeader): [number, string] {
+  if (header.unit === "rad") return [1 / DEGREE, "°"];
+  return [1, header.unit === "1" ? "" : header.unit];
+}
+
+/** The least and the greatest number, for the ends of the colours. */
+function limits({ classes, what }: MapHeader, values: Float32Array) {
+  let [low, high] = [Infinity, -Infinity];
+  if (classes) return [low, high];
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return [FROM_ZERO.includes(what) ? Math.min(low, 0) : low, high];
+}
+
+/** A reply as a picture of one pixel a cell. */
+export function layerOf(reply: Reply): MapLayer {
+  const { values }: { values: Float32Array } = reply.arrays as any;
+  const header = reply.header as MapHeader;
+  const { x, y, classes } = header;
+  const image = new ImageData(x.cells, y.cells);
+  const [low, high] = limits(header, values);
+  const palette = classes?.map(({ color }) => parsed(color));
+  for (let row = 0; row < y.cells; row++) {
+    for (let column = 0; column < x.cells; column++) {
+      const value = values[row * x.cells + column];
+      const place = 4 * ((y.cells - 1 - row) * x.cells + column);
+      if (!Number.isFinite(value)) continue;
+      // a class ends where a neighbour is another: a darker edge tells pale ones apart
+      const edge =
+        palette &&
+        ((column + 1 < x.cells && values[row * x.cells + column + 1] !== value) ||
+          (row + 1 < y.cells && values[(row + 1) * x.cells + column] !== value));
+      const color = palette
+        ? palette[value].map((part) => (edge ? 0.72 * part : part))
+        : SPEED_COLORS[clamp(Math.round((255 * (value - low)) / (high - low || 1)), 0, 255)];
+      image.data.set([...color, 255], place);
+    }
+  }
+  const picture = h("canvas", { width: x.cells, height: y.cells });
+  pen(picture).putImageData(image, 0, 0);
+  return { picture, header, values, x: [x.from, x.to], y: [y.from, y.to], low, high };
+}
+
+/** A layer over others, without those that it covers whole. */
+export function stacked(layers: MapLayer[], layer: MapLayer) {
+  const inside = (a: number[], b: number[]) => a[0] >= b[0] - 1e-300 && a[1] <= b[1] + 1e-300;
+  const kept = layers.filter((old) => !(inside(old.x, layer.x) && inside(old.y, layer.y)));
+  return [...kept, layer].slice(-MOST);
+}
+
+/** What the colours of a layer mean. */
+export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement | string)[] {
+  const { classes } = header;
+  if (!classes) {
+    const bar = h("canvas", { width: 120, height: 10, style: "width:120px;height:10px" });
+    const context = pen(bar);
+    for (let k = 0; k < 120; k++) {
+      context.fillStyle = `rgb(${SPEED_COLORS[Math.floor((255 * k) / 119)].join(",")})`;
+      context.fillRect(k, 0, 1, 10);
+    }
+    const [scale, unit] = units(header);
+    return [
+      h("span", {}, header.label, ": ", high >= low ? show(low * scale, 3) : "none", " "),
+      bar,
+      h("span", {}, high >= low ? withUnit(show(high * scale, 3), unit) : ""),
+      values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "none") : "",
+    ];
+  }
+  const counts = new Map();
+  for (const value of values) counts.set(value, (counts.get(value) ?? 0) + 1);
+  const order = [...counts].filter(([code]) => code >= 0).sort((a, b) => b[1] - a[1]);
+  return [
+    ...order.slice(0, 10).map(([code]) => {
+      const { color, text } = classes[code];
+      return h("span", {}, h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
+    }),
+    order.length > 10 ? h("span", {}, { key: "and {count} more", values: { count: order.length - 10 } }) : "",
+  ];
+}
+
+/** What a place holds, in words: by the finest layer that covers it. */
+export function textAt(layers: MapLayer[], place: Place) {
+  for (const { header, values } of [...layers].reverse()) {
+    const { x, y, classes } = header;
+    const column = Math.floor(((place.x - x.from) / (x.to - x.from)) * x.cells);
+    const row = Math.floor(((place.y - y.from) / (y.to - y.from)) * y.cells);
+    if (column < 0 || row < 0 || column >= x.cells || row >= y.cells) continue;
+    const value = values[row * x.cells + column];
+    if (classes) return spoken(classes[value]?.text ?? "not allowed");
+    const [scale, unit] = units(header);
+    return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("none");
+  }
+  return "…";
+}

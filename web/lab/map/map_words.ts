@@ -1,0 +1,16 @@
+// What a map shows that is not the motion in the player, in words.
+
+const FREE = ["start.height", "start.vx", "start.vy", "start.omega"];
+
+/**
+ * What a map's axes make of the start: rolling, or in any state, whichever way the motion that is shown starts.
+ * `paths`: of the axes.
+ */
+export function otherStart(scenario: Scenario, paths: string[]) {
+  const rolling = "speed" in scenario.start;
+  if (!rolling && paths.includes("start.speed")) return "of rolling starts, though this motion starts otherwise";
+  if (rolling && paths.some((path) => FREE.includes(path))) {
+    return "of starts in any state, though this motion starts rolling";
+  }
+  return "";
+}

@@ -1,0 +1,55 @@
+// The time that is shown, and how it runs.
+
+import { clamp } from "../common/numbers.ts";
+
+export const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
+
+export class Clock {
+  time = 0;
+  duration = 1;
+  speed = 1;
+  playing = false;
+  loop = true;
+  last: number | null = null;
+  listeners: Set<any> = new Set();
+
+  changed() {
+    for (const listener of this.listeners) listener(this);
+  }
+
+  seek(time: number) {
+    this.time = clamp(time, 0, this.duration);
+    this.changed();
+  }
+
+  play(playing = !this.playing) {
+    this.playing = playing;
+    this.last = null;
+    if (playing && this.time >= this.duration) this.time = 0;
+    this.changed();
+  }
+
+  faster(way: -1 | 1) {
+    const place = SPEEDS.indexOf(this.speed);
+    this.speed = SPEEDS[clamp(place + way, 0, SPEEDS.length - 1)];
+    this.changed();
+  }
+
+  /** Called once a frame; whether the time has moved. */
+  tick(now: number) {
+    if (!this.playing) return false;
+    // after a pause of the tab the film goes on where it was
+    const passed = this.last === null ? 0 : Math.min(now - this.last, 100) / 1000;
+    this.last = now;
+    this.time += passed * this.speed;
+    if (this.time >= this.duration) {
+      if (this.loop && this.duration > 0) this.time %= this.duration;
+      else {
+        this.time = this.duration;
+        this.playing = false;
+        this.changed();
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,193 @@
+// A computed motion: what Python has sent, and the state at any time in it.
+
+import { clamp } from "../common/numbers.ts";
+
+export const MODE_LETTERS = "RSKHM";
+
+const STEADY = new Set(["x", "angle", "height"]);
+const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
+const PART = 8; // seconds that are made finer at a time
+const RATES: Record<string, string> = { x: "vx", angle: "omega", height: "vy" };
+
+export class Film {
+  cache: Map<string, Column> = new Map();
+  /** the part that is looked at, if the whole is coarse */
+  part: Film | null = null;
+  scenario: Scenario;
+  query: string;
+  duration: number;
+  status: string;
+  sequence: string;
+  fingerprint: string | null;
+  events: MotionEvent[];
+  values: Record<string, any>;
+  automatic: Record<string, number>;
+  summary: Said;
+  story: Sentence[];
+  shortened: boolean;
+  doubt: Said;
+  columns: Record<string, Column>;
+  t: Float64Array;
+  length: number;
+  radius: number;
+  mass: number;
+  eccentricity: number;
+  slope: number;
+  gravity: number;
+  phases: Phase[];
+  extent: { left: number; right: number; top: number; speed: number };
+
+  constructor(reply: Reply) {
+    const { header } = reply;
+    this.scenario = header.scenario;
+    this.query = header.query;
+    this.duration = header.duration;
+    this.status = header.status;
+    this.sequence = header.sequence;
+    /** hash of the bits of all events; null where this page does not decide them. */
+    this.fingerprint = header.fingerprint ?? null;
+    this.events = header.events;
+    this.values = header.values;
+    this.automatic = header.automatic;
+    /** what happens, in one sentence. */
+    this.summary = header.summary;
+    this.story = header.story;
+    this.shortened = header.shortened;
+    /** that more digits would have to decide what comes, if they would. */
+    this.doubt = header.doubt ?? "";
+    this.columns = reply.arrays;
+    this.t = reply.arrays.t;
+    this.length = this.t.length;
+    this.radius = this.values["hoop.radius"];
+    this.mass = this.values["hoop.mass"];
+    this.eccentricity = this.values["hoop.eccentricity"];
+    this.slope = this.scenario.plane.slope ?? 0;
+    this.gravity = this.scenario.plane.gravity ?? 9.81;
+    this.phases = this.findPhases();
+    this.extent = this.findExtent();
+  }
+
+  /**
+   * The part of a coarse film that should be made finer now, if any. `ahead`: how far the film runs until an answer
+   * is there; returns times from and to.
+   */
+  wanted(time: number, ahead = 0): [number, number] | null {
+    if (this.duration < COARSE * this.length) return null;
+    const now = clamp(time, 0, this.duration);
+    const then = Math.min(now + ahead, this.duration);
+    if (this.part && now >= this.part.t[0] && then <= this.part.t[this.part.length - 1]) return null;
+    const from = Math.max(now - 0.25 * PART, 0);
+    return [from, Math.min(from + PART + ahead, this.duration)];
+  }
+
+  /** Take the finer part. */
+  refine(columns: Record<string, any>) {
+    this.part = Object.assign(Object.create(this), {
+      columns,
+      t: columns.t,
+      length: columns.t.length,
+      cache: new Map(),
+      part: null,
+    });
+  }
+
+  /** What holds a time: the finer part where it does, else the whole. */
+  holding(time: number): Film {
+    const { part } = this;
+    return part && time >= part.t[0] && time <= part.t[part.length - 1] ? part : this;
+  }
+
+  findPhases() {
+    const { mode } = this.columns;
+    const phases: Phase[] = [];
+    for (let i = 0; i < this.length; i++) {
+      const last = phases.at(-1);
+      if (last && last.mode === MODE_LETTERS[mode[i]]) last.to = this.t[i];
+      else phases.push({ mode: MODE_LETTERS[mode[i]], from: this.t[i], to: this.t[i] });
+    }
+    for (let i = 0; i + 1 < phases.length; i++) phases[i].to = phases[i + 1].from;
+    return phases.filter((phase) => phase.to > phase.from || phases.length === 1);
+  }
+
+  findExtent() {
+    const { x, height, vx, vy, omega } = this.columns;
+    const extent = { left: Infinity, right: -Infinity, top: 0, speed: 0 };
+    const speeds: number[] = [];
+    for (let i = 0; i < this.length; i++) {
+      if (Number.isFinite(x[i])) {
+        extent.left = Math.min(extent.left, x[i]);
+        extent.right = Math.max(extent.right, x[i]);
+      }
+      if (height[i] > extent.top) extent.top = height[i];
+      const speed = Math.hypot(vx[i], vy[i]) + this.radius * Math.abs(omega[i]);
+      if (Number.isFinite(speed)) speeds.push(speed);
+    }
+    // a spike that lasts an instant must not turn the rest of the ring into one colour
+    speeds.sort((a, b) => a - b);
+    extent.speed = speeds[Math.floor(0.95 * (speeds.length - 1))] || 1;
+    return extent;
+  }
+
+  /** Largest index with t[index] <= time: of two samples at an event, the one after it. */
+  index(time: number) {
+    let low = 0;
+    let high = this.length;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.t[middle] <= time) low = middle;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** Samples in order of time: those of the whole, with the finer part in its place. */
+  pieces(): { film: Film; from: number; to: number }[] {
+    const { part } = this;
+    if (!part) return [{ film: this, from: 0, to: this.length }];
+    const [begin, end] = [part.t[0], part.t[part.length - 1]];
+    let from = this.index(begin);
+    while (from > 0 && this.t[from] >= begin) from--;
+    const first = this.t[from] >= begin ? 0 : from + 1;
+    return [
+      { film: this, from: 0, to: first },
+      { film: part, from: 0, to: part.length },
+      { film: this, from: this.index(end) + 1, to: this.length },
+    ];
+  }
+
+  at(time: number): Pose {
+    const now = clamp(time, 0, this.duration);
+    const holding = this.holding(now);
+    if (holding !== this) return holding.at(now);
+    const i = this.index(now);
+    const j = Math.min(i + 1, this.length - 1);
+    const span = this.t[j] - this.t[i];
+    const share = span > 0 ? (now - this.t[i]) / span : 0;
+    const pose: Record<string, any> = { t: now, mode: MODE_LETTERS[this.columns.mode[i]] };
+    for (const [name, column] of Object.entries(this.columns)) {
+      if (name === "t" || name === "mode") continue;
+      const a = column[i];
+      const b = column[j];
+      if (share === 0 || !Number.isFinite(b)) pose[name] = a;
+      else if (STEADY.has(name)) {
+        const rate = this.columns[RATES[name]];
+        pose[name] = hermite(a, b, rate[i] * span, rate[j] * span, share);
+      } else pose[name] = a + (b - a) * share;
+    }
+    return pose as Pose;
+  }
+
+  /** A derived column, computed once. */
+  derived(name: string, make: (columns: Record<string, Column>) => Column): Column {
+    const found = this.cache.get(name) ?? make(this.columns);
+    this.cache.set(name, found);
+    return found;
+  }
+}
+
+/** Cubic through both values with both rates: exact to drawing also at a tenth of the speed. */
+function hermite(a: number, b: number, da: number, db: number, s: number) {
+  if (!Number.isFinite(da) || !Number.isFinite(db)) return a + (b - a) * s;
+  const r = 1 - s;
+  return r * r * (1 + 2 * s) * a + s * s * (3 - 2 * s) * b + s * r * (r * da - s * db);
+}

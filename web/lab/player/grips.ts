@@ -1,0 +1,314 @@
+// The places where the hoop can be taken, over the picture: load, hoop and plane, by mouse, finger and keys. Each is a
+// slider for the keyboard and for screen readers.
+
+import { h, once, say } from "../common/dom.ts";
+import { changesFor, keyed, Pull, taken, type Grip, type Held } from "./grab.ts";
+import { clamp, degrees, length, show } from "../common/numbers.ts";
+import { follow } from "../common/pointer.ts";
+import { t } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+import type { Scene } from "./scene2d.ts";
+
+const REST = 700; // milliseconds after the last key until the start counts as chosen
+const SMALL = 44; // pixels, the least that a finger hits
+
+const GRIPS: [Grip, string, string][] = [
+  ["plane", "Slope of the plane", "Tilt the plane: drag, or arrow keys"],
+  ["hoop", "The hoop: height and speed", "Lift, roll or throw the hoop: drag, or arrow keys"],
+  ["load", "Angle of the load", "Turn the load: drag, or arrow keys"],
+];
+
+export class Grips {
+  static Pull = Pull;
+  pull: Pull | null = null;
+  /** What the keys hold. */
+  held: Held | null = null;
+  /** The motion before the hand came, for Escape. */
+  before: string | null = null;
+
+  places: Map<Grip, HTMLElement>;
+  tip: HTMLOutputElement;
+  element: HTMLDivElement;
+  settle: () => void;
+
+  constructor(public lab: Lab) {
+    this.places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
+    this.tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
+    this.element = h(
+      "div",
+      { class: "grips", role: "group", "aria-label": "The hoop in your hand" },
+      [...this.places.values()],
+      this.tip,
+    );
+    lab.stage.element.before(this.element);
+    const { flat, plane } = lab.stage;
+    // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
+    flat.grab = (event) => this.take(event);
+    plane.addEventListener("pointermove", (event) => this.hover(event));
+    plane.addEventListener("pointerleave", () => this.hover(null));
+    const still = (event: TouchEvent) => this.pull && event.cancelable && event.preventDefault();
+    plane.addEventListener("touchmove", still, { passive: false });
+    this.settle = once(() => this.chosen(false), REST);
+  }
+
+  place(grip: Grip, label: string, title: string) {
+    return h("div", {
+      class: `grip grip-${grip}`,
+      role: "slider",
+      tabindex: "0",
+      "aria-label": label,
+      "aria-valuenow": "0",
+      title,
+      onkeydown: (event: KeyboardEvent) => this.key(grip, event),
+      onblur: () => this.held && this.chosen(false),
+    });
+  }
+
+  view() {
+    return this.lab.stage.flat.views[this.lab.motions.active];
+  }
+
+  /** Where the hoop can be taken follows the picture. */
+  draw() {
+    const { lab } = this;
+    const view = this.view();
+    const seen = Boolean(view) && !lab.stage.options.three;
+    this.element.hidden = !seen;
+    if (!seen) return;
+    this.element.classList.toggle("running", lab.clock.playing);
+    const { pose, film, scale } = view;
+    const R = film.radius;
+    const center = view.point(pose.x, R + pose.height);
+    const load = view.point(pose.x + R * Math.sin(pose.angle), R + pose.height + R * Math.cos(pose.angle));
+    const plane = this.onPlane(view);
+    // the load must be free to be taken also where the hoop is small
+    const wide = clamp(1.1 * R * scale, SMALL, 190);
+    const spots: [Grip, number[], number][] = [
+      ["plane", plane, SMALL],
+      ["hoop", center, wide],
+      ["load", load, SMALL],
+    ];
+    for (const [grip, [x, y], size] of spots) {
+      const place = this.places.get(grip) as HTMLElement;
+      place.style.transform = `translate(${x - size / 2}px, ${view.top + y - size / 2}px)`;
+      place.style.width = place.style.height = `${size}px`;
+      place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
+    }
+    if (!lab.clock.playing) this.tell(film);
+  }
+
+  onPlane(view: Scene) {
+    const foot = view.point(view.pose.x, 0);
+    const right = Math.min(foot[0] + Math.max(1.9 * view.film.radius * view.scale, 90), view.width - 30);
+    const along = (right - foot[0]) / (view.scale * Math.max(view.cosine, 0.2));
+    return view.point(view.pose.x + along, 0);
+  }
+
+  /** The values for a screen reader: those of the start that is held or shown. */
+  tell(film: Film) {
+    const held = this.pull?.held ?? this.held ?? taken(film, this.lab.clock.time);
+    const texts = {
+      load: degrees(held.angle),
+      hoop: t("gap {height}, speed {speed} m/s", { height: length(held.height), speed: show(held.vx, 3) }),
+      plane: degrees(held.slope),
+    };
+    const values = { load: held.angle * (180 / Math.PI), hoop: held.height, plane: held.slope * (180 / Math.PI) };
+    const limits = { load: [-180, 180], hoop: [0, 4 * film.radius], plane: [-45, 45] };
+    for (const [grip, place] of this.places) {
+      if (place.getAttribute("aria-valuetext") === texts[grip]) continue;
+      place.setAttribute("aria-valuetext", texts[grip]);
+      place.setAttribute("aria-valuenow", String(Number(values[grip].toPrecision(4))));
+      place.setAttribute("aria-valuemin", String(limits[grip][0]));
+      place.setAttribute("aria-valuemax", String(Number(limits[grip][1].toPrecision(4))));
+    }
+  }
+
+  /** Which part of the hoop is under the pointer. */
+  under(event: Point): Grip | null {
+    if (this.element.hidden) return null;
+    let found: Grip | null = null;
+    // the last of those that lie over each other is on top
+    for (const [grip, place] of this.places) {
+      const { left, top, width } = place.getBoundingClientRect();
+      const away = Math.hypot(event.clientX - left - width / 2, event.clientY - top - width / 2);
+      if (!place.hidden && away <= width / 2) found = grip;
+    }
+    return found;
+  }
+
+  hover(event: PointerEvent | null) {
+    if (this.pull) return;
+    const grip = event && event.pointerType !== "touch" ? this.under(event) : null;
+    for (const [name, place] of this.places) place.classList.toggle("near", name === grip);
+    this.lab.stage.plane.style.cursor = grip ? "grab" : "";
+  }
+
+  /** Returns whether the hoop is taken, not the picture. */
+  take(event: PointerEvent): boolean {
+    const grip = this.under(event);
+    if (!grip || event.button > 0 || this.pull) return false;
+    const { lab } = this;
+    const { flat, plane } = lab.stage;
+    const place = this.places.get(grip) as HTMLElement;
+    const view = this.view();
+    const box = plane.getBoundingClientRect();
+    const inside: (other: PointerEvent) => Point = (other) => ({
+      clientX: other.clientX - box.left,
+      clientY: other.clientY - box.top - view.top,
+    });
+    const pull = new Pull(grip, lab.film(), lab.clock.time, view, inside(event));
+    const shift = [...flat.shift];
+    let [moved, left] = [false, false];
+    this.pull = pull;
+    place.classList.add("held");
+    const leave = () => {
+      left = true;
+      watching.abort();
+      place.classList.remove("held");
+      flat.fixed = null;
+      this.pull = null;
+      if (moved) this.comeBack(shift);
+    };
+    const watching = new AbortController();
+    const press = (key: KeyboardEvent) => {
+      if (key.key !== "Escape") return;
+      key.stopPropagation();
+      leave();
+      if (moved) this.back();
+    };
+    addEventListener("keydown", press, { capture: true, signal: watching.signal });
+    follow(
+      plane,
+      event,
+      (other) => {
+        if (left) return;
+        if (flat.pinched()) {
+          // a second finger zooms instead
+          leave();
+          if (moved) this.back();
+          return;
+        }
+        if (!moved && Math.hypot(other.clientX - event.clientX, other.clientY - event.clientY) < 3) return;
+        if (!moved) {
+          flat.fixed = view.scale;
+          this.hold();
+          this.begin();
+        }
+        moved = true;
+        pull.move(inside(other), other.timeStamp);
+        flat.shift = [shift[0] + pull.moved, shift[1]];
+        this.change(grip, pull.held, false);
+        this.show(grip, pull.held);
+      },
+      (last, lifted) => {
+        if (left) return;
+        leave();
+        if (!moved) return;
+        if (!lifted) this.back();
+        else {
+          this.change(grip, pull.release(last.timeStamp), true);
+          this.end(true);
+        }
+      },
+    );
+    return true;
+  }
+
+  key(grip: Grip, event: KeyboardEvent) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { lab } = this;
+    if (event.key === "Escape" && this.held) this.back();
+    else if (event.key === "Enter") this.chosen(true);
+    else {
+      this.held ??= taken(lab.film(), lab.clock.time);
+      const next = keyed(grip, event.key, event.shiftKey, this.held, lab.film());
+      if (!next) return;
+      if (this.before === null) {
+        this.hold();
+        this.begin();
+      }
+      this.held = next;
+      // a load that is turned by keys keeps the hoop's speed
+      this.change(grip === "load" ? "hoop" : grip, next, false);
+      this.show(grip, next);
+      this.settle();
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  hold() {
+    this.lab.clock.play(false);
+    this.before = this.lab.film().query;
+  }
+
+  begin() {
+    const { lab } = this;
+    lab.stage.options.ahead = true;
+    lab.clock.seek(0);
+    lab.root.classList.add("holding");
+  }
+
+  change(grip: Grip, held: Held, commit: boolean) {
+    this.lab.motions.change(changesFor(grip, held, this.lab.film()), commit);
+  }
+
+  show(grip: Grip, held: Held) {
+    const words = {
+      load: `θ = ${degrees(held.angle)}`,
+      hoop: held.height > 0 ? `y = ${length(held.height)}` : `θ = ${degrees(held.angle)}`,
+      plane: `β = ${degrees(held.slope)}`,
+    };
+    say(this.tip, held.vx && this.held ? `${words[grip]}, v = ${show(held.vx, 3)} m/s` : words[grip]);
+    this.tip.hidden = false;
+  }
+
+  /** The keys have chosen a start. */
+  chosen(play: boolean) {
+    if (this.held && this.before !== null) this.lab.motions.change([], true);
+    this.end(play);
+  }
+
+  end(play: boolean) {
+    const { lab } = this;
+    this.held = null;
+    this.before = null;
+    this.tip.hidden = true;
+    lab.stage.options.ahead = false;
+    lab.root.classList.remove("holding");
+    if (play) lab.clock.seek(0);
+    // who wants no motion sees the start, and presses play
+    if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) lab.clock.play(true);
+    lab.request();
+  }
+
+  /** As it was before the hand came. */
+  async back() {
+    const { lab, before } = this;
+    this.end(false);
+    if (before === null) return;
+    const lane = lab.motions.lanes[lab.motions.active];
+    lane.pending = null;
+    // what is under way must not come after it
+    while (lane.busy) await new Promise((resolve) => requestAnimationFrame(resolve));
+    try {
+      lab.motions.replace(await lab.backend.call("film", { query: before }));
+    } catch (error) {
+      lab.notice.fail(error as Error);
+    }
+  }
+
+  /** The picture follows the hoop again. */
+  comeBack(home: number[]) {
+    const { flat } = this.lab.stage;
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const step = () => {
+      if (this.pull) return;
+      const left = flat.shift[0] - home[0];
+      flat.shift = Math.abs(left) < 1 || still ? [...home] : [home[0] + 0.82 * left, home[1]];
+      this.lab.request();
+      if (flat.shift[0] !== home[0]) requestAnimationFrame(step);
+    };
+    step();
+  }
+}

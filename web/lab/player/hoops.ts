@@ -1,0 +1,28 @@
+// Which of two hoops the controls change, and what there is to see in the motion that one started from.
+
+import { h } from "../common/dom.ts";
+
+export class Hoops {
+  tabs: HTMLButtonElement[];
+  bar: HTMLDivElement;
+  text: HTMLParagraphElement;
+  element: HTMLDivElement;
+
+  constructor(choose: (lane: number) => void) {
+    this.tabs = ["Hoop A", "Hoop B"].map((name, i) =>
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, name),
+    );
+    this.bar = h(
+      "div",
+      { class: "tabs", role: "group", "aria-label": "Which hoop the controls change", hidden: true },
+      this.tabs,
+    );
+    this.text = h("p", { class: "preset-text" });
+    this.element = h("div", { class: "lanes" }, this.bar, this.text);
+  }
+
+  show(count: number, active: number) {
+    this.bar.hidden = count < 2;
+    for (const [i, tab] of this.tabs.entries()) tab.setAttribute("aria-pressed", String(i === active));
+  }
+}

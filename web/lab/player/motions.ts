@@ -1,0 +1,209 @@
+// The one or two motions that are shown, what is being changed in them, and the steps back and forth.
+
+import { Film } from "./film.ts";
+import { History } from "../shell/history.ts";
+
+/**
+ * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under
+ * way.
+ */
+export type Lane = {
+  film: Film;
+  busy?: boolean;
+  pending?: Change[] | null;
+  commit?: boolean;
+  since?: number | null;
+  what?: string;
+  moved?: number;
+  refining?: boolean;
+  coarse?: Film;
+};
+export interface Listener {
+  shown: (since?: number | null) => void; // another motion is there; `since` is when the hand moved that asked for it
+  refined: () => void; // a film has become finer
+  settled: () => void; // a change is complete
+  noted: (step: "same" | "step" | "again" | "travelled") => void; // what is shown is a step that can be undone, or was one
+  travelled: (way: -1 | 1) => Promise<void>; // it has gone back or on by a step
+  failed: (error: Error, changes?: Change[]) => void;
+}
+
+export class Motions {
+  history = new History();
+  lanes: Lane[] = [];
+  active = 0;
+  going: Promise<any> = Promise.resolve();
+
+  constructor(
+    readonly backend: Backend,
+    readonly listener: Listener,
+  ) {}
+
+  film(lane = this.active) {
+    return this.lanes[lane].film;
+  }
+
+  films() {
+    return this.lanes.map((lane) => lane.film);
+  }
+
+  // What has been asked of the chosen hoop since its motion was computed: these controls are ahead of it.
+  waiting() {
+    return new Set((this.lanes[this.active].pending ?? []).map(([path]) => path));
+  }
+
+  // The name of the chosen hoop where there are two.
+  name() {
+    return this.lanes.length > 1 ? "AB"[this.active] : "";
+  }
+
+  set(replies: Reply[]) {
+    this.lanes = replies.map((reply) => ({ film: new Film(reply) }));
+    this.active = Math.min(this.active, this.lanes.length - 1);
+  }
+
+  async load(queries: string[]) {
+    this.set(await Promise.all(queries.map((query) => this.backend.call("film", { query }))));
+  }
+
+  /** Each move of a slider; `commit` when the hand lets go. */
+  change(changes: Change[], commit: boolean) {
+    const lane = this.lanes[this.active];
+    lane.moved = performance.now();
+    lane.since ??= lane.moved;
+    lane.pending = [...(lane.pending ?? []).filter(([path]) => !changes.some(([other]) => other === path)), ...changes];
+    lane.commit ||= commit;
+    lane.what = changes.map(([path]) => path).join();
+    if (commit) this.history.touch(lane.what, lane.moved);
+    this.pump(lane);
+  }
+
+  async pump(lane: Lane) {
+    if (lane.busy || !this.lanes.includes(lane)) return; // it may have been undone meanwhile
+    if (!lane.pending) {
+      if (lane.commit) this.settle(lane);
+      return;
+    }
+    const changes = lane.pending;
+    const { since } = lane;
+    lane.pending = null;
+    lane.since = null;
+    lane.busy = true;
+    try {
+      lane.film = new Film(await this.backend.call("film", { scenario: lane.film.scenario, changes }));
+      if (this.lanes.includes(lane)) this.listener.shown(since);
+    } catch (error) {
+      if (this.lanes.includes(lane)) this.listener.failed(error as Error, changes);
+    } finally {
+      lane.busy = false;
+    }
+    this.pump(lane);
+  }
+
+  /** Make films finer where one looks, if they are too long to be sent so densely. */
+  refine(time: number, ahead: number) {
+    for (const lane of this.lanes) {
+      const { film } = lane;
+      const window = lane.refining || lane.coarse === film ? null : film.wanted(time, ahead);
+      if (!window) continue;
+      lane.refining = true;
+      this.backend
+        .call("samples", { scenario: film.scenario, window })
+        .then(({ arrays }) => {
+          film.refine(arrays);
+          this.listener.refined();
+        })
+        .catch(() => {
+          lane.coarse = film; // it stays as it is, and plays on
+        })
+        .finally(() => {
+          lane.refining = false;
+        });
+    }
+  }
+
+  settle(lane: Lane) {
+    lane.commit = false;
+    // when the hand moved, not when the answer came
+    this.note(lane.what, lane.moved);
+    this.listener.settled();
+  }
+
+  // What the motions that are shown are known by.
+  queries() {
+    return this.films().map((film) => film.query);
+  }
+
+  /** `what`: what was changed, if one thing was; `when`: in milliseconds. */
+  note(what?: string, when?: number) {
+    this.listener.noted(this.history.note(this.queries(), what, when));
+  }
+
+  /** Another motion in place of the chosen one. */
+  replace(reply: Reply) {
+    // an answer that is still under way belongs to what was there before
+    this.lanes[this.active] = { film: new Film(reply) };
+    this.listener.shown();
+    this.note();
+  }
+
+  /** One step back or on; it is kept where it cannot be shown. */
+  travel(way: -1 | 1) {
+    return this.inTurn(async () => {
+      const queries = this.history.next(way);
+      if (!queries) return;
+      await this.load(queries);
+      this.history.step(way);
+      await this.listener.travelled(way);
+      this.listener.shown();
+      this.listener.noted("travelled");
+    });
+  }
+
+  /** Show what the browser's own way back has brought. */
+  arrive(queries: string[]) {
+    return this.inTurn(async () => {
+      await this.load(queries);
+      this.history.arrive(this.queries());
+      this.listener.shown();
+      this.listener.noted("travelled");
+    });
+  }
+
+  /** One way at a time, in the order in which they were asked for; whether it could be gone. */
+  inTurn(go: () => Promise<void>): Promise<boolean> {
+    this.going = this.going.then(go).then(
+      () => true,
+      (error) => {
+        this.listener.failed(error);
+        return false;
+      },
+    );
+    return this.going;
+  }
+
+  // A second hoop like the first, or the chosen one alone.
+  compare() {
+    if (this.lanes.length === 1) {
+      this.lanes.push({ film: this.lanes[0].film });
+      this.active = 1;
+    } else {
+      this.lanes.splice(1 - this.active, 1);
+      this.active = 0;
+    }
+    this.listener.shown();
+    this.note();
+  }
+
+  choose(lane: number) {
+    this.active = lane;
+    this.listener.shown();
+    this.listener.noted("same");
+  }
+
+  /** `view`: what else the link holds, as the part behind its #. */
+  link(view = "") {
+    const other = this.lanes.length > 1 ? `with=${encodeURIComponent(this.film(1).query)}` : "";
+    const hash = [other, view].filter(Boolean).join("&");
+    return this.backend.link(this.film(0).query, hash && `#${hash}`);
+  }
+}

@@ -1,0 +1,79 @@
+// Pictures of what is shown, larger than the screen, with the words that stand beside it on the page.
+
+import { Context } from "svgcanvas";
+import { h, pen } from "../common/dom.ts";
+import { degrees, show } from "../common/numbers.ts";
+import { t } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+
+const WIDE = 3840; // pixels across a picture that is kept
+
+export async function png(lab: Lab): Promise<Blob> {
+  const { width, height } = lab.stage.canvas().getBoundingClientRect();
+  const ratio = Math.max(WIDE / width, globalThis.devicePixelRatio || 1);
+  const canvas = h("canvas", { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+  const context = pen(canvas);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  background(context, lab, width, height);
+  if (lab.stage.options.three) {
+    context.drawImage(lab.stage.sharp(lab, ratio), 0, 0, width, height);
+    lab.drawStage();
+  } else flat(context, lab, width, height);
+  words(context, lab, height);
+  return new Promise((resolve, reject) =>
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The picture is too large for this browser.")))),
+  );
+}
+
+/** As lines and curves, which stay sharp at any size. */
+export function svg(lab: Lab) {
+  if (lab.stage.options.three) throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");
+  const { width, height } = lab.stage.canvas().getBoundingClientRect();
+  const context = new Context({ width, height, document });
+  background(context, lab, width, height);
+  flat(context, lab, width, height);
+  words(context, lab, height);
+  return new Blob([context.getSerializedSvg()], { type: "image/svg+xml" });
+}
+
+/** A copy of what is on the screen, as a film takes it. */
+export function copyInto(lab: Lab, canvas: HTMLCanvasElement) {
+  const source = lab.stage.canvas();
+  const { width, height } = source.getBoundingClientRect();
+  const context = pen(canvas);
+  context.setTransform(canvas.width / width, 0, 0, canvas.height / height, 0, 0);
+  background(context, lab, width, height);
+  context.drawImage(source, 0, 0, width, height);
+  words(context, lab, height);
+}
+
+function background(context: CanvasRenderingContext2D, { theme }: Lab, width: number, height: number) {
+  context.fillStyle = theme.look.paper;
+  context.fillRect(0, 0, width, height);
+}
+
+function flat(context: CanvasRenderingContext2D, lab: Lab, width: number, height: number) {
+  const { stage, clock, theme } = lab;
+  stage.flat.paint(context, width, height, lab.films(), clock.time, stage.options, theme.look, theme.inks);
+}
+
+/** Mode, time, angle and speed of each hoop, in its part of the picture. */
+function words(context: CanvasRenderingContext2D, lab: Lab, height: number) {
+  const { theme, stage, clock } = lab;
+  const films = lab.films();
+  context.textBaseline = "top";
+  context.textAlign = "left";
+  for (const [i, film] of films.entries()) {
+    const pose = film.at(clock.time);
+    const hoop = films.length > 1 ? `${"AB"[i]}: ` : "";
+    const mode = t(theme.colors.mode_names[pose.mode]);
+    const numbers = `t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`;
+    const top = stage.options.three ? 10 + 20 * i : 10 + (i * height) / films.length;
+    context.fillStyle = theme.colors.modes[pose.mode];
+    context.fillRect(12, top + 2, 11, 11);
+    context.fillStyle = theme.look.ink;
+    context.font = `13px ${theme.look.font}`;
+    context.fillText(`${hoop}${mode}, ${numbers}`, 30, top);
+  }
+  context.textBaseline = "alphabetic";
+}

@@ -1,0 +1,341 @@
+// One hoop on its plane, drawn on a canvas or whatever takes the same strokes.
+
+import { SPEED_TEXTS } from "../common/colors.ts";
+import { clamp, niceStep, show, tickText } from "../common/numbers.ts";
+
+const SEGMENTS = 120;
+
+export class Scene {
+  top = 0; // of the hoop's part of the picture, in pixels
+
+  pose: Pose;
+  cosine: number;
+  sine: number;
+  scale: number;
+  focus: number[];
+  place: number[];
+
+  constructor(
+    readonly context: CanvasRenderingContext2D,
+    public width: number,
+    public height: number,
+    public film: Film,
+    time: number,
+    public options: StageOptions,
+    public look: Look,
+    public colors: Colors,
+    zoom: number,
+    shift: number[],
+    readonly common: { top: number; radius: number; speed: number },
+  ) {
+    this.pose = film.at(time);
+    const R = film.radius;
+    const { left, right } = film.extent;
+    const { top } = common;
+    this.cosine = Math.cos(film.slope);
+    this.sine = Math.sin(film.slope);
+    const room = 2 * common.radius + Math.min(top, 6 * common.radius);
+    const close = Math.min((0.66 * height) / room, (0.36 * width) / common.radius);
+    if (options.whole) {
+      const span = (right - left) * this.cosine + 2.6 * R;
+      const fall = (right - left) * Math.abs(this.sine) + 2.6 * R + top;
+      this.scale = Math.min(width / span, (0.86 * height) / fall, close) * zoom;
+      this.focus = [0.5 * (left + right), 0];
+      this.place = [0.5 * width + shift[0], (film.slope ? 0.62 : 0.8) * height + shift[1]];
+    } else {
+      this.scale = close * zoom;
+      this.focus = [Number.isFinite(this.pose.x) ? this.pose.x : 0, 0];
+      // on a narrow screen the readout needs the left side
+      this.place = [(width < 520 ? 0.6 : 0.46) * width + shift[0], 0.82 * height + shift[1]];
+    }
+  }
+
+  /** Plane coordinates (along, away) to pixels; downhill is to the right. */
+  point(along: number, away: number): [number, number] {
+    const x = along - this.focus[0];
+    const y = away - this.focus[1];
+    return [
+      this.place[0] + this.scale * (x * this.cosine + y * this.sine),
+      this.place[1] - this.scale * (y * this.cosine - x * this.sine),
+    ];
+  }
+
+  /** Pixels, from the top left of the hoop's part of the picture, to plane coordinates: the reverse of `point`. */
+  unpoint(right: number, down: number) {
+    const x = (right - this.place[0]) / this.scale;
+    const y = -(down - this.place[1]) / this.scale;
+    return [this.focus[0] + x * this.cosine - y * this.sine, this.focus[1] + x * this.sine + y * this.cosine];
+  }
+
+  draw() {
+    this.ground();
+    if (this.options.traces || this.options.ahead) this.traces();
+    this.hoop();
+    if (this.options.forces) this.forces();
+  }
+
+  ground() {
+    const { context, look, width, height } = this;
+    const reach = (Math.hypot(width, height) * 1.2 + Math.abs(this.place[0]) + Math.abs(this.place[1])) / this.scale;
+    const [x0, y0] = this.point(this.focus[0] - reach, 0);
+    const [x1, y1] = this.point(this.focus[0] + reach, 0);
+    const down = [-this.sine * 4000, this.cosine * 4000];
+    context.fillStyle = look.ground;
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.lineTo(x1 + down[0], y1 + down[1]);
+    context.lineTo(x0 + down[0], y0 + down[1]);
+    context.fill();
+    context.strokeStyle = look.soft;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.stroke();
+    const step = niceStep(width / this.scale, width / 90);
+    context.fillStyle = look.soft;
+    context.font = `11px ${look.font}`;
+    context.textAlign = "center";
+    context.lineWidth = 1;
+    const low = Math.ceil((this.focus[0] - reach) / step);
+    const high = Math.min(Math.floor((this.focus[0] + reach) / step), low + 400);
+    for (let k = low; k <= high; k++) {
+      const [x, y] = this.point(k * step, 0);
+      if (x < -40 || x > width + 40) continue;
+      context.beginPath();
+      context.moveTo(x, y);
+      context.lineTo(x - 6 * this.sine, y + 6 * this.cosine);
+      context.stroke();
+      context.fillText(`${tickText(k * step, step)} m`, x - 18 * this.sine, y + 8 + 10 * this.cosine);
+    }
+  }
+
+  traces() {
+    const { film, context, look, colors } = this;
+    const R = film.radius;
+    const until = this.options.ahead ? film.duration : this.pose.t;
+    const path: (distance: number, color: string, width: number, wanted?: boolean) => void = (
+      distance,
+      color,
+      width,
+      wanted,
+    ) => {
+      context.strokeStyle = color;
+      context.lineWidth = width;
+      context.lineJoin = "round";
+      context.beginPath();
+      let open = false;
+      const add = (cx: number, gap: number, th: number) => {
+        const [px, py] = this.point(cx + distance * Math.sin(th), R + gap + distance * Math.cos(th));
+        if (open) context.lineTo(px, py);
+        else context.moveTo(px, py);
+        open = true;
+      };
+      for (const piece of film.pieces()) {
+        const { x, height, angle, mode } = piece.film.columns;
+        for (let i = piece.from; i < piece.to && piece.film.t[i] <= until; i++) {
+          const here = wanted === undefined || (mode[i] === 3) === wanted;
+          if (here) add(x[i], height[i], angle[i]);
+          else open = false;
+        }
+      }
+      if (!this.options.ahead && (wanted === undefined || (this.pose.mode === "H") === wanted)) {
+        add(this.pose.x, this.pose.height, this.pose.angle);
+      }
+      context.stroke();
+    };
+    context.globalAlpha = this.options.ahead ? 0.45 : 1;
+    path(R, look.ink, 1.3);
+    path(film.eccentricity * R, colors.gravity_center, 1.8, false);
+    path(film.eccentricity * R, colors.airborne, 2.4, true);
+    context.globalAlpha = 1;
+  }
+
+  /** Which of two hoops it is: a ring within the rim and a letter in its colour. */
+  mark(letter: string, color: string) {
+    const { context, film, pose, scale } = this;
+    const [x, y] = this.point(pose.x, film.radius + pose.height);
+    context.strokeStyle = color;
+    context.lineWidth = 3;
+    context.beginPath();
+    context.arc(x, y, Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2), 0, 2 * Math.PI);
+    context.stroke();
+    context.fillStyle = color;
+    context.font = `700 17px ${this.look.font}`;
+    context.textAlign = "center";
+    context.fillText(letter, x - 14, y + 20);
+  }
+
+  hoop() {
+    const { film, pose, context, look, colors, scale } = this;
+    const R = film.radius;
+    const width = clamp(0.07 * R * scale, 2, 14);
+    const inner = R - (0.5 * width) / scale;
+    const center = [pose.x, R + pose.height];
+    const rim = (phi: number, radius = inner) =>
+      this.point(center[0] + radius * Math.sin(phi), center[1] + radius * Math.cos(phi));
+    context.lineCap = "butt";
+    if (look.dark) {
+      // the slow end of the colours is dark as well
+      context.strokeStyle = look.soft;
+      context.lineWidth = width + 2;
+      context.beginPath();
+      context.arc(...this.point(center[0], center[1]), inner * scale, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    if (this.options.speed) {
+      const most = this.common.speed;
+      context.lineWidth = width;
+      const step = (2 * Math.PI) / SEGMENTS;
+      for (let k = 0; k < SEGMENTS; k++) {
+        const phi = pose.angle + k * step;
+        const speed = Math.hypot(
+          pose.vx + R * pose.omega * Math.cos(phi + 0.5 * step),
+          pose.vy - R * pose.omega * Math.sin(phi + 0.5 * step),
+        );
+        context.strokeStyle = SPEED_TEXTS[clamp(Math.round((255 * speed) / most) || 0, 0, 255)];
+        context.beginPath();
+        context.moveTo(...(rim(phi - 0.04 * step) as [number, number]));
+        context.lineTo(...(rim(phi + 1.04 * step) as [number, number]));
+        context.stroke();
+      }
+    } else {
+      context.strokeStyle = colors.modes[pose.mode];
+      context.lineWidth = width;
+      context.beginPath();
+      context.arc(...this.point(center[0], center[1]), inner * scale, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    context.strokeStyle = look.soft;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(...this.point(center[0], center[1]));
+    context.lineTo(...(rim(pose.angle) as [number, number]));
+    context.stroke();
+    const dot: (place: number[], radius: number, fill: string, edge: string) => void = (place, radius, fill, edge) => {
+      context.beginPath();
+      context.arc(...(place as [number, number]), radius, 0, 2 * Math.PI);
+      context.fillStyle = fill;
+      context.fill();
+      context.lineWidth = 1.5;
+      context.strokeStyle = edge;
+      context.stroke();
+    };
+    dot(this.point(center[0], center[1]), 2.5, look.soft, look.soft);
+    const parts = film.scenario.hoop.parts;
+    if (parts) this.parts(parts, center);
+    else dot(rim(pose.angle), clamp(0.1 * R * scale, 4, 16), look.ink, look.paper);
+    const ecc = film.eccentricity * R;
+    const G = this.point(center[0] + ecc * Math.sin(pose.angle), center[1] + ecc * Math.cos(pose.angle));
+    dot(G, clamp(0.05 * R * scale, 3.5, 7), pose.mode === "H" ? colors.airborne : colors.gravity_center, look.paper);
+  }
+
+  /** A hoop of real parts: each where it sits on the line from C to the load. */
+  parts(parts: Part[], center: number[]) {
+    const { film, pose, context, look, scale } = this;
+    const moment = parts.reduce((sum, part) => sum + part.mass * (part.at ?? 0), 0);
+    const way = moment < 0 ? -1 : 1;
+    context.strokeStyle = look.ink;
+    for (const part of parts) {
+      const at = way * (part.at ?? 0);
+      const place = this.point(center[0] + at * Math.sin(pose.angle), center[1] + at * Math.cos(pose.angle));
+      context.fillStyle = look.ink;
+      context.lineWidth = 1;
+      context.beginPath();
+      if (part.shape === "ring") {
+        context.globalAlpha = 0.22;
+        context.arc(...(place as [number, number]), part.outer_radius * scale, 0, 2 * Math.PI);
+        context.arc(...(place as [number, number]), part.inner_radius * scale, 0, 2 * Math.PI, true);
+        context.fill();
+        context.globalAlpha = 1;
+      } else if (part.shape === "rod") {
+        const half = 0.5 * part.length;
+        const along = (r: number) =>
+          this.point(center[0] + r * Math.sin(pose.angle), center[1] + r * Math.cos(pose.angle));
+        context.lineWidth = 4;
+        context.moveTo(...along(at - half));
+        context.lineTo(...along(at + half));
+        context.stroke();
+      } else {
+        const radius = part.shape === "disk" ? part.radius * scale : clamp(0.08 * film.radius * scale, 3, 12);
+        context.globalAlpha = part.shape === "disk" ? 0.55 : 1;
+        context.arc(...(place as [number, number]), radius, 0, 2 * Math.PI);
+        context.fill();
+        context.globalAlpha = 1;
+      }
+    }
+  }
+
+  forces() {
+    const { film, pose, colors } = this;
+    const R = film.radius;
+    const weight = film.mass * (film.gravity || 9.81);
+    // to scale up to four weights; a longer arrow would leave the picture and is drawn broken
+    const size = (force: number) => (0.55 * R * force) / weight;
+    if (pose.mode === "H" || !(pose.normal_force > 0)) return;
+    const foot = [pose.x, pose.height];
+    this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);
+    this.arrow(
+      foot,
+      [size(pose.friction_force), 0],
+      colors.friction_force,
+      `F = ${show(pose.friction_force, 3)} N`,
+      true,
+    );
+  }
+
+  /** The label of N stands beside its tip, that of F below the plane: they never meet. */
+  arrow([x, y]: number[], [dx, dy]: number[], color: string, label: string, below: boolean) {
+    const { context, look, width } = this;
+    const most = 2.2 * this.film.radius;
+    const cut = Math.abs(dx) > most || Math.abs(dy) > most;
+    [dx, dy] = [clamp(dx, -most, most), clamp(dy, -most, most)];
+    const from = this.point(x, y);
+    const to = this.point(x + dx, y + dy);
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    if (length < 2) return;
+    const ux = (to[0] - from[0]) / length;
+    const uy = (to[1] - from[1]) / length;
+    const head = Math.min(11, length);
+    for (const [stroke, width] of [
+      [look.paper, 6],
+      [color, 3],
+    ] as [string, number][]) {
+      context.strokeStyle = stroke;
+      context.fillStyle = stroke;
+      context.lineWidth = width;
+      context.beginPath();
+      context.moveTo(...(from as [number, number]));
+      context.lineTo(to[0] - ux * head, to[1] - uy * head);
+      context.stroke();
+    }
+    context.beginPath();
+    context.moveTo(...(to as [number, number]));
+    context.lineTo(to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5);
+    context.lineTo(to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5);
+    context.fill();
+    if (cut) {
+      const [x, y] = [from[0] + 0.55 * ux * length, from[1] + 0.55 * uy * length];
+      context.strokeStyle = look.paper;
+      context.lineWidth = 2;
+      context.beginPath();
+      for (const way of [-3, 3]) {
+        context.moveTo(x + ux * (way - 3) - uy * 7, y + uy * (way - 3) + ux * 7);
+        context.lineTo(x + ux * (way + 3) + uy * 7, y + uy * (way + 3) - ux * 7);
+      }
+      context.stroke();
+    }
+    context.font = `600 12px ${look.font}`;
+    const size = context.measureText(label).width;
+    context.lineWidth = 3;
+    context.strokeStyle = below ? look.ground : look.paper;
+    context.textAlign = "left";
+    const place = below
+      ? [from[0] - 0.5 * size - 32 * this.sine, from[1] + 32 * this.cosine]
+      : [to[0] + 12, clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale)];
+    place[0] = clamp(place[0], 4, width - size - 4);
+    context.strokeText(label, place[0], place[1]);
+    context.fillText(label, place[0], place[1]);
+  }
+}

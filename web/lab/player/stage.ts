@@ -1,0 +1,157 @@
+// The picture of the hoops, in the plane or in space, with what stands on it: readout, colours of speed, key.
+
+import { SPEED_TEXTS } from "../common/colors.ts";
+import { h } from "../common/dom.ts";
+import { degrees, length, show, withUnit } from "../common/numbers.ts";
+import { Stage2D } from "./stage2d.ts";
+import { Stage3D } from "./stage3d.ts";
+import { local, name, t } from "../words/words.ts";
+import type { Shown } from "../shell/address.ts";
+import type { Lab } from "../shell/lab.ts";
+
+const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
+
+export class Stage {
+  options: StageOptions = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
+  plane = h("canvas", { class: "stage-canvas" });
+  space = h("canvas", { class: "stage-canvas", hidden: true });
+  flat = new Stage2D(this.plane, this.onview);
+  deep: Stage3D | null = null; // made when it is first asked for
+  outputs: { name: HTMLElement; value: HTMLElement }[];
+  fastest: HTMLSpanElement;
+  legend: HTMLDivElement;
+  order: HTMLSpanElement;
+  element: HTMLDivElement;
+
+  /** `onview`: what to do when it is seen from elsewhere. */
+  constructor(
+    public colors: Colors,
+    readonly onview: () => void,
+  ) {
+    this.outputs = OUTPUTS.map((name) => ({ name: h("dt", {}, name), value: h("dd", {}) }));
+    this.outputs[1].value.className = "mode";
+    this.fastest = h("span", {});
+    this.legend = h(
+      "div",
+      { class: "legend", "aria-hidden": "true" },
+      h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
+      h("span", {}, "0"),
+      h("span", {}, "rim speed"),
+      this.fastest,
+    );
+    const dot: (color: string, words: string) => HTMLElement = (color, words) =>
+      h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
+    this.order = h("span", { hidden: true }, "A in front, B behind");
+    this.element = h(
+      "div",
+      { class: "stage", role: "img", "aria-label": "The hoop", tabindex: "0" },
+      this.plane,
+      this.space,
+      h(
+        "dl",
+        { class: "readout", "aria-hidden": "true" },
+        this.outputs.flatMap(({ name, value }) => [name, value]),
+      ),
+      this.legend,
+      h(
+        "div",
+        { class: "stage-keys", "aria-hidden": "true" },
+        dot("var(--ink)", "load"),
+        dot(colors.gravity_center, "centre of gravity"),
+        dot(colors.airborne, "the same in flight"),
+        this.order,
+      ),
+    );
+  }
+
+  // The canvas that is seen now.
+  canvas() {
+    return this.options.three ? this.space : this.plane;
+  }
+
+  draw(films: Film[], active: number, clock: Clock, { look, inks }: { look: Look; inks: Colors }) {
+    const { options } = this;
+    this.legend.hidden = !options.speed;
+    this.order.hidden = !(options.three && films.length > 1);
+    this.fastest.textContent = `≥ ${show(Math.max(...films.map((film) => film.extent.speed)), 2)} m/s`;
+    if (options.three) {
+      this.deep ??= new Stage3D(this.space, this.onview);
+      this.deep.draw(films, clock.time, options, look, inks, clock.playing);
+    } else this.flat.draw(films, clock.time, options, look, inks);
+    this.read(films, active, clock.time);
+  }
+
+  /**
+   * The picture in space with other numbers of pixels, until it is drawn again. `ratio`: pixels for one of the page.
+   */
+  sharp(lab: Lab, ratio: number) {
+    const { look, inks } = lab.theme;
+    this.deep?.draw(lab.films(), lab.clock.time, this.options, look, inks, false, ratio);
+    return this.space;
+  }
+
+  read(films: Film[], active: number, time: number) {
+    const film = films[active];
+    const pose = film.at(time);
+    const values = [
+      films.length > 1 ? "AB"[active] : "",
+      t(this.colors.mode_names[pose.mode]),
+      local(`${pose.t.toFixed(3)} s`),
+      degrees(pose.angle),
+      withUnit(show(pose.vx, 3), "m/s"),
+      withUnit(show(pose.omega * film.radius, 3), "m/s"),
+      pose.height > 0 ? length(pose.height) : "0",
+    ];
+    for (const [i, text] of values.entries()) {
+      const { value } = this.outputs[i];
+      if (value.textContent !== text) value.textContent = text;
+    }
+    const [hoop, mode] = this.outputs;
+    hoop.value.hidden = hoop.name.hidden = films.length < 2;
+    mode.value.style.setProperty("--mode", this.colors.modes[pose.mode]);
+  }
+
+  describe(films: Film[]) {
+    name(this.element, "aria-label", ["The hoop.", ...films.flatMap((film) => [" ", film.summary])]);
+  }
+
+  /** In space or in the plane. `draw`: what fails where the browser cannot. */
+  turn(draw: () => void) {
+    const show = () => {
+      this.plane.hidden = this.options.three;
+      this.space.hidden = !this.options.three;
+    };
+    this.options.three = !this.options.three;
+    show();
+    try {
+      draw();
+    } catch (error) {
+      this.options.three = false;
+      show();
+      throw error;
+    }
+  }
+
+  /** What is drawn, and from where it is looked at. */
+  view(): Shown {
+    const { options, flat, deep } = this;
+    return { options, zoom: flat.zoom, pan: flat.pan(), from: deep?.from() };
+  }
+
+  /** `view`: of which some may be as it is. */
+  restore({ options, zoom, pan, from }: Shown) {
+    if (options) {
+      const { three, ...others } = options;
+      Object.assign(this.options, others);
+    }
+    this.flat.look(zoom, pan);
+    if (from) this.deep?.look(from);
+  }
+
+  /** `factor`: 0 for the view as it was. */
+  zoom(factor: number) {
+    if (this.options.three) this.deep?.zoomBy(factor);
+    else if (factor) this.flat.zoomBy(factor);
+    else this.flat.reset();
+  }
+}

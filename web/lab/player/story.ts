@@ -1,0 +1,144 @@
+// The motion in words, as a list that leads to each moment, and what theory says about this hoop.
+
+import { h, say } from "../common/dom.ts";
+import { show } from "../common/numbers.ts";
+import type { Comparison } from "../backend/sameness.ts";
+
+export class Story {
+  film: Film;
+  items: HTMLElement[];
+  current: number;
+  /** the fingerprint that is shown. */
+  signed: string | null | undefined;
+
+  summary = h("p", { class: "summary" });
+  doubt = h("p", { class: "hint", hidden: true });
+  list = h("ol", { class: "story-list" });
+  heading = h("h2", {}, "What happens");
+  signature = h("span", {});
+  compared = h("span", {});
+  fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
+  live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
+  element: HTMLElement;
+
+  constructor(public clock: Clock) {
+    this.element = h(
+      "section",
+      { class: "story", "aria-label": "The motion in words" },
+      this.heading,
+      this.summary,
+      this.doubt,
+      this.list,
+      this.fingerprint,
+      this.live,
+    );
+  }
+
+  /**
+   * The list is that of the chosen hoop, the sentences above it are those of both. `comparisons`: of its fingerprint
+   * with those of elsewhere.
+   */
+  draw(films: Film[], active: number, colors: Colors, comparisons: Comparison[]) {
+    this.film = films[active];
+    say(
+      this.heading,
+      films.length > 1 ? { key: "What happens to hoop {hoop}", values: { hoop: "AB"[active] } } : "What happens",
+    );
+    this.summary.replaceChildren(
+      ...films.flatMap((film, i) => [
+        films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
+        h("span", {}, film.summary),
+        film.status === "event_limit" || film.shortened ? h("span", {}, " ", "(not all events are shown)") : "",
+        i + 1 < films.length ? h("br") : "",
+      ]),
+    );
+    this.doubt.hidden = !this.film.doubt;
+    say(this.doubt, this.film.doubt);
+    this.items = this.film.story.map((sentence) =>
+      h(
+        "li",
+        {},
+        h(
+          "button",
+          { type: "button", onclick: () => this.clock.seek(sentence.t) },
+          h("i", { class: "dot", style: `background:${colors.modes[sentence.mode]}`, "aria-hidden": "true" }),
+          h("span", { class: "when" }, `${show(sentence.t, 4)} s`),
+          h("span", {}, sentence.text),
+        ),
+      ),
+    );
+    this.list.replaceChildren(...this.items);
+    this.sign();
+    this.compared.replaceChildren(
+      ...comparisons.flatMap(({ same, text }) => [" ", h("span", { class: same ? "same" : "differs" }, text)]),
+    );
+    this.current = -1;
+    this.cursor(this.clock.time);
+  }
+
+  /** The fingerprint; its button stays, with what it has said, until the motion is another. */
+  sign() {
+    const { fingerprint } = this.film;
+    if (fingerprint === this.signed) return;
+    this.signed = fingerprint;
+    this.signature.replaceChildren(...fingerprintOf(fingerprint));
+  }
+
+  /** Tell a screen reader: the one place where changes are said, so that they do not talk over each other. */
+  say(said: Said) {
+    say(this.live, said);
+  }
+
+  announce(films: Film[]) {
+    this.say(films.flatMap((film, k) => (k ? [" ", film.summary] : [film.summary])));
+  }
+
+  cursor(time: number) {
+    const { story } = this.film;
+    let now = -1;
+    for (let i = 0; i < story.length && story[i].t <= time + 1e-9; i++) now = i;
+    if (now === this.current) return;
+    this.items[this.current]?.classList.remove("now");
+    this.items[now]?.classList.add("now");
+    this.items[this.current]?.removeAttribute("aria-current");
+    this.items[now]?.setAttribute("aria-current", "step");
+    this.current = now;
+    // scroll the list, never the page
+    const item = this.items[now];
+    if (item) {
+      const top = item.offsetTop - this.list.offsetTop;
+      if (top < this.list.scrollTop || top + item.offsetHeight > this.list.scrollTop + this.list.clientHeight) {
+        this.list.scrollTop = top - 0.4 * this.list.clientHeight;
+      }
+    }
+  }
+}
+
+/** The fingerprint with a button that copies it, or why there is none. */
+function fingerprintOf(fingerprint: string | null) {
+  if (!fingerprint)
+    return [h("span", {}, "No fingerprint: this motion depends on more digits than this page computes.")];
+  const code = h("code", {}, document.createTextNode(fingerprint));
+  const copy = h("button", { type: "button" }, "Copy");
+  copy.onclick = async () => {
+    try {
+      await navigator.clipboard.writeText(fingerprint);
+      say(copy, "Copied");
+    } catch {
+      getSelection()?.selectAllChildren(code); // to be copied by hand
+    }
+  };
+  const title = "A hash of all events: the same wherever hophoop computes the same bits, also in Python";
+  return [h("span", { title }, "Fingerprint"), " ", code, " ", copy];
+}
+
+export class Theory {
+  list = h("dl", {});
+  heading = h("h2", {}, "What theory says");
+  element = h("section", { class: "theory" }, this.heading, this.list);
+
+  draw(thresholds: { label: Said; text: Said }[], hoop = "") {
+    say(this.heading, hoop ? { key: "What theory says of hoop {hoop}", values: { hoop } } : "What theory says");
+    this.list.replaceChildren(...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]));
+  }
+}

@@ -1,0 +1,228 @@
+// The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
+
+import { hoopInk, writing } from "../common/colors.ts";
+import { fitted, h } from "../common/dom.ts";
+import { eventWord } from "./events.ts";
+import { within } from "../map/map_axes.ts";
+import { placed, stretches } from "./marks.ts";
+import { clamp, niceStep, show, tickText, ticks } from "../common/numbers.ts";
+import { follow } from "../common/pointer.ts";
+import { zoomable } from "../common/zoom.ts";
+import { t } from "../words/words.ts";
+
+export class Timeline {
+  films: Film[];
+  said: string;
+
+  /** the part of the motion that is seen; all of it by default */
+  window: number[] | null = null;
+  canvas = h("canvas", { class: "timeline-canvas" });
+  tip = h("div", { class: "tip", hidden: true });
+  element: HTMLDivElement;
+  pinched: () => boolean;
+
+  constructor(public clock: Clock) {
+    this.element = h(
+      "div",
+      {
+        class: "timeline",
+        role: "slider",
+        tabindex: "0",
+        "aria-label": "Time",
+        "aria-valuemin": "0",
+        "aria-orientation": "horizontal",
+      },
+      this.canvas,
+      this.tip,
+    );
+    this.element.addEventListener("pointerdown", (event) => this.scrub(event));
+    this.element.addEventListener("pointermove", (event) => this.hover(event));
+    this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
+    this.pinched = zoomable(this.element, {
+      zoom: (factor, at) => this.zoom(1 / factor, at ? this.timeAt(at) : this.clock.time),
+      home: () => this.zoom(Infinity, 0),
+      keys: true,
+    });
+  }
+
+  // The times at both ends of the bar.
+  ends() {
+    const whole = [0, this.clock.duration || 1];
+    if (!this.window || this.window[1] - this.window[0] >= whole[1]) return whole;
+    return within(this.window, whole);
+  }
+
+  /** `factor`: of the time that is seen. */
+  zoom(factor: number, center: number) {
+    const [from, to] = this.ends();
+    const least = 1e-6 * this.clock.duration;
+    const size = Math.max((to - from) * factor, least);
+    const share = (center - from) / (to - from);
+    this.window =
+      size < this.clock.duration
+        ? within([center - share * size, center + (1 - share) * size], [0, this.clock.duration])
+        : null;
+    this.clock.changed();
+  }
+
+  // Where it is zoomed in, it follows the time.
+  keep() {
+    if (!this.window) return;
+    const [from, to] = this.ends();
+    const { time, duration } = this.clock;
+    if (time >= from && time <= to) return;
+    const size = to - from;
+    this.window = within(time > to ? [time - 0.1 * size, time + 0.9 * size] : [time - 0.5 * size, time + 0.5 * size], [
+      0,
+      duration,
+    ]);
+  }
+
+  timeAt(event: Point) {
+    const box = this.canvas.getBoundingClientRect();
+    const [from, to] = this.ends();
+    return from + clamp((event.clientX - box.left) / box.width, 0, 1) * (to - from);
+  }
+
+  scrub(event: PointerEvent) {
+    event.preventDefault();
+    this.element.focus({ preventScroll: true });
+    const resume = this.clock.playing;
+    this.clock.playing = false;
+    const move = (moved: PointerEvent) => !this.pinched() && this.clock.seek(this.timeAt(moved));
+    move(event);
+    follow(this.element, event, move, () => resume && this.clock.play(true));
+  }
+
+  hover(event: PointerEvent) {
+    const time = this.timeAt(event);
+    const near = this.nearest(time, 8);
+    const said = near
+      ? `${t(eventWord(near.kind))} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      : `${show(time, 4)} s`;
+    this.tip.textContent = said;
+    this.tip.hidden = false;
+    const box = this.canvas.getBoundingClientRect();
+    this.tip.style.left = `${clamp(event.clientX - box.left, 70, box.width - 70)}px`;
+  }
+
+  nearest(time: number, pixels: number) {
+    const [from, to] = this.ends();
+    const reach = (pixels * (to - from)) / (this.canvas.getBoundingClientRect().width || 1);
+    let best = null;
+    for (const film of this.films ?? []) {
+      for (const event of film.events) {
+        if (event.kind === "end") continue;
+        const distance = Math.abs(event.t - time);
+        if (distance <= reach && (!best || distance < Math.abs(best.t - time))) best = event;
+      }
+    }
+    return best;
+  }
+
+  draw(films: Film[], look: Look, colors: Colors) {
+    this.films = films;
+    const { context, width, height } = fitted(this.canvas);
+    this.keep();
+    const [begin, end] = this.ends();
+    const place = (t: number) => ((t - begin) / (end - begin)) * width;
+    context.clearRect(0, 0, width, height);
+    const above = 15; // room for the marks of each hoop
+    const band = (height - 15) / films.length - above;
+    films.forEach((film, i) => {
+      const y = above + i * (above + band);
+      for (const { mode, from, wide } of stretches(film.phases, place, width)) {
+        const color = colors.modes[mode];
+        context.fillStyle = color;
+        context.fillRect(from, y, wide, band - 2);
+        this.named(context, t(colors.mode_names[mode]), from, wide, y, band - 2, color, look);
+      }
+      if (film.duration < end) {
+        context.fillStyle = look.line;
+        context.fillRect(Math.max(place(film.duration), 0), y, width, band - 2);
+      }
+      this.marks(context, film, place, y, width, look);
+      if (films.length > 1) {
+        context.fillStyle = hoopInk(i, look.dark);
+        context.font = `700 12px ${look.font}`;
+        context.textAlign = "right";
+        context.fillText("AB"[i], width - 1, y - 4);
+      }
+    });
+    const step = niceStep(end - begin, width / 60);
+    context.fillStyle = look.soft;
+    context.font = `10.5px ${look.font}`;
+    const all = ticks(begin, end, width / 60);
+    for (const t of all) {
+      const x = place(t);
+      context.textAlign = x < 14 ? "left" : x > width - 14 ? "right" : "center";
+      context.fillText(tickText(t, step) + (t === all[0] ? " s" : ""), x, height - 3);
+    }
+    const x = clamp(place(this.clock.time), 6, width - 6);
+    const now = clamp(place(this.clock.time), 1, width - 1);
+    context.fillStyle = look.ink;
+    context.fillRect(now - 1, above - 4, 2, height - above - 9);
+    context.beginPath();
+    context.moveTo(x - 6, above - 10);
+    context.lineTo(x + 6, above - 10);
+    context.lineTo(now, above - 1);
+    context.fill();
+    this.tell(films, colors);
+  }
+
+  /** The time and the mode for a screen reader; while the film runs, only when the mode changes. */
+  tell(films: Film[], colors: Colors) {
+    const { time, duration, playing } = this.clock;
+    const modes = films.map((film, i) => {
+      const word = t(colors.mode_names[film.at(time).mode]);
+      return films.length > 1 ? `${"AB"[i]} ${word}` : word;
+    });
+    const said = modes.join(", ");
+    if (playing && said === this.said) return;
+    this.said = said;
+    this.element.setAttribute("aria-valuemax", duration.toFixed(3));
+    this.element.setAttribute("aria-valuenow", time.toFixed(3));
+    this.element.setAttribute("aria-valuetext", t("{time} seconds, {what}", { time: show(time, 4), what: said }));
+  }
+
+  /** The word of a mode inside its stretch, where it fits. */
+  named(
+    context: CanvasRenderingContext2D,
+    word: string,
+    from: number,
+    wide: number,
+    y: number,
+    high: number,
+    color: string,
+    look: Look,
+  ) {
+    context.font = `11px ${look.font}`;
+    if (high < 13 || context.measureText(word).width + 8 > wide) return;
+    context.fillStyle = writing(color);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(word, from + 0.5 * wide, y + 0.5 * high + 1);
+    context.textBaseline = "alphabetic";
+  }
+
+  marks(
+    context: CanvasRenderingContext2D,
+    film: Film,
+    place: (t: number) => number,
+    top: number,
+    width: number,
+    look: Look,
+  ) {
+    context.font = `11px ${look.font}`;
+    context.textAlign = "center";
+    const seen = film.events
+      .filter(({ kind }) => kind !== "start" && kind !== "end")
+      .map(({ kind, t }) => ({ kind, x: place(t) }))
+      .filter(({ x }) => x >= -1 && x <= width + 1);
+    context.fillStyle = look.panel;
+    // lines between phases, unless there would be nothing but lines
+    if (seen.length < width / 6) for (const { x } of seen) context.fillRect(x - 0.5, top, 1, 5);
+    context.fillStyle = look.ink;
+    for (const { mark, x } of placed(seen)) context.fillText(mark, clamp(x, 6, width - 6), top - 4);
+  }
+}

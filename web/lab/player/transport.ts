@@ -1,0 +1,123 @@
+// What moves the film: buttons, speed, and which things are drawn.
+
+import { SPEEDS } from "./clock.ts";
+import { h } from "../common/dom.ts";
+import { icon } from "../common/icons.ts";
+import { degrees, show } from "../common/numbers.ts";
+import { eventWord, leaves } from "./events.ts";
+import { name } from "../words/words.ts";
+
+const STEP = 1 / 60; // seconds
+
+const SWITCHES: [keyof StageOptions, string, string][] = [
+  ["traces", "Traces", "Traces (t)"],
+  ["forces", "Forces", "Forces (f)"],
+  ["speed", "Rim speed", "Rim speed (c)"],
+  ["whole", "Whole path", "Whole path (w)"],
+  ["three", "3D", "In space (3)"],
+];
+
+const button = (label: Node | string, title: string, action: () => void) =>
+  h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
+
+const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
+
+export class Transport {
+  titled = "";
+
+  playButton: HTMLButtonElement;
+  speeds: HTMLSelectElement;
+  switches: Map<keyof StageOptions, HTMLButtonElement>;
+  element: HTMLDivElement;
+
+  /** `say`: what is seen; `tell`: what a screen reader says. */
+  constructor(
+    public clock: Clock,
+    public films: () => Film[],
+    toggle: (name: keyof StageOptions) => void,
+    readonly say: (text: string) => void,
+    readonly tell: (said: Said) => void,
+  ) {
+    this.playButton = button(icon("play"), "Play (space)", () => clock.play());
+    this.playButton.classList.add("play");
+    this.speeds = h(
+      "select",
+      {
+        "aria-label": "Speed of the film",
+        onchange: () => {
+          clock.speed = Number(this.speeds.value);
+        },
+      },
+      SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
+    );
+    this.speeds.value = "1";
+    this.switches = new Map(
+      SWITCHES.map(([name, label, title]) => [
+        name,
+        h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label),
+      ]),
+    );
+    this.element = h(
+      "div",
+      { class: "transport" },
+      h(
+        "div",
+        { class: "buttons" },
+        button(icon("start"), "To the start (Home)", () => clock.seek(0)),
+        button(icon("previous"), "Previous event (Shift ←)", () => this.jump(-1)),
+        button(icon("back"), "One frame back (←)", () => this.nudge(-1)),
+        this.playButton,
+        button(icon("on"), "One frame on (→)", () => this.nudge(1)),
+        button(icon("next"), "Next event (Shift →)", () => this.jump(1)),
+      ),
+      h(
+        "div",
+        { class: "buttons jumps" },
+        button(marked("▲", "flight"), "To the next flight (h)", () => this.jump(1, "takeoff")),
+        button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
+      ),
+      this.speeds,
+      h("div", { class: "buttons switches" }, [...this.switches.values()]),
+    );
+  }
+
+  show(options: StageOptions) {
+    const { clock, playButton } = this;
+    for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
+    const title = clock.playing ? "Pause (space)" : "Play (space)";
+    if (this.titled !== title) {
+      this.titled = title;
+      playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
+      name(playButton, "title", title);
+      name(playButton, "aria-label", title);
+    }
+    if (this.speeds.value !== String(clock.speed)) this.speeds.value = String(clock.speed);
+  }
+
+  nudge(way: -1 | 1) {
+    this.clock.playing = false;
+    this.clock.seek(this.clock.time + way * STEP * Math.min(this.clock.speed, 1));
+  }
+
+  /** To the next event of all films, or of one kind; where there is none of that kind any more, to its first. */
+  jump(way: -1 | 1, kind: "takeoff" | "impact" | null = null) {
+    this.clock.playing = false;
+    const all = this.films()
+      .flatMap((film, lane) => film.events.map((event) => ({ event, lane })))
+      .filter(({ event }) => !kind || (kind === "impact" ? event.kind === kind : leaves(event)))
+      .sort((a, b) => a.event.t - b.event.t);
+    const now = this.clock.time;
+    let next =
+      way > 0 ? all.find(({ event }) => event.t > now + 1e-9) : all.findLast(({ event }) => event.t < now - 1e-9);
+    if (!next && kind) next = all[0];
+    if (!next) {
+      if (kind) this.say(kind === "takeoff" ? "This motion has no flight." : "This motion has no landing.");
+      return;
+    }
+    this.clock.seek(next.event.t);
+    const { event, lane } = next;
+    const values = { what: eventWord(event.kind), angle: degrees(event.angle), time: show(event.t, 4) };
+    const said = { key: "{what} at {angle}, {time} s", values };
+    this.tell(this.films().length > 1 ? [["Hoop A", "Hoop B"][lane], ": ", said] : said);
+  }
+}

@@ -1,0 +1,158 @@
+// What a little more of a parameter does: the rates of events, as changes with a step, and in words.
+
+import { CHANGE, layout } from "../../kernel/layout.ts";
+import { eventWord } from "../player/events.ts";
+import { show, withUnit } from "../common/numbers.ts";
+import { listed } from "../words/words.ts";
+
+const PASSING = new Set(layout.passing);
+const MOST_HOPS = 3;
+const ROUNDING = 1e-10; // beside what it changes: less is none
+
+/** Flights, by the numbers of the events that they begin with, are highest at and end with; −1 where there is none. */
+export function hopsOf(events: MotionEvent[]): { begin: number; top: number; end: number }[] {
+  const hops = [];
+  let begin = -1;
+  let top = -1;
+  for (const [k, { kind, from, to, t: time, height }] of events.entries()) {
+    if (begin >= 0 && kind === "apex" && (top < 0 || height > events[top].height)) top = k;
+    if (PASSING.has(kind)) continue;
+    if (begin >= 0 && from === "H" && time > events[begin].t) {
+      hops.push({ begin, top, end: kind === "end" ? -1 : k });
+      begin = top = -1;
+    }
+    if (to === "H" && kind !== "end") [begin, top] = [k, -1];
+  }
+  return hops;
+}
+
+/** The changes of a motion with a step of one parameter. */
+export class Changes {
+  events: MotionEvent[];
+  count: number;
+  radius: number;
+  side: ChangedEvents | null;
+  step: number;
+  edge: boolean;
+  sided: boolean;
+
+  /** `step`: of the parameter, upwards. */
+  constructor(film: Film, sides: SidedChanges | null, step: number) {
+    const { larger = null, smaller = null, count = 0 } = sides ?? {};
+    this.events = film.events;
+    this.count = Math.min(count, film.events.length);
+    this.radius = film.radius;
+    this.side = larger ?? smaller;
+    /** The step that is possible: downwards where the parameter can be no larger. */
+    this.step = larger ? step : -step;
+    this.edge = !larger || !smaller;
+    this.sided = !this.edge && (larger?.sided || apart(larger, smaller));
+  }
+
+  /** The derivative of an event's number, as the library gives it. `name`: one of the module's columns. */
+  rate(event: number, name: string) {
+    return this.side ? this.side.rates[event * layout.changes.length + CHANGE[name]] : Number.NaN;
+  }
+
+  of(event: number, name: string) {
+    return this.step * this.rate(event, name);
+  }
+
+  /** From which event on there is no derivative; −1 where there is one everywhere. */
+  get failed() {
+    return this.side && this.side.reason !== "none" ? this.side.failed : -1;
+  }
+
+  hops() {
+    return hopsOf(this.events.slice(0, this.count)).map(({ begin, top, end }) => {
+      const between = (name: string) =>
+        end < 0 ? Number.NaN : this.step * (this.rate(end, name) - this.rate(begin, name));
+      return {
+        begin,
+        end,
+        height: this.of(top < 0 ? begin : top, "height"),
+        distance: between("x"),
+        duration: between("t"),
+      };
+    });
+  }
+}
+
+function apart(one: ChangedEvents | null, other: ChangedEvents | null) {
+  return (
+    one !== other && (one?.rates.some((rate, k) => Number.isFinite(rate) !== Number.isFinite(other?.rates[k])) ?? false)
+  );
+}
+
+/** An amount without its sign, in the unit in which it reads well. */
+function amount(value: number, unit: "s" | "m" | "m/s" | "°") {
+  const size = Math.abs(value);
+  if (unit === "°") return withUnit(show((size * 180) / Math.PI, 3), "°");
+  const small = size < 0.0995;
+  const tiny = size < 0.9995e-4;
+  const [scale, prefix] = !small ? [1, ""] : tiny ? [1e6, "µ"] : [1e3, "m"];
+  return unit === "m/s" ? withUnit(show(size, 3), unit) : withUnit(show(scale * size, 3), `${prefix}${unit}`);
+}
+
+/** Whether it is more than rounding. `size`: of what it changes. */
+export const counts = (value: number, size: number) => Math.abs(value) > ROUNDING * Math.max(size, 1e-3);
+
+/** An amount with its sign. */
+export function signed(value: number, unit: "s" | "m" | "m/s" | "°") {
+  if (!Number.isFinite(value)) return "–";
+  if (!counts(value, 1)) return "0";
+  return `${value > 0 ? "+" : "−"}${amount(value, unit)}`;
+}
+
+/** Words for each change that there is. */
+function listOf(changes: [value: number, unit: "s" | "m" | "m/s" | "°", more: string, less: string][]) {
+  const parts = changes
+    .filter(([value]) => Number.isFinite(value) && counts(value, 1))
+    .map(([value, unit, more, less]) => ({ key: value > 0 ? more : less, values: { amount: amount(value, unit) } }));
+  return parts.length ? listed(parts) : null;
+}
+
+const ALONG = ["m", "{amount} further to the right", "{amount} further to the left"] as const;
+const LATER = ["s", "{amount} later", "{amount} earlier"] as const;
+
+/** What changes, in a sentence or a few. */
+export function sentences(changes: Changes): Said[] {
+  const { events, count } = changes;
+  const said: Said[] = [];
+  const hops = changes.hops();
+  for (const [k, { begin, end, height, distance, duration }] of hops.slice(0, MOST_HOPS).entries()) {
+    const way = end >= 0 && events[end].x < events[begin].x ? -distance : distance;
+    const list = listOf([
+      [height, "m", "{amount} higher", "{amount} lower"],
+      [way, "m", "{amount} longer", "{amount} shorter"],
+      [duration, "s", "{amount} more in the air", "{amount} less in the air"],
+      [changes.of(begin, "t"), "s", "begins {amount} later", "begins {amount} earlier"],
+    ]);
+    if (list)
+      said.push(
+        hops.length > 1
+          ? { key: "Hop {number}: {list}.", values: { number: k + 1, list } }
+          : { key: "The hop: {list}.", values: { list } },
+      );
+  }
+  const first = hops.length ? -1 : events.findIndex(({ kind }, k) => k < count && kind !== "start" && kind !== "end");
+  if (first >= 0) {
+    const list = listOf([
+      [changes.of(first, "t"), ...LATER],
+      [changes.of(first, "x"), ...ALONG],
+    ]);
+    if (list)
+      said.push({ key: "The first event, {what}: {list}.", values: { what: eventWord(events[first].kind), list } });
+  }
+  const last = count - 1;
+  if (last > 0 && events[last].kind === "end") {
+    const faster = Math.sign(events[last].vx) * changes.of(last, "vx");
+    const list = listOf([
+      [changes.of(last, "x"), ...ALONG],
+      [faster, "m/s", "{amount} faster", "{amount} slower"],
+    ]);
+    if (list)
+      said.push({ key: "At the end, after {time} s: {list}.", values: { time: show(events[last].t, 4), list } });
+  }
+  return said;
+}

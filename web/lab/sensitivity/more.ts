@@ -1,0 +1,321 @@
+// What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
+
+import { Changes, sentences, signed } from "./changes.ts";
+import { h, once, say } from "../common/dom.ts";
+import { eventWord } from "../player/events.ts";
+import { show, withUnit } from "../common/numbers.ts";
+import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
+import { saidOf } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+
+const DEGREE = Math.PI / 180;
+const WAIT = 100; // milliseconds
+const FIRST = "plane.mu";
+const LEFT_OUT = /^(contact\.|duration$)/;
+const MOST = 200; // events in the table
+/** Why there is no derivative. */
+const reasonOf = (name: string) => `reason.${name}`;
+
+export class More {
+  on = false;
+  path = FIRST;
+  changes: Changes | null = null;
+  arrows: Arrow[] = [];
+  factor = 0;
+  three = false;
+  asked: AbortController | null = null;
+  /** What the shown numbers belong to. */
+  known = "";
+  /** What is offered. */
+  paths = "";
+  /** Whether a screen reader is told what comes. */
+  speak = false;
+
+  later: () => void;
+  switch: HTMLButtonElement;
+  picked: HTMLSelectElement;
+  step: HTMLSpanElement;
+  take: HTMLButtonElement;
+  said: HTMLUListElement;
+  reason: HTMLParagraphElement;
+  scale: HTMLParagraphElement;
+  body: HTMLTableSectionElement;
+  rows: HTMLDetailsElement;
+  element: HTMLElement;
+
+  constructor(public lab: Lab) {
+    this.later = once(() => this.fetch(), WAIT);
+    this.switch = h(
+      "button",
+      {
+        type: "button",
+        class: "switch",
+        title: "What a little more would do (a)",
+        "aria-pressed": "false",
+        onclick: () => this.turn(),
+      },
+      "Arrows",
+    );
+    this.picked = h("select", { onchange: () => this.pick(this.picked.value) });
+    this.step = h("span", { class: "more-step" });
+    this.take = h("button", { type: "button", onclick: () => this.apply() }, "Do it");
+    this.said = h("ul", { class: "more-said" });
+    this.reason = h("p", { class: "more-reason", hidden: true });
+    this.scale = h("p", { class: "hint" });
+    this.body = h("tbody", {});
+    this.rows = h(
+      "details",
+      { class: "more-events" },
+      h("summary", {}, "Every event, by this step"),
+      h(
+        "div",
+        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "What changes at every event" },
+        h(
+          "table",
+          {},
+          h(
+            "thead",
+            {},
+            h(
+              "tr",
+              {},
+              ["event", "time", "place", "height", "load angle"].map((name) => h("th", { scope: "col" }, name)),
+            ),
+          ),
+          this.body,
+        ),
+      ),
+    );
+    this.element = h(
+      "section",
+      { class: "table more", "aria-label": "What a little more would do", hidden: true },
+      h(
+        "header",
+        {},
+        h("h2", {}, "What a little more would do"),
+        h("button", { type: "button", onclick: () => this.turn(false) }, "Close"),
+      ),
+      h(
+        "div",
+        { class: "more-asked" },
+        h("label", {}, h("span", {}, "A little more"), this.picked),
+        this.step,
+        this.take,
+      ),
+      this.said,
+      this.reason,
+      this.rows,
+      this.scale,
+    );
+    lab.stage.flat.over = (scene, lane) => {
+      const guessing = lab.root.classList.contains("guessing"); // what comes is to be guessed
+      if (!this.on || guessing || lane !== lab.motions.active) return;
+      const factor = magnified(this.arrows, scene.film.radius, scene.scale);
+      if (factor || this.arrows.some(({ dx }) => Number.isNaN(dx))) drawArrows(scene, this.arrows, factor || 1);
+      if (factor !== this.factor) {
+        this.factor = factor;
+        this.tellScale();
+      }
+    };
+  }
+
+  /** `path`: of the parameter. */
+  turn(on: boolean = !this.on, path: string = this.path) {
+    this.on = on;
+    this.path = path;
+    this.element.hidden = !on;
+    this.switch.setAttribute("aria-pressed", String(on));
+    this.known = "";
+    if (on) this.changed(true);
+    else this.forget();
+    if (this.lab.motions.lanes.length) this.lab.address?.soon();
+    this.lab.request();
+  }
+
+  pick(path: string) {
+    this.path = path;
+    this.known = "";
+    this.changed(true);
+    this.lab.address?.soon();
+  }
+
+  /** The sliders that the motion has. */
+  offered() {
+    const all = [...this.lab.controls.sliders.values()];
+    return all.filter(({ info, element }) => !element.hidden && !LEFT_OUT.test(info.path)).map(({ info }) => info);
+  }
+
+  // The parameter, its value in SI units and a step of it; nothing where it has no value.
+  parameter() {
+    const { values, scenario } = this.lab.film();
+    const info = this.offered().find(({ path }) => path === this.path);
+    if (!info) return null;
+    const [section, name] = info.path.split(".");
+    const value = values[info.path] ?? (scenario as any)[section][name];
+    return { info, value: Number(value === "inf" ? Infinity : value), step: info.step * (info.degrees ? DEGREE : 1) };
+  }
+
+  /** Another motion is there, another parameter, or another language. */
+  changed(speak = false) {
+    if (!this.on) return;
+    this.speak ||= speak;
+    if (!this.lab.motions.lanes.length) return; // the first motion is still computed, and comes here when it is there
+    this.offer();
+    const { query } = this.lab.film();
+    if (this.known === `${this.path} ${query}`) this.tell();
+    else {
+      this.forget();
+      this.later();
+    }
+  }
+
+  offer() {
+    const infos = this.offered();
+    if (!infos.some(({ path }) => path === this.path)) {
+      this.path = infos.find(({ path }) => path.startsWith(FIRST))?.path ?? infos[0].path;
+    }
+    const paths = infos.map(({ path }) => path).join();
+    if (paths !== this.paths) {
+      this.paths = paths;
+      const option = ({ path, label, symbol }: SliderInfo) => h("option", { value: path }, label, " ", symbol);
+      this.picked.replaceChildren(...infos.map(option));
+    }
+    this.picked.value = this.path;
+  }
+
+  forget() {
+    this.asked?.abort();
+    this.changes = null;
+    this.arrows = [];
+    this.factor = 0;
+  }
+
+  async fetch() {
+    if (!this.on) return;
+    const { lab, path } = this;
+    const film = lab.film();
+    const found = this.parameter();
+    this.asked?.abort();
+    this.asked = new AbortController();
+    const { signal } = this.asked;
+    this.known = `${path} ${film.query}`;
+    if (!found || !Number.isFinite(found.value)) return this.refuse("It is infinite: there is no more of it.");
+    if (!lab.backend.changes) return this.refuse("This needs a browser that runs WebAssembly.");
+    try {
+      const sides = await lab.backend.changes(film.scenario, path, signal);
+      if (signal.aborted || lab.film() !== film) return undefined;
+      if (!sides) return this.refuse(reasonOf("edge"));
+      this.changes = new Changes(film, sides, found.step);
+      this.arrows = arrowsOf(this.changes);
+      this.factor = 0; // until they are drawn
+      this.tell();
+    } catch (error) {
+      if ((error as Error).name !== "AbortError" && !signal.aborted) this.refuse(saidOf(error));
+    }
+    lab.request();
+    return undefined;
+  }
+
+  /** No numbers: why. */
+  refuse(words: Said) {
+    this.forget();
+    this.take.disabled = true;
+    for (const place of [this.step, this.said, this.body]) place.replaceChildren();
+    this.rows.hidden = this.scale.hidden = true;
+    this.reason.hidden = false;
+    say(this.reason, words);
+    if (this.speak) this.lab.story.say(words);
+    this.speak = false;
+    this.lab.request();
+  }
+
+  tell() {
+    const { changes } = this;
+    const found = this.parameter();
+    if (!changes || !found) return;
+    const { info, value } = found;
+    const written = (one: number) => withUnit(show(info.degrees ? one / DEGREE : one, 5), info.unit);
+    const than = `${written(value)} → ${written(value + changes.step)}`;
+    this.step.textContent = than;
+    this.take.disabled = false;
+    this.rows.hidden = this.scale.hidden = false;
+    const said = sentences(changes);
+    if (!said.length && changes.failed < 0) said.push("Nothing: no event moves.");
+    this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
+    const why = this.why(changes);
+    this.reason.hidden = !why;
+    say(this.reason, why);
+    this.fill(changes);
+    this.tellScale();
+    if (this.speak)
+      this.lab.story.say([
+        info.label,
+        ` ${than}.`,
+        ...[...said, why].flatMap((sentence) => (sentence ? [" ", sentence] : [])),
+      ]);
+    this.speak = false;
+  }
+
+  /** Another picture is on the screen. */
+  frame() {
+    const { three } = this.lab.stage.options;
+    if (this.on && three !== this.three && this.changes) this.tellScale();
+    this.three = three;
+  }
+
+  // How arrows are drawn, which depends on how large the hoop is.
+  tellScale() {
+    const { three } = this.lab.stage.options;
+    const drawn = three
+      ? "The arrows are drawn in the picture in the plane: leave 3D to see them."
+      : {
+          key: "The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.",
+          values: { factor: show(this.factor, 3) },
+        };
+    say(this.scale, three || this.factor ? drawn : "");
+  }
+
+  /** Where there is no derivative, or one to this side only, and why. */
+  why(changes: Changes): Said {
+    const { failed, side, events, edge, sided } = changes;
+    if (failed >= 0 && side) {
+      const { kind, t: time } = events[Math.min(failed, events.length - 1)];
+      const values = { what: eventWord(kind), time: show(time, 4), reason: reasonOf(side.reason) };
+      return { key: "From {what} at {time} s on no derivative: {reason}.", values };
+    }
+    if (!edge && !sided) return "";
+    return { key: "To one side only: {reason}.", values: { reason: reasonOf(edge ? "edge" : "sided") } };
+  }
+
+  fill(changes: Changes) {
+    const cell = (value: number, unit: "s" | "m" | "°", rate: number) => {
+      const text = signed(value, unit);
+      const mark = text[0] === "+" ? "▲ " : text[0] === "−" ? "▼ " : "";
+      return h("td", { "data-rate": String(rate) }, mark && h("span", { "aria-hidden": "true" }, mark), text);
+    };
+    const units = [
+      ["t", "s"],
+      ["x", "m"],
+      ["height", "m"],
+      ["angle", "°"],
+    ] as ["t" | "x" | "height" | "angle", "s" | "m" | "°"][];
+    this.body.replaceChildren(
+      ...changes.events.slice(0, Math.min(changes.count, MOST)).map(({ kind, t: time }, k) =>
+        h(
+          "tr",
+          { onclick: () => this.lab.clock.seek(time) },
+          h("th", { scope: "row" }, eventWord(kind), h("small", {}, ` ${show(time, 4)} s`)),
+          units.map(([name, unit]) => cell(changes.of(k, name), unit, changes.rate(k, name))),
+        ),
+      ),
+    );
+  }
+
+  // The step, so that one sees whether it was told right.
+  apply() {
+    const found = this.parameter();
+    if (!found || !this.changes) return;
+    const value = Number((found.value + this.changes.step).toPrecision(12));
+    this.lab.motions.change([[this.path, value]], true);
+  }
+}

@@ -1,0 +1,128 @@
+// The address of the page: the motions, the time, what is drawn, and the part of the map that is looked at.
+
+import { once } from "../common/dom.ts";
+import { clamp } from "../common/numbers.ts";
+import type { Lab } from "./lab.ts";
+
+const LETTERS: [keyof StageOptions, string][] = [
+  ["traces", "t"],
+  ["forces", "f"],
+  ["speed", "c"],
+  ["whole", "w"],
+  ["three", "3"],
+];
+const USUAL = "tfc";
+const FINGERPRINT = /^[0-9a-f]{16}$/;
+const WAIT = 400; // milliseconds; browsers refuse more than a few changes of the address a second
+
+export interface Shown {
+  time?: number;
+  options?: Partial<StageOptions>;
+  zoom?: number;
+  pan?: [number, number]; // how far the picture is moved, in its own width and height
+  from?: number[]; // from where it is looked at in space: azimuth, height, distance
+  more?: string; // the parameter of which the arrows tell what a little more would do
+  map?: { what: string; x: [string, number, number]; y: [string, number, number] };
+  fingerprints?: string[]; // of the motions, as where the link was made; "" where there is none
+}
+
+/** What is shown, as the part of a link behind its #; what is as usual is left out. */
+export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map, fingerprints = [] }: Shown) {
+  const parts = [];
+  if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
+  const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
+  if (letters.join("") !== USUAL) parts.push(`show=${letters.join("")}`);
+  if (zoom !== 1) parts.push(`zoom=${Number(zoom.toPrecision(3))}`);
+  if (pan.some((part) => Math.abs(part) > 5e-4))
+    parts.push(`pan=${pan.map((part) => Number(part.toFixed(3))).join(",")}`);
+  if (from) parts.push(`from=${from.map((part) => Number(part.toPrecision(3))).join(",")}`);
+  if (more) parts.push(`more=${more}`);
+  if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
+  if (fingerprints.some(Boolean)) parts.push(`fingerprint=${fingerprints.join(",")}`);
+  return parts.join("&");
+}
+
+/** What a link says of it; what it does not say, or says wrongly, is left out. */
+export function readShown(hash: string): Shown {
+  const parts = new URLSearchParams(hash.replace(/^#/, ""));
+  const shown: Shown = {};
+  const time = Number(parts.get("t") ?? Number.NaN);
+  if (time >= 0) shown.time = time;
+  const letters = parts.get("show");
+  if (letters !== null) {
+    shown.options = Object.fromEntries(LETTERS.map(([name, letter]) => [name, letters.includes(letter)]));
+  }
+  const zoom = Number(parts.get("zoom") ?? Number.NaN);
+  if (zoom > 0) shown.zoom = clamp(zoom, 0.05, 60);
+  const pan = numbers(parts.get("pan"), 2);
+  if (pan) shown.pan = pan.map((part) => clamp(part, -20, 20)) as [number, number];
+  const from = numbers(parts.get("from"), 3);
+  if (from) shown.from = from;
+  const more = parts.get("more");
+  if (more) shown.more = more;
+  const [what, x, x0, x1, y, y0, y1] = parts.get("map")?.split(",") ?? [];
+  const ends = [x0, x1, y0, y1].map(Number);
+  if (y1 !== undefined && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3]) {
+    shown.map = { what, x: [x, ends[0], ends[1]], y: [y, ends[2], ends[3]] };
+  }
+  const fingerprints = parts.get("fingerprint")?.toLowerCase().split(",");
+  if (fingerprints) shown.fingerprints = fingerprints.map((text) => (FINGERPRINT.test(text) ? text : ""));
+  return shown;
+}
+
+/** So many numbers, or nothing. */
+function numbers(text: string | null, count: number) {
+  const found = (text ?? "").split(",").map(Number);
+  return text && found.length === count && found.every(Number.isFinite) ? found : null;
+}
+
+// The two links that an address holds.
+const queries = () => {
+  const other = new URLSearchParams(location.hash.slice(1)).get("with");
+  return [location.search.slice(1), ...(other === null ? [] : [other])];
+};
+
+// Writes what is shown into the address of the page, and follows the browser's own way back.
+export class Address {
+  number = 0;
+  soon: () => void;
+  listen: () => Promise<void>;
+
+  constructor(public lab: Lab) {
+    this.soon = once(() => this.write("same"), WAIT);
+    this.listen = () => this.arrived();
+    addEventListener("popstate", this.listen);
+  }
+
+  close() {
+    removeEventListener("popstate", this.listen);
+  }
+
+  write(step: "same" | "step" | "again" | "travelled") {
+    const { lab } = this;
+    if (!lab.motions.lanes.length) return;
+    // a motion that is still in the hand is no step, and must not take the place of the one before
+    if (!lab.motions.history.holds(lab.motions.queries())) return;
+    const link = lab.link();
+    if (step === "step") history.pushState({ number: ++this.number }, "", link);
+    else history.replaceState({ number: this.number }, "", link);
+  }
+
+  /** The step that the lab has made is the browser's, too. */
+  travel(way: -1 | 1) {
+    return new Promise((resolve) => {
+      const done = () => resolve();
+      addEventListener("popstate", done, { once: true });
+      setTimeout(done, 300); // where there is no such step
+      history.go(way);
+    }) as Promise<void>;
+  }
+
+  async arrived() {
+    const number = history.state?.number ?? 0;
+    const asked = queries();
+    if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
+    else if (await this.lab.motions.arrive(asked)) this.number = number;
+    else if (number !== this.number) history.go(this.number - number); // stay with what is shown
+  }
+}

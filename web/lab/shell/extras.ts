@@ -1,0 +1,171 @@
+// What stands around the player besides: the hoop in the hand, languages, the visit, challenges, sound, the table, and
+// what a class needs.
+
+import { Challenges } from "../teach/challenges.ts";
+import { h } from "../common/dom.ts";
+import { Grips } from "../player/grips.ts";
+import { icon } from "../common/icons.ts";
+import { languageMenu } from "../words/languages.ts";
+import { More } from "../sensitivity/more.ts";
+import { Present } from "./present.ts";
+import { Sound } from "../player/sound.ts";
+import { Table } from "../diagrams/table.ts";
+import { teachDialog } from "../teach/teach.ts";
+import { Visit } from "../teach/visit.ts";
+import { current, repeat, t } from "../words/words.ts";
+import type { Lab } from "./lab.ts";
+
+export class Extras {
+  grips = new Grips(this.lab);
+  sound = new Sound();
+  present = new Present(this.lab);
+  challenges = new Challenges(this.lab);
+  visit: Visit;
+  table: Table;
+  more: More;
+  teach: HTMLDialogElement;
+  loop: HTMLButtonElement | undefined;
+  slow: HTMLButtonElement | undefined;
+  loud: HTMLButtonElement | undefined;
+  large: HTMLButtonElement | undefined;
+
+  constructor(public lab: Lab) {
+    this.visit = new Visit(lab, () => this.challenges.open());
+    this.table = new Table(lab);
+    this.more = new More(lab);
+    this.teach = teachDialog(
+      (query) => this.challenges.load(query),
+      () => this.visit.start(),
+    );
+    this.layOut();
+    this.spoken();
+  }
+
+  layOut() {
+    const { lab } = this;
+    const player = lab.stage.element.parentElement as HTMLElement;
+    const side = lab.root.querySelector(".side");
+    if (side) side.prepend(this.visit.element, this.challenges.element);
+    else player.before(this.visit.element, this.challenges.element);
+    player.after(this.more.element, this.table.element);
+    lab.transport.element.querySelector(".switches")?.append(this.more.switch);
+    lab.root.append(this.teach);
+    lab.transport.element.querySelector(".switches")?.before(this.tools());
+    const right = lab.header.element.querySelector(".right");
+    right?.prepend(this.menu(), this.languages());
+    if (lab.hosted && !location.search && !location.hash) this.visit.offer();
+  }
+
+  /** Switches beside those of the player. */
+  tools() {
+    const { clock } = this.lab;
+    const toggle = (name: any, title: string, action: () => void) =>
+      h("button", { type: "button", title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
+    this.loop = toggle("loop", "Repeat", () => {
+      clock.loop = !clock.loop;
+      this.mark();
+    });
+    this.slow = toggle("slow", "Slow motion: a tenth of the speed", () => {
+      clock.speed = clock.speed === 0.1 ? 1 : 0.1;
+      clock.changed();
+      this.mark();
+    });
+    this.loud = toggle("sound", "Sound of the contact", () => {
+      this.sound.turn(!this.sound.on);
+      this.mark();
+    });
+    this.large = toggle("large", "Presentation on the whole screen", () => this.present.turn());
+    this.present.onchange = () => this.mark();
+    this.mark();
+    return h("div", { class: "buttons tools" }, this.loop, this.slow, this.loud, this.large);
+  }
+
+  mark() {
+    const { clock } = this.lab;
+    this.loop?.setAttribute("aria-pressed", String(clock.loop));
+    this.slow?.setAttribute("aria-pressed", String(clock.speed === 0.1));
+    this.loud?.setAttribute("aria-pressed", String(this.sound.on));
+    this.large?.setAttribute("aria-pressed", String(this.present.on));
+  }
+
+  menu() {
+    const item = (words: string, action: () => void) =>
+      h(
+        "button",
+        {
+          type: "button",
+          onclick: () => {
+            menu.open = false;
+            action();
+          },
+        },
+        words,
+      );
+    const menu = h(
+      "details",
+      { class: "learn" },
+      h("summary", { class: "button" }, "Learn"),
+      h(
+        "div",
+        { class: "menu-body" },
+        item("Guided visit", () => this.visit.start()),
+        item("Challenges", () => this.challenges.open()),
+        item("What a little more would do", () => this.more.turn(true)),
+        item("Table of the motion", () => this.table.open(true)),
+        item("Presentation", () => this.present.turn(true)),
+        item("For teachers", () => this.teach.showModal()),
+      ),
+    );
+    this.lab.root.addEventListener("pointerdown", (event: PointerEvent) => {
+      if (!menu.contains(event.target as Node)) menu.open = false;
+    });
+    menu.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !menu.open) return;
+      event.stopPropagation();
+      menu.open = false;
+      menu.querySelector("summary")?.focus();
+    });
+    return menu;
+  }
+
+  languages() {
+    const changed = () => {
+      this.spoken();
+      repeat(this.lab.root);
+      this.lab.show();
+    };
+    return languageMenu(changed, (error) => this.lab.notice.fail(error));
+  }
+
+  spoken() {
+    this.lab.root.lang = current();
+    if (!this.lab.hosted) return;
+    document.documentElement.lang = current();
+    document.title = t("hophoop lab: play with the hopping hoop");
+  }
+
+  /** Another picture is on the screen. */
+  frame() {
+    const { lab } = this;
+    this.grips.draw();
+    this.sound.follow(lab.film(), lab.clock);
+    this.table.cursor(lab.clock.time);
+    this.more.frame();
+    this.visit.frame();
+    this.mark();
+  }
+
+  /** Another motion is there, or the page looks or speaks otherwise. */
+  changed() {
+    this.grips.draw();
+    this.table.draw(this.lab.film());
+    this.more.changed();
+    this.challenges.changed();
+    this.visit.changed();
+  }
+
+  close() {
+    this.sound.close();
+    this.present.close();
+  }
+}

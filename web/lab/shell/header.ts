@@ -1,0 +1,87 @@
+// The head of the page: motions to start from, steps back and forth, a second hoop, keeping, dark or light, help.
+
+import { h } from "../common/dom.ts";
+import { icon } from "../common/icons.ts";
+import type { History } from "./history.ts";
+
+const button = (label: Node | string, title: string, onclick: () => void) =>
+  h("button", { type: "button", title, "aria-label": title, onclick }, label);
+
+export interface Actions {
+  take: (preset: Preset) => void;
+  undo: () => void;
+  redo: () => void;
+  compare: () => void;
+  theme: () => void;
+  help: () => void;
+}
+
+export class Header {
+  fresh = false; // a motion has just been chosen: Space plays it and does not open the list
+  presets: HTMLSelectElement;
+  undo: HTMLButtonElement;
+  redo: HTMLButtonElement;
+  compare: HTMLButtonElement;
+  element: HTMLElement;
+
+  /** `keep`: the menu of what can be kept. */
+  constructor(presets: Preset[], keep: HTMLElement, actions: Actions) {
+    const groups: Map<string, Preset[]> = new Map();
+    for (const preset of presets) groups.set(preset.group, [...(groups.get(preset.group) ?? []), preset]);
+    this.presets = h(
+      "select",
+      {
+        class: "presets",
+        "aria-label": "Motions to start from",
+        onchange: () => {
+          const preset = presets.find(({ key }) => key === this.presets.value);
+          this.fresh = preset !== undefined;
+          if (preset) actions.take(preset);
+        },
+        onblur: () => {
+          this.fresh = false;
+        },
+        onpointerdown: () => {
+          this.fresh = false;
+        },
+      },
+      h("option", { value: "" }, "Motions to start from …"),
+      [...groups].map(([group, list]) =>
+        h(
+          "optgroup",
+          { label: group },
+          list.map(({ key, title }) => h("option", { value: key }, title)),
+        ),
+      ),
+    );
+    this.undo = button(icon("undo"), "Undo (z)", actions.undo);
+    this.redo = button(icon("redo"), "Redo (y)", actions.redo);
+    const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
+    this.compare = button(words, "Compare two hoops", actions.compare);
+    this.element = h(
+      "header",
+      { class: "top" },
+      h(
+        "h1",
+        {},
+        h("span", { class: "logo", "aria-hidden": "true" }),
+        h("span", {}, "hophoop", h("span", { class: "long" }, " lab")),
+      ),
+      this.presets,
+      h("div", { class: "buttons" }, this.undo, this.redo, this.compare),
+      h(
+        "div",
+        { class: "buttons right" },
+        keep,
+        button(icon("theme"), "Dark or light (d)", actions.theme),
+        button("?", "Keys and help (?)", actions.help),
+      ),
+    );
+  }
+
+  show(history: History, two: boolean) {
+    this.undo.disabled = !history.past.length;
+    this.redo.disabled = !history.future.length;
+    this.compare.setAttribute("aria-pressed", String(two));
+  }
+}

@@ -1,0 +1,356 @@
+// The lab: one or two motions, the clock, and everything that shows them.
+
+import { Address, written, type Shown } from "./address.ts";
+import { Clock } from "../player/clock.ts";
+import { Controls } from "../controls/controls.ts";
+import { once, say } from "../common/dom.ts";
+import { Extras } from "./extras.ts";
+import { Header } from "./header.ts";
+import { helpDialog } from "./help.ts";
+import { Hoops } from "../player/hoops.ts";
+import { listen, SingleKeys } from "./keys.ts";
+import { layOut, prepareRoot } from "./page.ts";
+import { MotionMap } from "../map/map.ts";
+import { Motions } from "../player/motions.ts";
+import { Notice } from "./notice.ts";
+import { PhasePlane } from "../diagrams/phase.ts";
+import { Plots } from "../diagrams/plots.ts";
+import { Sameness } from "../backend/sameness.ts";
+import { Share } from "./share.ts";
+import { Stage } from "../player/stage.ts";
+import { Story, Theory } from "../player/story.ts";
+import { Theme } from "./theme.ts";
+import { Timeline } from "../player/timeline.ts";
+import { Transport } from "../player/transport.ts";
+import { saidOf } from "../words/words.ts";
+
+export interface Options {
+  hosted?: boolean; // whether the lab owns the page, with its address and its keyboard
+  panels?: string[] | null; // what stands beside the player; everything by default
+  onmotion?: (query: string) => void; // called when another motion is a step that can be undone
+}
+
+export class Lab {
+  requested = false; // a picture
+  surrounding = false; // diagrams and words, which follow the picture
+  taken: Preset | null = null;
+  afterFrame: (() => void) | null = null;
+  asked: AbortController | null = null;
+  // how many pictures were drawn, and how long each took from the hand to the screen [ms]
+  frames = 0;
+  latencies: number[] = [];
+  hosted: boolean;
+  onmotion: (query: string) => void;
+  known: Preset[];
+  sameness: Sameness;
+  address: Address | null;
+  clock: Clock;
+  motions: Motions;
+  notice: Notice;
+  theme: Theme;
+  stage: Stage;
+  transport: Transport;
+  timeline: Timeline;
+  story: Story;
+  theory: Theory;
+  plots: Plots;
+  phase: PhasePlane;
+  map: MotionMap;
+  controls: Controls;
+  share: Share;
+  singleKeys: SingleKeys;
+  help: HTMLDialogElement;
+  hoops: Hoops;
+  header: Header;
+  sticky: { edge: HTMLElement; close: () => void } | null;
+  extras: Extras;
+  later: () => void;
+  deaf: () => void;
+  sizes: ResizeObserver;
+
+  constructor(
+    readonly root: HTMLElement,
+    readonly backend: Backend,
+    setup: Setup,
+    { hosted = false, panels = null, onmotion = () => {} }: Options = {},
+  ) {
+    this.hosted = hosted;
+    this.onmotion = onmotion;
+    prepareRoot(root, hosted);
+    const { colors } = setup;
+    this.known = setup.presets;
+    this.sameness = new Sameness(setup.presets);
+    this.address = hosted ? new Address(this) : null;
+    this.clock = new Clock();
+    this.motions = new Motions(backend, {
+      shown: (since) => this.changed(since),
+      refined: () => this.request(),
+      settled: () => this.story.announce(this.films()),
+      noted: (step) => this.noted(step),
+      travelled: async (way) => this.address?.travel(way),
+      failed: (error, changes) => this.failed(error, changes),
+    });
+    this.notice = new Notice();
+    this.theme = new Theme(root, colors, hosted, () => this.show());
+    this.stage = new Stage(colors, () => {
+      this.request();
+      this.address?.soon();
+    });
+    this.transport = new Transport(
+      this.clock,
+      () => this.films(),
+      (name) => this.toggle(name),
+      (text) => this.notice.say(text),
+      (text) => this.story.say(text),
+    );
+    this.timeline = new Timeline(this.clock);
+    this.story = new Story(this.clock);
+    this.theory = new Theory();
+    this.plots = new Plots(this.clock, colors);
+    this.phase = new PhasePlane(backend, this.clock, colors);
+    this.map = new MotionMap(backend, setup, {
+      take: (changes) => {
+        this.clock.time = 0;
+        this.motions.change(changes, true);
+      },
+      say: (text) => this.story.say(text),
+      changed: () => this.address?.soon(),
+    });
+    this.controls = new Controls(setup.controls, (changes: Change[], commit: boolean) =>
+      this.motions.change(changes, commit),
+    );
+    this.share = new Share(this);
+    this.singleKeys = new SingleKeys(hosted);
+    this.help = helpDialog(setup.version, colors, this.singleKeys.element);
+    this.hoops = new Hoops((lane) => this.motions.choose(lane));
+    this.header = new Header(setup.presets, this.share.menu, {
+      take: (preset) => this.take(preset),
+      undo: () => this.travel(-1),
+      redo: () => this.travel(1),
+      compare: () => this.motions.compare(),
+      theme: () => this.theme.toggle(),
+      help: () => this.help.showModal(),
+    });
+    this.sticky = layOut(this, panels);
+    this.extras = new Extras(this);
+    this.later = once(() => this.fetchTheory(), 120);
+    this.frame = this.frame.bind(this);
+    this.clock.listeners.add(() => {
+      this.request();
+      if (!this.clock.playing) this.address?.soon();
+    });
+    this.deaf = listen(this, hosted);
+    this.sizes = new ResizeObserver(() => this.show());
+  }
+
+  /** The first motions, by their links. `shown`: what else the link says. */
+  async open(queries: string[], shown: Shown = {}) {
+    await this.motions.load(queries);
+    this.clock.duration = Math.max(...this.films().map((film) => film.duration));
+    this.sameness.expect(this.films(), shown.fingerprints ?? []);
+    this.restore(shown);
+    this.begin();
+  }
+
+  // The motions are there.
+  begin() {
+    this.show();
+    this.motions.note();
+    this.sizes.observe(this.stage.element);
+    this.root.dataset.ready = "true";
+  }
+
+  close() {
+    this.clock.playing = false;
+    this.asked?.abort();
+    this.extras.close();
+    this.map.close();
+    this.theme.close();
+    this.address?.close();
+    this.sticky?.close();
+    this.sizes.disconnect();
+    this.deaf();
+  }
+
+  // --- motions -------------------------------------------------------------------------------
+
+  film(lane = this.motions.active) {
+    return this.motions.film(lane);
+  }
+
+  films() {
+    return this.motions.films();
+  }
+
+  changed(since: number | null = null) {
+    this.notice.clear();
+    this.show(since);
+  }
+
+  /** A refusal is said at its field; what is shown stays as it was. */
+  failed(error: Error, changes: Change[] = []) {
+    if (!this.controls.refuse(changes, saidOf(error))) {
+      this.notice.fail(error);
+      this.controls.restore();
+    }
+    this.showPreset();
+  }
+
+  noted(step: "same" | "step" | "again" | "travelled") {
+    this.header.show(this.motions.history, this.motions.lanes.length > 1);
+    this.address?.write(step);
+    this.onmotion(this.film().query);
+  }
+
+  /**
+   * The link to what is shown: the motions, the time, the view, the map. `fingerprints`: of the motions, to be
+   * compared where the link is opened.
+   */
+  link(fingerprints: string[] = this.sameness.expected(this.films())) {
+    const { clock, stage, map, extras } = this;
+    const { on, path } = extras.more;
+    return this.motions.link(
+      written({ time: clock.time, ...stage.view(), more: on ? path : undefined, map: map.shown(), fingerprints }),
+    );
+  }
+
+  /** `shown`: what a link says of it. */
+  restore({ time, map, options, more, ...view }: Shown) {
+    if (options?.three) this.toggle("three");
+    this.stage.restore({ options, ...view });
+    if (map) this.map.restore(map);
+    if (more) this.extras.more.turn(true, more);
+    if (time) this.clock.seek(time);
+  }
+
+  // The name of what is shown, and what there is to see in it, where it is one of the motions to start from.
+  showPreset() {
+    const { query } = this.film();
+    const preset = this.known.find((one) => one.query === query);
+    this.header.presets.value = preset?.key ?? "";
+    say(this.hoops.text, preset?.text ?? "");
+  }
+
+  async take(preset: Preset) {
+    this.taken = preset;
+    try {
+      const reply = await this.backend.call("film", { query: preset.query });
+      if (this.taken !== preset) return; // another was chosen meanwhile
+      this.clock.time = 0;
+      this.motions.replace(reply);
+      this.story.announce(this.films());
+    } catch (error) {
+      this.failed(error as Error);
+    }
+  }
+
+  travel(way: -1 | 1) {
+    return this.motions.travel(way);
+  }
+
+  // --- showing -------------------------------------------------------------------------------
+
+  /** All that depends on the motion; `since` is when the hand moved that asked for it. */
+  show(since: number | null = null) {
+    const { motions, clock } = this;
+    const films = this.films();
+    if (!films.length) return;
+    const two = films.length > 1;
+    this.theme.read();
+    clock.duration = Math.max(...films.map((film) => film.duration));
+    clock.time = Math.min(clock.time, clock.duration);
+    this.root.classList.toggle("two", two);
+    this.header.show(motions.history, two);
+    this.hoops.show(films.length, motions.active);
+    this.drawStage();
+    this.controls.show(this.film(), this.motions.waiting());
+    this.showPreset();
+    if (since !== null) {
+      requestAnimationFrame(() => setTimeout(() => this.latencies.push(performance.now() - since), 0));
+    }
+    // the picture first; diagrams and words follow once it is on the screen
+    if (!this.surrounding) {
+      this.surrounding = true;
+      requestAnimationFrame(() => setTimeout(() => this.showSurroundings(), 0));
+    }
+  }
+
+  showSurroundings() {
+    this.surrounding = false;
+    const films = this.films();
+    const { active } = this.motions;
+    const { look, colors } = this.theme;
+    this.plots.draw(films, active, look);
+    this.phase.draw(films, active, look);
+    this.story.draw(films, active, colors, this.sameness.of(films[active]));
+    this.drawTime();
+    this.map.mark(this.film(), look);
+    this.stage.describe(films);
+    this.extras.changed();
+    this.later();
+  }
+
+  drawStage() {
+    this.stage.draw(this.films(), this.motions.active, this.clock, this.theme);
+  }
+
+  drawTime() {
+    const { time } = this.clock;
+    if (this.surrounding) return;
+    this.timeline.draw(this.films(), this.theme.look, this.theme.colors);
+    this.plots.cursor(time);
+    this.phase.cursor(time);
+    this.story.cursor(time);
+    this.transport.show(this.stage.options);
+  }
+
+  request() {
+    if (this.requested) return;
+    this.requested = true;
+    requestAnimationFrame(this.frame);
+  }
+
+  frame(now: number) {
+    this.requested = false;
+    if (!this.motions.lanes.length) return;
+    this.clock.tick(now);
+    this.motions.refine(this.clock.time, this.clock.playing ? 2 * this.clock.speed : 0);
+    this.drawStage();
+    this.drawTime();
+    this.extras.frame();
+    this.afterFrame?.();
+    this.frames += 1;
+    if (this.clock.playing) this.request();
+  }
+
+  // What theory says of the chosen hoop; a newer question gives up the older.
+  async fetchTheory() {
+    const { scenario } = this.film();
+    this.asked?.abort();
+    this.asked = new AbortController();
+    const { signal } = this.asked;
+    try {
+      const reply = await this.backend.call("theory", { scenario }, signal);
+      this.theory.draw(reply.header.thresholds, this.motions.name());
+      await this.phase.fetch(scenario, signal);
+    } catch (error) {
+      if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: saidOf(error) }]);
+    }
+  }
+
+  /** Draw it, or leave it out. */
+  toggle(name: keyof StageOptions) {
+    const { options } = this.stage;
+    if (name !== "three") options[name] = !options[name];
+    else {
+      try {
+        this.stage.turn(() => this.drawStage());
+      } catch (error) {
+        this.notice.say(saidOf(error));
+      }
+    }
+    this.transport.show(options);
+    this.address?.soon();
+    this.request();
+  }
+}

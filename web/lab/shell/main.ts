@@ -1,0 +1,111 @@
+// Two ways in: the page of the lab, and the notebook widget. One source for both.
+
+import { readShown } from "./address.ts";
+import { Lab } from "./lab.ts";
+import { unpack } from "../backend/packing.ts";
+import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
+import { preferred, saidOf, speak, spoken, wordsFrom } from "../words/words.ts";
+import type { Model } from "../backend/backend.ts";
+
+const here = new URL("./", import.meta.url);
+
+/** The visitor's language, from the files beside the script; English where it is not to be had. */
+function speakFrom(folder: URL) {
+  wordsFrom(async (code) => {
+    const response = await fetch(new URL(`words.${code}.json?${WORDS}`, folder));
+    if (!response.ok) throw new Error(`words.${code}.json: ${response.status}`);
+    return response.json();
+  });
+  return speak(preferred()).catch(() => {});
+}
+
+/** Of a notebook, with which the words of all languages travel. */
+function speakPacked(packed: DataView<ArrayBuffer>) {
+  const unpacked = async () => {
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Response(stream).json();
+  };
+  let tables: Promise<Record<string, Words>> | undefined;
+  wordsFrom(async (code) => {
+    tables ??= unpacked();
+    return (await tables)[code];
+  });
+  return speak(preferred()).catch(() => {});
+}
+
+async function startPage(root: HTMLElement) {
+  const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
+  const site = document.querySelector("meta[name=hophoop-site]");
+  let backend;
+  let setup;
+  const words = speakFrom(here);
+  try {
+    backend = await backendOf(here, site ? null : base, base);
+    setup = (await backend.call("setup", {})).header;
+  } catch (error) {
+    await words;
+    root.textContent = spoken(saidOf(error));
+    return;
+  }
+  await words;
+  if (site) keepOffline(site.getAttribute("content") ?? "");
+  const lab = new Lab(root, backend, setup, { hosted: true });
+  Object.assign(globalThis, { hophoopLab: lab });
+  const other = new URLSearchParams(location.hash.slice(1)).get("with");
+  const shown = readShown(location.hash);
+  try {
+    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])], shown);
+  } catch (error) {
+    // a link that holds no scenario: say so, and show the reference case
+    history.replaceState(null, "", base);
+    await lab.open([""]);
+    lab.notice.fail(error as Error);
+  }
+}
+
+/** A live hoop in any page, for <hophoop-motion>. `folder`: of the script and the module. */
+export async function mount(root: HTMLElement, folder: URL, query: string, panels: string[]) {
+  const words = speakFrom(folder);
+  const backend = await backendOf(folder, null, new URL("../", folder));
+  await words;
+  const { header } = await backend.call("setup", {});
+  const lab = new Lab(root, backend, header, { panels });
+  await lab.open([query]);
+  return lab;
+}
+
+/** anywidget: the motion travels with the notebook, so that it plays without a kernel as well. */
+async function render({ model, el }: { model: Model; el: HTMLElement }) {
+  const root = document.createElement("div");
+  el.append(root);
+  const [backend] = await Promise.all([widgetBackend(model), speakPacked(model.get("words"))]);
+  const lab = new Lab(root, backend, model.get("setup"), {
+    panels: model.get("panels"),
+    // the kernel has computed this motion already; what depends on it may follow now
+    onmotion: (query) => {
+      if (model.get("query") === query) return;
+      model.set("query", query);
+      model.save_changes();
+    },
+  });
+  lab.motions.set([unpack(model.get("film"))]);
+  lab.begin();
+  const replaced = () => lab.motions.replace(unpack(model.get("film")));
+  model.on("change:film", replaced);
+  return () => {
+    model.off("change:film", replaced);
+    backend.close?.();
+    lab.close();
+  };
+}
+
+const page = document.getElementById("hophoop-lab");
+if (page) startPage(page);
+
+export default { render };
+
+// for the page that makes tags
+export { say } from "../common/dom.ts";
+export { languageMenu } from "../words/languages.ts";
+export { current, name, repeat, t } from "../words/words.ts";
+export { speakFrom };

@@ -1,0 +1,66 @@
+// Where everything stands on the page.
+
+import { h } from "../common/dom.ts";
+import { keepInSight } from "./sticky.ts";
+import type { Lab } from "./lab.ts";
+
+/** `hosted`: whether the lab owns the page. */
+export function prepareRoot(root: HTMLElement, hosted: boolean) {
+  root.classList.add("hophoop");
+  if (hosted) return;
+  root.classList.add("embedded");
+  // Jupyter would take the same keys to delete cells and to restart the kernel
+  root.dataset.lmSuppressShortcuts = "true";
+  root.dataset.pSuppressShortcuts = "true";
+}
+
+/**
+ * `panels`: what stands beside the player; everything by default; returns what keeps the player in sight, where the
+ * lab owns the page.
+ */
+export function layOut(lab: Lab, panels: string[] | null) {
+  const { root, notice, hosted } = lab;
+  const want: (name: string) => boolean = (name) => !panels || panels.includes(name);
+  const side = h(
+    "aside",
+    { class: "side", "aria-label": "Parameters" },
+    lab.hoops.element,
+    notice.message,
+    lab.controls.element,
+  );
+  const player = h("div", { class: "player" }, lab.stage.element, lab.timeline.element, lab.transport.element);
+  const sticky = hosted ? keepInSight(player, () => lab.request()) : null;
+  const middle = h(
+    "div",
+    { class: "middle" },
+    sticky?.edge,
+    player,
+    h("div", { class: "words" }, lab.story.element, want("theory") && lab.theory.element),
+    want("map") && lab.map.element,
+  );
+  const why = h("div", { class: "why" }, want("plots") && lab.plots.element, want("plots") && lab.phase.element);
+  root.replaceChildren(
+    h(
+      "div",
+      { class: "page" },
+      hosted && skipTo(lab.timeline.element),
+      lab.header.element,
+      h("div", { class: "columns" }, want("controls") && side, middle, why),
+    ),
+    notice.toast,
+    lab.share.dialog,
+    lab.help,
+  );
+  root.classList.toggle("no-controls", !want("controls"));
+  return sticky;
+}
+
+function skipTo(player: HTMLElement) {
+  player.id = "hh-player";
+  const skip = h("a", { class: "skip button", href: "#hh-player" }, "Skip to the player");
+  skip.onclick = (event) => {
+    event.preventDefault(); // what stands behind the # of the address is the lab's own
+    player.focus();
+  };
+  return skip;
+}

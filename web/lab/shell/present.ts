@@ -1,0 +1,42 @@
+// For a class: the player alone, large, on the whole screen.
+
+import type { Lab } from "./lab.ts";
+
+export class Present {
+  full = false;
+  on = false;
+  left: () => void;
+  onchange: () => void;
+
+  constructor(public lab: Lab) {
+    this.left = () => {
+      if (!document.fullscreenElement && this.full) this.turn(false);
+    };
+    document.addEventListener("fullscreenchange", this.left);
+    this.onchange = () => {};
+  }
+
+  async turn(on: boolean = !this.on) {
+    const { root } = this.lab;
+    this.on = on;
+    root.classList.toggle("presenting", on);
+    this.onchange();
+    this.lab.show();
+    if (!on) {
+      const full = this.full;
+      this.full = false;
+      if (full && document.fullscreenElement) await document.exitFullscreen().catch(() => {});
+      return;
+    }
+    try {
+      await root.requestFullscreen?.();
+      this.full = Boolean(document.fullscreenElement);
+    } catch {
+      // a page in a frame may not; large it is all the same
+    }
+  }
+
+  close() {
+    document.removeEventListener("fullscreenchange", this.left);
+  }
+}

@@ -1,0 +1,74 @@
+// Dark or light: as the visitor has chosen, else as the system has it.
+
+import { readable } from "../common/colors.ts";
+import { theme } from "../common/dom.ts";
+import { recall, remember } from "./memory.ts";
+
+const KEY = "hophoop-theme";
+const LINES = ["gravity_center", "airborne", "normal_force", "friction_force"] as const;
+
+export class Theme {
+  chosen: string | null = null;
+  media = matchMedia("(prefers-color-scheme: dark)");
+  listen: () => void;
+  look: Look;
+  inks: {
+    modes: Record<string, string>;
+    mode_names: Record<string, string>;
+    gravity_center: string;
+    airborne: string;
+    center_speed: string;
+    rotation_speed: string;
+    kinetic: string;
+    potential: string;
+    friction_loss: string;
+    impact_loss: string;
+    normal_force: string;
+    friction_force: string;
+    limit: string;
+  };
+
+  /** `hosted`: whether the page is the lab's own. */
+  constructor(
+    readonly root: HTMLElement,
+    public colors: Colors,
+    readonly hosted: boolean,
+    readonly changed: () => void,
+  ) {
+    this.listen = () => this.apply();
+    this.media.addEventListener("change", this.listen);
+    this.mark();
+    this.look = theme(root);
+    this.inks = { ...colors };
+    this.read();
+  }
+
+  mark() {
+    const kept = this.hosted ? recall(KEY) : null;
+    this.root.dataset.theme = this.chosen ?? kept ?? (this.media.matches ? "dark" : "light");
+    if (this.hosted) document.documentElement.style.colorScheme = this.root.dataset.theme;
+  }
+
+  // The colours that the style sheet gives now, and those of thin lines, which must stand out from the paper.
+  read() {
+    this.look = theme(this.root);
+    this.inks = { ...this.colors };
+    for (const name of LINES) this.inks[name] = readable(this.colors[name], this.look.dark);
+  }
+
+  apply() {
+    this.mark();
+    this.read();
+    this.changed();
+  }
+
+  toggle() {
+    this.chosen = this.root.dataset.theme === "dark" ? "light" : "dark";
+    if (this.hosted) remember(KEY, this.chosen);
+    this.apply();
+  }
+
+  close() {
+    this.media.removeEventListener("change", this.listen);
+  }
+}

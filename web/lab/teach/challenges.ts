@@ -1,0 +1,107 @@
+// The challenges beside the player: each motion that is shown is scored at once, and the best score is kept.
+
+import { h, say } from "../common/dom.ts";
+import { GOALS, stars, type Goal } from "./goals.ts";
+import { recall, remember } from "../shell/memory.ts";
+import { spoken } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+
+const KEY = "hophoop-best-";
+
+const drawn = (points: number) => "★".repeat(stars(points)) + "☆".repeat(3 - stars(points));
+
+export class Challenges {
+  goal: Goal | null = null;
+
+  tabs: Map<string, HTMLButtonElement>;
+  text: HTMLParagraphElement;
+  meter: HTMLMeterElement;
+  result: HTMLParagraphElement;
+  kept: HTMLParagraphElement;
+  element: HTMLElement;
+
+  constructor(public lab: Lab) {
+    this.tabs = new Map(
+      GOALS.map((goal) => [
+        goal.key,
+        h("button", { type: "button", "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
+      ]),
+    );
+    this.text = h("p", {});
+    this.meter = h("meter", { min: "0", max: "100", low: "40", high: "75", optimum: "100", "aria-label": "Score" });
+    this.result = h("p", { class: "challenge-result", role: "status" });
+    this.kept = h("p", { class: "hint" });
+    this.element = h(
+      "section",
+      { class: "challenges card", "aria-label": "Challenges", hidden: true },
+      h(
+        "header",
+        {},
+        h("h2", {}, "Challenges"),
+        h(
+          "button",
+          { type: "button", class: "quiet", "aria-label": "Leave the challenges", onclick: () => this.close() },
+          "×",
+        ),
+      ),
+      h("div", { class: "tabs", role: "group", "aria-label": "Which challenge" }, [...this.tabs.values()]),
+      this.text,
+      this.meter,
+      this.result,
+      this.kept,
+      h(
+        "div",
+        { class: "buttons" },
+        h("button", { type: "button", onclick: () => this.goal && this.load(this.goal.start) }, "Begin again"),
+        h("button", { type: "button", onclick: () => this.goal && this.load(this.goal.best) }, "Show a best one"),
+      ),
+    );
+  }
+
+  open() {
+    this.element.hidden = false;
+    this.choose(this.goal ?? GOALS[0]);
+    this.element.scrollIntoView({ block: "nearest" });
+    this.tabs.get((this.goal as Goal).key)?.focus({ preventScroll: true });
+  }
+
+  close() {
+    this.goal = null;
+    this.element.hidden = true;
+  }
+
+  choose(goal: Goal) {
+    this.goal = goal;
+    for (const [key, tab] of this.tabs) tab.setAttribute("aria-pressed", String(key === goal.key));
+    say(this.text, goal.text);
+    // what was done in the lab before may count already; a challenge begins with its own motion only when asked
+    this.changed();
+  }
+
+  async load(query: string) {
+    const { lab } = this;
+    try {
+      const reply = await lab.backend.call("film", { query });
+      lab.clock.play(false);
+      lab.clock.time = 0;
+      lab.motions.replace(reply);
+    } catch (error) {
+      lab.notice.fail(error as Error);
+    }
+  }
+
+  /** Another motion is there: its score. A start that is still in the hand does not count. */
+  changed() {
+    const { goal, lab } = this;
+    if (!goal) return;
+    const { points, text, values = {} } = goal.score(lab.film());
+    this.meter.value = points;
+    const what = { key: text, values };
+    const said = { key: "{stars} {points} points. {what}", values: { stars: drawn(points), count: points, what } };
+    if (this.result.textContent !== spoken(said)) say(this.result, said);
+    const best = Number(recall(KEY + goal.key) ?? 0);
+    if (points > best && !lab.stage.options.ahead) remember(KEY + goal.key, String(points));
+    const count = Math.max(best, lab.stage.options.ahead ? 0 : points);
+    say(this.kept, { key: "Your best: {points} points.", values: { count } });
+  }
+}

@@ -1,0 +1,299 @@
+// What a visitor says before the motion is shown: one of several answers, a mark on a circle, or a curve.
+
+import { fitted, h } from "../common/dom.ts";
+import { clamp } from "../common/numbers.ts";
+import { follow } from "../common/pointer.ts";
+
+/** A guess: what stands on the page, whether it has been made, and how good it was (from 0 to 100). */
+export interface Guess {
+  element: HTMLElement;
+  made: () => boolean;
+  judge: (truth: any) => number; // shows the truth beside the guess
+  redraw?: () => void; // in other colours
+}
+
+/** `angle`: in degrees. */
+const around = (angle: number) => angle - 360 * Math.floor(angle / 360);
+
+/** Points for an angle: none at 90° off, all within a degree. */
+export function anglePoints(guess: number, truth: number) {
+  const off = Math.abs(around(guess - truth + 180) - 180);
+  return Math.round(100 * clamp(1 - (off - 1) / 89, 0, 1));
+}
+
+/** Points for a curve: by the mean distance, over the range of the true one. */
+export function curvePoints(guess: number[], truth: number[]) {
+  const range = Math.max(...truth) - Math.min(...truth, 0);
+  const off = truth.reduce((sum, value, i) => sum + Math.abs(value - guess[i]), 0) / truth.length;
+  return Math.round(100 * clamp(1 - (2 * off) / (range || 1), 0, 1));
+}
+
+let count = 0;
+
+/** `options`: key and words; `open`: whether every answer is right. */
+export function choices(options: [string, string][], onguess: () => void, open = false): Guess {
+  const name = `hh-guess-${++count}`;
+  let chosen = "";
+  const rows = options.map(([key, words]) => {
+    const radio = h("input", {
+      type: "radio",
+      name,
+      value: key,
+      onchange: () => {
+        chosen = key;
+        onguess();
+      },
+    });
+    return { key, radio, row: h("label", { class: "guess-choice" }, radio, h("span", {}, words)) };
+  });
+  return {
+    element: h(
+      "div",
+      { class: "guess", role: "radiogroup", "aria-label": "Your guess" },
+      rows.map(({ row }) => row),
+    ),
+    made: () => chosen !== "",
+    judge: (truth) => {
+      for (const { key, radio, row } of rows) {
+        radio.disabled = true;
+        const right = open || key === truth;
+        if (right) row.append(h("b", { class: "guess-right" }, "✓"));
+        row.classList.toggle("right", right);
+      }
+      return open || chosen === truth ? 100 : 0;
+    },
+  };
+}
+
+const SIZE = 168;
+const RADIUS = 58;
+
+/** `angle`: in degrees from the top, clockwise. */
+const onCircle = (angle: number, radius = RADIUS) => {
+  const way = (angle * Math.PI) / 180;
+  return [SIZE / 2 + radius * Math.sin(way), SIZE / 2 - radius * Math.cos(way)];
+};
+
+/** A circle on a line, on which the place of the load is marked. */
+export function dial(label: string, onguess: () => void): Guess {
+  let angle = 0;
+  let made = false;
+  let truth: number | null = null;
+  const canvas = h("canvas", { class: "dial-canvas" });
+  const element = h(
+    "div",
+    {
+      class: "guess dial",
+      role: "slider",
+      tabindex: "0",
+      "aria-label": label,
+      "aria-valuemin": "0",
+      "aria-valuemax": "360",
+      "aria-valuenow": "0",
+    },
+    canvas,
+  );
+  const draw = () => {
+    const { context } = fitted(canvas);
+    const style = getComputedStyle(element);
+    const ink = style.getPropertyValue("--ink").trim();
+    const soft = style.getPropertyValue("--soft").trim();
+    const accent = style.getPropertyValue("--accent").trim();
+    context.clearRect(0, 0, SIZE, SIZE);
+    context.strokeStyle = soft;
+    context.fillStyle = soft;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(8, SIZE / 2 + RADIUS);
+    context.lineTo(SIZE - 8, SIZE / 2 + RADIUS);
+    context.stroke();
+    context.lineWidth = 4;
+    context.beginPath();
+    context.arc(SIZE / 2, SIZE / 2, RADIUS, 0, 2 * Math.PI);
+    context.stroke();
+    context.font = "11px system-ui, sans-serif";
+    context.textAlign = "center";
+    for (const mark of [0, 90, 180, 270]) {
+      const [x, y] = onCircle(mark, RADIUS - 17);
+      context.fillText(`${mark}°`, x, y + 4);
+    }
+    const dot = (at: number, color: string, radius: number) => {
+      context.fillStyle = color;
+      context.beginPath();
+      context.arc(...(onCircle(at) as [number, number]), radius, 0, 2 * Math.PI);
+      context.fill();
+    };
+    if (truth !== null) {
+      context.strokeStyle = ink;
+      context.lineWidth = 2;
+      context.beginPath();
+      context.arc(...(onCircle(truth) as [number, number]), 12, 0, 2 * Math.PI);
+      context.stroke();
+      dot(truth, ink, 7);
+    }
+    dot(angle, made ? accent : soft, 9);
+  };
+  const turn = (to: number) => {
+    if (truth !== null) return;
+    angle = around(to);
+    made = true;
+    element.setAttribute("aria-valuenow", String(Math.round(angle)));
+    element.setAttribute("aria-valuetext", `${Math.round(angle)}°`);
+    draw();
+    onguess();
+  };
+  const toward = (event: PointerEvent) => {
+    const box = canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
+    turn((Math.atan2(x, -y) * 180) / Math.PI);
+  };
+  element.addEventListener("pointerdown", (event) => {
+    event.preventDefault();
+    element.focus({ preventScroll: true });
+    toward(event);
+    follow(element, event, toward);
+  });
+  element.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -5, ArrowDown: -5, ArrowRight: 5, ArrowUp: 5, PageDown: -45, PageUp: 45 }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    turn(angle + (event.shiftKey ? step / 5 : step));
+  });
+  requestAnimationFrame(draw);
+  return {
+    element,
+    redraw: draw,
+    made: () => made,
+    judge: (found: number) => {
+      truth = around(found);
+      draw();
+      return anglePoints(angle, truth);
+    },
+  };
+}
+
+const POINTS = 9;
+const [LEFT, RIGHT, TOP, BOTTOM] = [34, 12, 12, 26];
+
+/** A curve over one turn that is drawn by hand: points that are pulled up and down. */
+export function sketch(
+  { label, unit, most }: { label: string; unit: string; most: number },
+  onguess: () => void,
+): Guess {
+  const values: number[] = Array(POINTS).fill(most / 4);
+  let made = false;
+  let truth: number[] | null = null;
+  const canvas = h("canvas", { class: "sketch-canvas" });
+  const handles = values.map((_, i) =>
+    h("span", {
+      class: "sketch-point",
+      role: "slider",
+      tabindex: "0",
+      "aria-label": { key: "{what} with the load at {angle}", values: { what: label, angle: `${45 * i}°` } },
+      "aria-orientation": "vertical",
+      "aria-valuemin": "0",
+      "aria-valuemax": String(most),
+      onkeydown: (event: KeyboardEvent) => {
+        const way = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
+        if (!way) return;
+        event.preventDefault();
+        event.stopPropagation();
+        put(i, values[i] + (way * most) / (event.shiftKey ? 100 : 20));
+      },
+    }),
+  );
+  const element = h(
+    "div",
+    { class: "guess sketch", role: "group", "aria-label": "Draw the curve: pull the points up and down" },
+    canvas,
+    handles,
+  );
+  const box = () => canvas.getBoundingClientRect();
+  const x = (i: number) => LEFT + (i / (POINTS - 1)) * (box().width - LEFT - RIGHT);
+  const y = (value: number) => TOP + (1 - value / most) * (box().height - TOP - BOTTOM);
+  const draw = () => {
+    const { context, width, height } = fitted(canvas);
+    const style = getComputedStyle(element);
+    const read = (name: string) => style.getPropertyValue(name).trim();
+    context.clearRect(0, 0, width, height);
+    context.strokeStyle = read("--line");
+    context.fillStyle = read("--soft");
+    context.font = "11px system-ui, sans-serif";
+    for (let i = 0; i < POINTS; i += 2) {
+      context.textAlign = "center";
+      context.fillText(`${45 * i}°`, x(i), height - 8);
+      context.strokeRect(x(i), TOP, 0, height - TOP - BOTTOM);
+    }
+    for (const value of [0, most / 2, most]) {
+      context.textAlign = "right";
+      context.fillText(String(value), LEFT - 6, y(value) + 4);
+      context.strokeRect(LEFT, y(value), width - LEFT - RIGHT, 0);
+    }
+    context.textAlign = "left";
+    context.fillText(unit, LEFT + 4, TOP + 10);
+    const line = (heights: number[], color: string, dash: number[]) => {
+      context.strokeStyle = color;
+      context.lineWidth = 2.5;
+      context.setLineDash(dash);
+      context.beginPath();
+      heights.forEach((value, i) => {
+        const across = LEFT + (i / (heights.length - 1)) * (width - LEFT - RIGHT);
+        if (i) context.lineTo(across, y(clamp(value, 0, most)));
+        else context.moveTo(across, y(clamp(value, 0, most)));
+      });
+      context.stroke();
+      context.setLineDash([]);
+    };
+    line(values, read("--accent"), [6, 4]);
+    if (truth) line(truth, read("--ink"), []);
+    handles.forEach((handle, i) => {
+      handle.style.transform = `translate(${x(i)}px, ${y(values[i])}px)`;
+    });
+  };
+  const put = (i: number, value: number) => {
+    if (truth) return;
+    values[i] = clamp(value, 0, most);
+    made = true;
+    handles[i].setAttribute("aria-valuenow", values[i].toPrecision(3));
+    handles[i].setAttribute("aria-valuetext", `${values[i].toPrecision(2)} ${unit}`);
+    draw();
+    onguess();
+  };
+  let last: number | null = null;
+  const pull = (event: PointerEvent) => {
+    const frame = box();
+    const share = clamp((event.clientX - frame.left - LEFT) / (frame.width - LEFT - RIGHT), 0, 1);
+    const i = Math.round(share * (POINTS - 1));
+    const value = most * (1 - (event.clientY - frame.top - TOP) / (frame.height - TOP - BOTTOM));
+    // a quick hand passes over points
+    const from = last ?? i;
+    const before = values[from];
+    for (let k = Math.min(from, i); k <= Math.max(from, i); k++) {
+      put(k, from === i ? value : before + ((value - before) * (k - from)) / (i - from));
+    }
+    last = i;
+  };
+  element.addEventListener("pointerdown", (event) => {
+    event.preventDefault();
+    last = null;
+    pull(event);
+    follow(element, event, pull);
+  });
+  for (const [i, handle] of handles.entries()) handle.setAttribute("aria-valuenow", values[i].toPrecision(3));
+  requestAnimationFrame(draw);
+  return {
+    element,
+    redraw: draw,
+    made: () => made,
+    judge: (found: number[]) => {
+      truth = found;
+      draw();
+      const step = (found.length - 1) / (POINTS - 1);
+      return curvePoints(
+        values,
+        values.map((_, i) => found[Math.round(i * step)]),
+      );
+    },
+  };
+}

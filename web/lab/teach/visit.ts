@@ -1,0 +1,241 @@
+// The guided visit: at each step the visitor says what will happen, then the computed motion plays and answers.
+
+import { h, say } from "../common/dom.ts";
+import { Film } from "../player/film.ts";
+import { recall, remember } from "../shell/memory.ts";
+import { STEPS, type Step } from "./visit_steps.ts";
+import { name } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+import type { Guess } from "./predict.ts";
+
+const KEY = "hophoop-visit";
+
+export class Visit {
+  step: Step | null = null;
+  guess: Guess | null = null;
+  /** All motions of the step; the player shows two of them at most. */
+  films: Film[] = [];
+  /** Points of the steps that have been guessed. */
+  points: Map<string, number> = new Map();
+  play: HTMLButtonElement;
+  next: HTMLButtonElement;
+  /** Where the film stops by itself. */
+  stop: number | null = null;
+  /** Whether the film repeated before. */
+  loop: boolean | null = null;
+  /** Counts what has been asked for, so that an answer to an earlier step is not shown. */
+  asked = 0;
+
+  onchallenges: () => void;
+  body: HTMLDivElement;
+  said: HTMLDivElement;
+  element: HTMLElement;
+
+  constructor(
+    public lab: Lab,
+    challenges: () => void,
+  ) {
+    this.onchallenges = challenges;
+    this.body = h("div", { class: "visit-body" });
+    this.said = h("div", { class: "visit-answer", role: "status" });
+    this.element = h(
+      "section",
+      { class: "visit card", "aria-label": "Guided visit", hidden: true },
+      this.body,
+      this.said,
+    );
+  }
+
+  /** Whether the visitor still guesses: then nothing may tell what will happen. */
+  get guessing() {
+    return Boolean(this.guess) && !this.said.textContent;
+  }
+
+  /** A first visit is offered, not forced. */
+  offer() {
+    if (recall(KEY)) return;
+    this.element.hidden = false;
+    say(this.said, "");
+    this.body.replaceChildren(
+      h(
+        "div",
+        { class: "buttons offer" },
+        h("p", {}, h("b", {}, "New here?"), " ", "Eight short questions: guess, then play."),
+        h("button", { type: "button", class: "main", onclick: () => this.start() }, "Start the visit"),
+        h("button", { type: "button", onclick: () => this.leave() }, "Not now"),
+      ),
+    );
+  }
+
+  start() {
+    this.points.clear();
+    this.go(0);
+  }
+
+  leave() {
+    remember(KEY, "seen");
+    this.asked += 1;
+    this.step = this.guess = this.stop = null;
+    this.element.hidden = true;
+    this.unwind();
+    this.lab.root.classList.remove("visiting");
+    this.veil();
+    this.lab.show();
+  }
+
+  async go(number: number) {
+    const step = STEPS[number];
+    const asked = ++this.asked;
+    const { lab } = this;
+    lab.clock.play(false);
+    lab.clock.time = 0;
+    this.step = step;
+    this.stop = null;
+    this.guess = null;
+    this.unwind();
+    say(this.said, "");
+    this.element.hidden = false;
+    lab.root.classList.toggle("visiting", number < STEPS.length - 1);
+    try {
+      const replies = await Promise.all(step.queries.map((query) => lab.backend.call("film", { query })));
+      if (asked !== this.asked) return;
+      this.films = replies.map((reply) => new Film(reply));
+      lab.motions.active = 0;
+      lab.motions.set(replies.slice(0, 2));
+      this.guess = step.guess?.(() => this.guessed()) ?? null;
+      this.veil();
+      lab.changed();
+      lab.motions.note();
+      this.fill(number);
+    } catch (error) {
+      lab.notice.fail(error as Error);
+    }
+  }
+
+  /** What would tell the answer waits for the guess. */
+  veil() {
+    this.lab.root.classList.toggle("guessing", this.guessing);
+    if (this.guessing) name(this.lab.stage.element, "aria-label", "The hoop, before it is let go.");
+  }
+
+  fill(number: number) {
+    const step = STEPS[number];
+    this.play = h(
+      "button",
+      { type: "button", class: "main", disabled: Boolean(this.guess), onclick: () => this.show() },
+      "Play",
+    );
+    const last = number === STEPS.length - 1;
+    const heading = h("h2", { tabindex: "-1" }, step.title);
+    this.next = h("button", { type: "button", onclick: () => this.go(number + 1) }, "Next");
+    this.body.replaceChildren(
+      h(
+        "header",
+        {},
+        h(
+          "span",
+          { class: "visit-count" },
+          { key: "Step {number} of {all}", values: { number: number + 1, all: STEPS.length } },
+        ),
+        h("progress", { max: String(STEPS.length), value: String(number + 1), "aria-hidden": "true" }),
+        h(
+          "button",
+          { type: "button", class: "quiet", "aria-label": "Leave the visit", onclick: () => this.leave() },
+          "×",
+        ),
+      ),
+      heading,
+      h("p", {}, step.text),
+      step.question ? h("p", { class: "visit-question" }, step.question) : "",
+      this.guess?.element ?? "",
+      h(
+        "div",
+        { class: "buttons" },
+        number > 0 && h("button", { type: "button", onclick: () => this.go(number - 1) }, "Back"),
+        this.guess && this.play,
+        last
+          ? h("button", { type: "button", class: "main", onclick: () => this.challenge() }, "Challenges")
+          : this.next,
+        last && h("button", { type: "button", onclick: () => this.leave() }, "Done"),
+        this.guess && h("span", { class: "hint visit-wait" }, "First say what you expect, then play."),
+      ),
+    );
+    if (last && this.points.size) this.total();
+    heading.focus({ preventScroll: true });
+  }
+
+  guessed() {
+    if (this.play) this.play.disabled = false;
+    const wait = this.body.querySelector(".visit-wait") as HTMLElement | null;
+    if (wait) wait.hidden = true;
+  }
+
+  /** The film runs to the moment that answers, then the answer is said. */
+  show() {
+    const { lab, step } = this;
+    if (!step || !this.guess) return;
+    this.play.disabled = true;
+    this.stop = step.until?.(lab.films()) ?? lab.clock.duration;
+    this.loop ??= lab.clock.loop;
+    lab.clock.loop = false;
+    lab.clock.seek(0);
+    // who wants no motion goes straight to the moment
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) lab.clock.seek(this.stop);
+    else lab.clock.play(true);
+    this.frame();
+  }
+
+  /** The film repeats again, if it did. */
+  unwind() {
+    if (this.loop !== null) this.lab.clock.loop = this.loop;
+    this.loop = null;
+  }
+
+  /** Called with each picture. */
+  frame() {
+    const { clock } = this.lab;
+    if (this.stop === null || (clock.playing && clock.time < this.stop)) return;
+    const reached = clock.time >= this.stop - 1e-9 || !clock.playing;
+    if (!reached) return;
+    clock.playing = false;
+    const at = this.stop;
+    this.stop = null;
+    this.unwind();
+    clock.seek(at);
+    this.judge();
+  }
+
+  judge() {
+    const { step, guess } = this;
+    if (!step?.answer || !guess) return;
+    const { truth, text, values = {} } = step.answer(this.films);
+    const points = guess.judge(truth);
+    this.points.set(step.key, points);
+    this.said.replaceChildren(
+      h("p", {}, h("b", {}, { key: "{points} of 100 points.", values: { points } }), " ", { key: text, values }),
+      h("p", {}, step.why ?? ""),
+    );
+    this.veil();
+    this.next.classList.add("main");
+    this.lab.show();
+    this.said.scrollIntoView({ block: "nearest" });
+  }
+
+  total() {
+    const sum = [...this.points.values()].reduce((one, other) => one + other, 0);
+    this.said.replaceChildren(
+      h("p", {}, { key: "You have {sum} of {most} points.", values: { sum, most: 100 * this.points.size } }),
+    );
+  }
+
+  challenge() {
+    this.leave();
+    this.onchallenges();
+  }
+
+  /** Another motion is there, or other colours. */
+  changed() {
+    this.guess?.redraw?.();
+    if (this.guessing) this.veil();
+  }
+}

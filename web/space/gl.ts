@@ -1,0 +1,105 @@
+// What drawing in space needs of WebGL: programs and meshes.
+
+export function makeProgram(gl: WebGLRenderingContext, vertex: string, fragment: string) {
+  const program = gl.createProgram();
+  const sources: [number, string][] = [
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
+  ];
+  for (const [kind, text] of sources) {
+    const shader = gl.createShader(kind) as WebGLShader;
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(String(gl.getShaderInfoLog(shader)));
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(String(gl.getProgramInfoLog(program)));
+  const places: Program = { program, uniforms: {}, attributes: {} };
+  for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); i++) {
+    const { name } = gl.getActiveUniform(program, i) as WebGLActiveInfo;
+    places.uniforms[name] = gl.getUniformLocation(program, name);
+  }
+  for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_ATTRIBUTES); i++) {
+    const { name } = gl.getActiveAttrib(program, i) as WebGLActiveInfo;
+    places.attributes[name] = gl.getAttribLocation(program, name);
+  }
+  return places;
+}
+
+/** `parts`: name and size of what stands behind each other for a vertex. */
+export function mesh(
+  gl: WebGLRenderingContext,
+  data: number[],
+  parts: Record<string, number>,
+  indices?: number[],
+): Mesh {
+  const vertices = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, vertices);
+  gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
+  const elements = indices ? gl.createBuffer() : null;
+  if (indices) {
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, elements);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(indices), gl.STATIC_DRAW);
+  }
+  const stride = 4 * Object.values(parts).reduce((sum, size) => sum + size, 0);
+  return { vertices, elements, parts, stride, count: indices ? indices.length : (4 * data.length) / stride };
+}
+
+export function bind(gl: WebGLRenderingContext, program: Program, made: Mesh) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, made.vertices);
+  let offset = 0;
+  for (const [name, size] of Object.entries(made.parts)) {
+    const place = program.attributes[name];
+    if (place !== undefined) {
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, size, gl.FLOAT, false, made.stride, offset);
+    }
+    offset += 4 * size;
+  }
+  if (made.elements) gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, made.elements);
+}
+
+function grid(columns: number, rows: number) {
+  const indices = [];
+  for (let i = 0; i < columns; i++) {
+    for (let j = 0; j < rows; j++) {
+      const a = i * (rows + 1) + j;
+      const b = a + rows + 1;
+      indices.push(a, b, a + 1, b, b + 1, a + 1);
+    }
+  }
+  return indices;
+}
+
+/** Ring and tube angles only: the shader bends them into the rim. */
+export function torusMesh(gl: WebGLRenderingContext, around = 120, across = 14) {
+  const data = [];
+  for (let i = 0; i <= around; i++) {
+    for (let j = 0; j <= across; j++) data.push((2 * Math.PI * i) / around, (2 * Math.PI * j) / across);
+  }
+  return mesh(gl, data, { bend: 2 }, grid(around, across));
+}
+
+export function sphereMesh(gl: WebGLRenderingContext, around = 28, rows = 18) {
+  const data = [];
+  for (let i = 0; i <= around; i++) {
+    for (let j = 0; j <= rows; j++) {
+      const [a, b] = [(2 * Math.PI * i) / around, (Math.PI * j) / rows];
+      const point = [Math.sin(b) * Math.cos(a), Math.cos(b), Math.sin(b) * Math.sin(a)];
+      data.push(...point, ...point);
+    }
+  }
+  return mesh(gl, data, { position: 3, normal: 3 }, grid(around, rows));
+}
+
+/** A cylinder or cone of length 1 and radius 1 along y. */
+export function coneMesh(gl: WebGLRenderingContext, top: number, around = 20) {
+  const data = [];
+  for (let i = 0; i <= around; i++) {
+    const a = (2 * Math.PI * i) / around;
+    const side = [Math.cos(a), 1 - top, Math.sin(a)];
+    data.push(Math.cos(a), 0, Math.sin(a), ...side, top * Math.cos(a), 1, top * Math.sin(a), ...side);
+  }
+  return mesh(gl, data, { position: 3, normal: 3 }, grid(around, 1));
+}

@@ -1,0 +1,293 @@
+// Hoops on a plane in space, for the page and for the films that turn.
+//
+// Coordinates are those of the plane: x along it, y away from it, z towards the viewer; the view tilts them. Places are
+// given relative to what the camera looks at, since single precision has no digits left far out.
+
+import { along, looking, minus, perspective, product, tilted, unit } from "./algebra.ts";
+import { bind, coneMesh, makeProgram, mesh, sphereMesh, torusMesh } from "./gl.ts";
+
+const SHADE = `
+  uniform vec3 sun, eye;
+  vec3 shaded(vec3 color, vec3 normal) {
+    vec3 n = normalize(normal);
+    float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
+    float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
+    return color * light + vec3(gloss);
+  }`;
+const FLAT = `
+  uniform vec3 slant;
+  vec3 flattened(vec3 p, float shadow) {
+    return shadow > 0.0 ? p - p.y * slant : p;
+  }`;
+const SHADOW = "vec4(0.0, 0.0, 0.0, shadow)";
+
+const RIM = [
+  `attribute vec2 bend;
+   uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
+   varying vec3 n; varying float speed;
+   ${FLAT}
+   void main() {
+     float phi = size.w + bend.x;
+     vec2 outwards = vec2(sin(phi), cos(phi));
+     vec3 p = center + vec3(outwards * (size.x - size.y + size.y * cos(bend.y)), size.z * sin(bend.y));
+     n = vec3(outwards * cos(bend.y) / size.y, sin(bend.y) / size.z);
+     vec2 v = motion.xy + motion.z * size.x * vec2(cos(phi), -sin(phi));
+     speed = length(v) / most;
+     gl_Position = view * vec4(flattened(p, shadow), 1.0);
+   }`,
+  `precision highp float;
+   varying vec3 n; varying float speed;
+   uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
+   ${SHADE}
+   void main() {
+     vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
+     gl_FragColor = shadow > 0.0 ? ${SHADOW} : vec4(shaded(color, n), 1.0);
+   }`,
+];
+
+const BODY = [
+  `attribute vec3 position, normal;
+   uniform mat4 view, model; uniform float shadow;
+   varying vec3 n;
+   ${FLAT}
+   void main() {
+     n = mat3(model) * normal;
+     gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
+   }`,
+  `precision highp float;
+   varying vec3 n; uniform vec3 color; uniform float shadow, lit;
+   ${SHADE}
+   void main() { gl_FragColor = shadow > 0.0 ? ${SHADOW} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`,
+];
+
+// Lines as wide as pixels: each point twice, pushed apart across the line on the screen.
+const LINE = [
+  `attribute vec3 position, next, tint; attribute float side;
+   uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
+   varying vec3 color;
+   void main() {
+     vec3 moved = vec3(-shift, 0.0, depth);
+     vec4 a = view * vec4(position + moved, 1.0);
+     vec4 b = view * vec4(next + moved, 1.0);
+     vec2 way = (b.xy / b.w - a.xy / a.w) / pixel;
+     float size = length(way);
+     vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0, 1.0);
+     float wide = distance > 0.0 ? width * distance / a.w : width;
+     a.xy += across * side * wide * pixel * a.w;
+     gl_Position = a;
+     color = tint;
+   }`,
+  `precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }`,
+];
+
+export class Space {
+  eye: Vector = [0, 0, 1];
+  fastest = 1;
+  gl: WebGLRenderingContext;
+  sun: number[];
+  slant: number[];
+  rim: Program;
+  body: Program;
+  line: Program;
+  torus: Mesh;
+  sphere: Mesh;
+  cylinder: Mesh;
+  cone: Mesh;
+  colors: WebGLTexture;
+  view: Matrix;
+
+  /**
+   * `speeds` are the colours of the rim from rest to the fastest, `sun` is the way to the light, `dark` how dark a
+   * shadow is. `options`: whether the picture can be copied.
+   */
+  constructor(
+    public canvas: HTMLCanvasElement,
+    speeds: number[][],
+    sun: Vector,
+    readonly dark: number,
+    { keep = false }: { keep?: boolean } = {},
+  ) {
+    const gl = canvas.getContext("webgl", { antialias: true, stencil: true, preserveDrawingBuffer: keep });
+    if (!gl) throw new Error("This browser draws nothing in space (WebGL is missing).");
+    this.gl = gl;
+    this.sun = unit(sun);
+    this.slant = [sun[0] / sun[1], 1, sun[2] / sun[1]];
+    this.rim = makeProgram(gl, RIM[0], RIM[1]);
+    this.body = makeProgram(gl, BODY[0], BODY[1]);
+    this.line = makeProgram(gl, LINE[0], LINE[1]);
+    this.torus = torusMesh(gl);
+    this.sphere = sphereMesh(gl);
+    this.cylinder = coneMesh(gl, 1);
+    this.cone = coneMesh(gl, 0);
+    this.colors = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.colors);
+    const pixels = new Uint8Array(speeds.flatMap((color) => [...color, 255]));
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, speeds.length, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+    for (const way of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, way, gl.LINEAR);
+    this.view = tilted(0);
+  }
+
+  /**
+   * An empty picture of the canvas' size, and the camera: `eye` and `target` are level, `angle` is that of the view.
+   */
+  begin({ background, eye, target, slope, angle, near, far }: View & { background: Vector }) {
+    const { gl, canvas } = this;
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(background[0], background[1], background[2], 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    const lens = perspective(angle, canvas.width / canvas.height, near, far);
+    this.view = product(product(lens, looking(eye, target)), tilted(slope));
+    this.eye = unit(minus(eye, target));
+  }
+
+  use(program: Program, values: Record<string, number | Vector | Matrix>) {
+    const { gl } = this;
+    gl.useProgram(program.program);
+    const all: Record<string, any> = { view: this.view, sun: this.sun, eye: this.eye, slant: this.slant, ...values };
+    for (const [name, value] of Object.entries(all)) {
+      const place = program.uniforms[name];
+      if (place === undefined) continue;
+      if (typeof value === "number") gl.uniform1f(place, value);
+      else if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
+      else gl[`uniform${value.length}fv` as "uniform3fv"](place, value);
+    }
+  }
+
+  /** What lies on the plane is painted over each other in its order, and hides only what is below the plane. */
+  ground(paint: () => void) {
+    const { gl } = this;
+    gl.depthFunc(gl.ALWAYS);
+    paint();
+    gl.depthFunc(gl.LESS);
+  }
+
+  /** Each point of the floor is darkened once, however many things stand above it. */
+  shadows(paint: () => void) {
+    const { gl } = this;
+    gl.enable(gl.BLEND);
+    // the picture stays opaque
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
+    gl.enable(gl.STENCIL_TEST);
+    gl.stencilFunc(gl.EQUAL, 0, 255);
+    gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
+    gl.depthFunc(gl.ALWAYS);
+    gl.depthMask(false);
+    paint();
+    gl.depthMask(true);
+    gl.depthFunc(gl.LESS);
+    gl.disable(gl.STENCIL_TEST);
+    gl.disable(gl.BLEND);
+  }
+
+  solid(
+    shape: Mesh,
+    model: Matrix,
+    color: Vector,
+    { shadow = false, lit = true }: { shadow?: boolean; lit?: boolean } = {},
+  ) {
+    const { gl } = this;
+    this.use(this.body, { model, color, shadow: shadow ? this.dark : 0, lit: Number(lit) });
+    bind(gl, this.body, shape);
+    gl.drawElements(gl.TRIANGLES, shape.count, gl.UNSIGNED_SHORT, 0);
+  }
+
+  ball(place: Vector, radius: number, color: Vector, shadow: boolean) {
+    this.solid(this.sphere, along(place, [0, 1, 0], radius, radius), color, { shadow });
+  }
+
+  /**
+   * `tube` and `broad` are half the rim's thickness and half its breadth; `plain` is its colour where speed has none.
+   */
+  ring({ center, radius, tube, broad, angle, velocity, omega, plain = null }: Ring, shadow: boolean) {
+    const { gl } = this;
+    this.use(this.rim, {
+      center,
+      size: [radius, tube, broad, angle],
+      motion: [...velocity, omega],
+      most: this.fastest,
+      shadow: shadow ? this.dark : 0,
+      plain: plain ?? [0, 0, 0],
+      colored: plain ? 0 : 1,
+    });
+    bind(gl, this.rim, this.torus);
+    gl.drawElements(gl.TRIANGLES, this.torus.count, gl.UNSIGNED_SHORT, 0);
+  }
+
+  rod(from: Vector, way: Vector, length: number, radius: number, color: Vector, shadow = false) {
+    this.solid(this.cylinder, along(from, way, length, radius), color, { shadow });
+  }
+
+  /** A force at a hoop of radius `R`, `length` long along `way`. */
+  arrow(from: Vector, way: Vector, length: number, R: number, color: Vector) {
+    if (!(length > 0.02 * R)) return;
+    const head = Math.min(0.18 * R, length);
+    const tip = from.map((value, i) => value + way[i] * (length - head));
+    if (length > head) this.rod(from, way, length - head, 0.029 * R, color);
+    this.solid(this.cone, along(tip, way, head, Math.min(0.075 * R, 0.6 * head)), color);
+  }
+
+  /** A line through points of the plane, each with its colour. */
+  trace(count: number, point: (i: number) => number[], tint: (i: number) => Vector) {
+    const data = [];
+    for (let i = 0; i < count; i++) {
+      const here = point(i);
+      let next = point(Math.min(i + 1, count - 1));
+      if (Math.hypot(next[0] - here[0], next[1] - here[1]) < 1e-9 && i > 0) {
+        const before = point(i - 1);
+        next = here.map((value, k) => 2 * value - before[k]);
+      }
+      for (const side of [-1, 1]) data.push(...here, 0, ...next, 0, ...tint(i), side);
+    }
+    return mesh(this.gl, data, { position: 3, next: 3, tint: 3, side: 1 });
+  }
+
+  /**
+   * So many points of a trace, moved back by `shift` and into its lane; `width` pixels to each side, everywhere or,
+   * where a distance is given, so far from the camera.
+   */
+  drawTrace(
+    made: Mesh,
+    count: number,
+    { width, distance = 0, shift, depth }: { width: number; distance?: number; shift: number; depth: number },
+  ) {
+    const { gl, canvas } = this;
+    this.use(this.line, { pixel: [2 / canvas.width, 2 / canvas.height], width, distance, shift, depth });
+    bind(gl, this.line, made);
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 2 * count);
+  }
+
+  /** Where a point is in the picture, from its upper left; null behind the camera. */
+  onScreen([x, y, z]: Vector) {
+    const m = this.view;
+    const [a, b, w] = [0, 1, 3].map((row) => m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
+    if (!(w > 0)) return null;
+    return [(0.5 + (0.5 * a) / w) * this.canvas.width, (0.5 - (0.5 * b) / w) * this.canvas.height];
+  }
+}
+
+/** A flat piece of the plane, from one place along it to another and over a breadth, as part of a mesh. */
+export function sheet([left, right]: number[], [near, far]: number[]): Sheet {
+  return {
+    data: [
+      [left, far],
+      [left, near],
+      [right, far],
+      [right, near],
+    ].flatMap(([x, z]) => [x, 0, z, 0, 1, 0]),
+    indices: [0, 1, 2, 1, 3, 2],
+  };
+}
+
+/** Several sheets as one mesh. */
+export function sheets(gl: WebGLRenderingContext, list: Sheet[]) {
+  const indices = list.flatMap((part, k) => part.indices.map((i) => i + 4 * k));
+  return mesh(
+    gl,
+    list.flatMap((part) => part.data),
+    { position: 3, normal: 3 },
+    indices,
+  );
+}
