@@ -27,7 +27,12 @@ WRITTEN = ("../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/lay
 def stamp():
     """As web/build.mjs computes it."""
     folders = ("kernel", "lab", "model", "scene", "site", "space", "words")
-    sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js*")]
+    sources = [
+        path.relative_to(WEB).as_posix()
+        for folder in folders
+        for path in (WEB / folder).rglob("*")
+        if path.suffix in (".ts", ".json")
+    ]
     digest = hashlib.sha256()
     for name in ["build.mjs", *WRITTEN, *sorted(sources)]:
         digest.update(f"{name}\n".encode())
@@ -38,7 +43,7 @@ def stamp():
 @pytest.mark.parametrize("name", BUILT)
 def test_what_is_built_is_as_new_as_its_sources(name):
     first = BUILT[name].read_text(encoding="utf-8").split("\n", 1)[0]
-    said = re.fullmatch(r"/\* Built from web/\w+/\w+\.js by esbuild [\d.]+; sources (\w+) \*/", first)
+    said = re.fullmatch(r"/\* Built from web/[\w/]+\.ts by esbuild [\d.]+; sources (\w+) \*/", first)
     assert said, first
     assert said[1] == stamp(), f"{name} is older than its sources: run `npm install && npm run build` in web/"
 

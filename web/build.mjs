@@ -12,19 +12,20 @@ const SOURCES = ["kernel", "lab", "model", "scene", "site", "space", "words"];
 // What Python writes for the page: the layout of the WebAssembly module, and the tables of models, sentences and presets.
 const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json"];
 const TARGETS = [
-  { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
-  { entry: "kernel/worker.js", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
-  { entry: "site/motion_element.js", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
-  { entry: "site/embed.js", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
-  { entry: "site/service_worker.js", file: "../src/hophoop/lab/static/service_worker.js", format: "esm" },
-  { entry: "scene/main.js", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
+  { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
+  { entry: "kernel/worker.ts", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
+  { entry: "site/motion_element.ts", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
+  { entry: "site/embed.ts", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
+  { entry: "site/service_worker.ts", file: "../src/hophoop/lab/static/service_worker.js", format: "esm" },
+  { entry: "scene/main.ts", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
 ];
 
 // tests/test_web.py computes the same, to tell when a built file is older than its sources.
 function stamp() {
-  const names = SOURCES.flatMap((folder) => readdirSync(join(here, folder)).map((name) => `${folder}/${name}`));
+  const within = (folder) => readdirSync(join(here, folder), { recursive: true });
+  const names = SOURCES.flatMap((folder) => within(folder).map((name) => `${folder}/${name.replaceAll("\\", "/")}`));
   const hash = createHash("sha256");
-  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.js(on)?$/.test(name)).sort()]) {
+  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.(ts|json)$/.test(name)).sort()]) {
     hash.update(`${name}\n`).update(readFileSync(join(here, name)));
   }
   return hash.digest("hex").slice(0, 32);

@@ -379,7 +379,7 @@ interface GivenContact {
   rtol: number | null;
 }
 
-// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.js makes it.
+// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   radius: number;
   mass: number;

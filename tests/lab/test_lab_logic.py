@@ -3,29 +3,29 @@
 import itertools
 import json
 import math
-import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
 
 from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets
 from hophoop.scenario.ranges import RANGES
+from web_tools import bundled, needs_node, source
 
-SOURCES = Path(__file__).parents[2] / "web" / "lab"
+pytestmark = needs_node
 
 
 @pytest.fixture(scope="module")
-def js():
+def js(tmp_path_factory):
     """Evaluates an expression with the exports of one of the page's modules."""
-    if shutil.which("node") is None:
-        pytest.skip("no Node")
+    folder = tmp_path_factory.mktemp("page")
 
     def evaluate(module, code, **values):
         given = "".join(f"const {name} = {json.dumps(value)};" for name, value in values.items())
+        script = (folder / module).with_suffix(".mjs")
+        script.write_text(bundled(source(module)), encoding="utf-8")
         program = (
-            f"import * as lab from {json.dumps((SOURCES / module).as_uri())}; {given}"
+            f"import * as lab from {json.dumps(script.as_uri())}; {given}"
             f"const plain = (_, value) => typeof value === 'number' && !Number.isFinite(value) ? String(value) : value;"
             f"console.log(JSON.stringify((() => {{ {code} }})() ?? null, plain));"
         )
@@ -42,18 +42,18 @@ def test_what_is_typed_is_read_as_it_is_meant(js):
         "-inf": "-Infinity", "3·10⁻⁵": 3e-5, "2×10^6": 2e6, "1 000": 1000, "3.1 m/s": 3.1,
         "1,234.5": "NaN", "1.2.3": "NaN", "abc": "NaN", "": "NaN", "--1": "NaN", "1e": "NaN", "0x10": "NaN",
     }  # fmt: skip
-    said = js("entry.js", "return typed.map((text) => lab.readNumber(text, 'm/s'))", typed=list(meant))
+    said = js("entry.ts", "return typed.map((text) => lab.readNumber(text, 'm/s'))", typed=list(meant))
     assert dict(zip(meant, said, strict=True)) == meant
 
 
 def test_a_refusal_names_the_field_in_its_own_unit(js):
     field = {"label": "Slope", "unit": "°", "range": {"least": -90, "most": 90, "also": []}}
     said = js(
-        "entry.js", "return ['100', 'x', '12'].map((text) => lab.refusal(text, lab.readNumber(text), field))", field=field
+        "entry.ts", "return ['100', 'x', '12'].map((text) => lab.refusal(text, lab.readNumber(text), field))", field=field
     )
     assert said == ["Slope = 100° must be from −90 to 90°.", "Slope = x must be a number, such as 2.5.", ""]
     friction = "{ label: 'Friction', unit: '', range: { least: 0, most: 1e6, also: [Infinity] } }"
-    said = js("entry.js", f"return [-1, Infinity].map((value) => lab.refusal(String(value), value, {friction}))")
+    said = js("entry.ts", f"return [-1, Infinity].map((value) => lab.refusal(String(value), value, {friction}))")
     assert said == ["Friction = −1 must be from 0 to 1·10⁶, or inf.", ""]
 
 
@@ -71,7 +71,7 @@ def test_the_page_knows_the_ranges_that_python_allows():
 def test_a_rare_mark_is_not_hidden_by_a_usual_one(js):
     """Kane's gain happens at the instant of an impact."""
     events = [{"kind": "impact", "x": 100}, {"kind": "kane_gain", "x": 100}, {"kind": "apex", "x": 300}]
-    found = js("marks.js", "return lab.placed(events)", events=events)
+    found = js("marks.ts", "return lab.placed(events)", events=events)
     assert [mark["mark"] for mark in found] == ["✚", "▼", "•"]
     places = [mark["x"] for mark in found]
     assert places[0] == 100
@@ -81,7 +81,7 @@ def test_a_rare_mark_is_not_hidden_by_a_usual_one(js):
 def test_a_crowd_of_marks_stays_apart(js):
     events = [{"kind": kind, "x": 0.7 * k} for k, kind in enumerate(["takeoff", "apex", "impact"] * 300)]
     events.append({"kind": "jam", "x": 333.3})
-    places = js("marks.js", "return lab.placed(events)", events=events)
+    places = js("marks.ts", "return lab.placed(events)", events=events)
     assert "✖" in [mark["mark"] for mark in places]
     gaps = [b["x"] - a["x"] for a, b in itertools.pairwise(places)]
     assert min(gaps) >= 8
@@ -93,13 +93,13 @@ def test_stretches_shorter_than_a_pixel_show_what_lasts_longest(js):
     for _ in range(1000):  # 1,000 hops of 0.9 s with slips of 0.1 s on 100 pixels
         phases += [{"mode": "H", "from": t, "to": t + 0.9}, {"mode": "K", "from": t + 0.9, "to": t + 1.0}]
         t += 1.0
-    found = js("marks.js", "return lab.stretches(phases, (t) => t / 10, 100)", phases=phases)
+    found = js("marks.ts", "return lab.stretches(phases, (t) => t / 10, 100)", phases=phases)
     assert found == [{"mode": "H", "from": 0, "wide": 100}]
 
 
 def test_long_stretches_lie_where_they_are(js):
     phases = [{"mode": "R", "from": 0, "to": 2.55}, {"mode": "K", "from": 2.55, "to": 4}, {"mode": "R", "from": 4, "to": 10}]
-    found = js("marks.js", "return lab.stretches(phases, (t) => 10 * t, 100)", phases=phases)
+    found = js("marks.ts", "return lab.stretches(phases, (t) => 10 * t, 100)", phases=phases)
     assert [part["mode"] for part in found] == ["R", "K", "R"]
     assert [part["from"] for part in found] == pytest.approx([0, 25.5, 40], abs=1)
     assert sum(part["wide"] for part in found) == pytest.approx(100)
@@ -119,22 +119,22 @@ def test_a_map_stays_where_its_parameters_are_allowed(js):
       map.drag(structuredClone(map.windows), 2000, -2000); seen.push(structuredClone(map.windows));
       return seen;
     """
-    for windows in js("map_axes.js", code, axes=axes):
+    for windows in js("map_axes.ts", code, axes=axes):
         assert windows["y"][0] >= 0.0  # friction
         for name, path in (("x", "start.speed"), ("y", "plane.mu")):
             low, high = next(axis["allowed"] for axis in axes if axis["path"] == path)
             assert low <= windows[name][0] < windows[name][1] <= high
-    assert js("map_axes.js", "return lab.within([-1, 2], [0, 10])") == [0, 3]
-    assert js("map_axes.js", "return lab.within([8, 12], [0, 10])") == [6, 10]
-    assert js("map_axes.js", "return lab.within([-5, 50], [0, 10])") == [0, 10]
+    assert js("map_axes.ts", "return lab.within([-1, 2], [0, 10])") == [0, 3]
+    assert js("map_axes.ts", "return lab.within([8, 12], [0, 10])") == [6, 10]
+    assert js("map_axes.ts", "return lab.within([-5, 50], [0, 10])") == [0, 10]
 
 
 def test_a_map_says_when_its_starts_are_others(js):
     jam = next(preset for preset in presets() if preset.key == "jam").scenario.to_dict()
     code = "return [['start.speed', 'plane.mu'], ['start.vx', 'plane.mu']].map((paths) => lab.otherStart(scenario, paths))"
-    said = js("map_words.js", code, scenario=jam)
+    said = js("map_words.ts", code, scenario=jam)
     assert said == ["of rolling starts, though this motion starts otherwise", ""]
-    said = js("map_words.js", code, scenario={"start": {"speed": 3.1}})
+    said = js("map_words.ts", code, scenario={"start": {"speed": 3.1}})
     assert said == ["", "of starts in any state, though this motion starts rolling"]
 
 
@@ -148,7 +148,7 @@ def test_keys_in_a_row_on_one_control_are_one_step(js):
       steps.push(history.note(["d"], "plane.mu", 350), history.note(["e"], "plane.mu", 5000));
       return [steps, history.past];
     """
-    steps, past = js("history.js", code)
+    steps, past = js("history.ts", code)
     assert steps == ["same", "step", "again", "step", "step"]
     assert past == [["a"], ["c"], ["d"]]
 
@@ -165,7 +165,7 @@ def test_keys_in_a_row_are_one_step_also_where_answers_are_slow(js):
       steps.push(history.note(["d"], "start.speed", 5700));
       return steps;
     """
-    assert js("history.js", code) == ["step", "again", "step"]
+    assert js("history.ts", code) == ["step", "again", "step"]
 
 
 def test_a_step_is_kept_until_it_is_shown(js):
@@ -182,7 +182,7 @@ def test_a_step_is_kept_until_it_is_shown(js):
       history.arrive(["elsewhere"]);
       return [asked, before, forth, back, [history.past, history.now, history.future]];
     """
-    asked, before, forth, back, elsewhere = js("history.js", code)
+    asked, before, forth, back, elsewhere = js("history.ts", code)
     assert asked == ["b"]
     assert before == [[["a"], ["b"]], ["c"]]
     assert forth == [[["a"], ["b"]], ["c"], []]
@@ -196,12 +196,12 @@ def test_a_link_holds_time_view_and_map(js):
         "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
         "options": {"traces": True, "forces": False, "speed": True, "whole": False, "three": True},
     }  # fmt: skip
-    text = js("address.js", "return lab.written(shown)", shown=shown)
+    text = js("address.ts", "return lab.written(shown)", shown=shown)
     assert text == "t=1.25&show=tc3&zoom=2&pan=0.125,-0.3&from=0.5,0.31,7&map=hop_height,start.speed,1,2.5,plane.mu,0,1"
-    assert js("address.js", "return lab.readShown('#with=x&' + text)", text=text) == shown
+    assert js("address.ts", "return lab.readShown('#with=x&' + text)", text=text) == shown
     usual = {"options": {"traces": True, "forces": True, "speed": True, "whole": False, "three": False}}
-    assert js("address.js", "return lab.written(shown)", shown=usual) == ""
-    assert js("address.js", "return lab.readShown('t=-3&zoom=x&pan=1&from=1,a,2&map=a,b,1,0,c,0,1')") == {}
+    assert js("address.ts", "return lab.written(shown)", shown=usual) == ""
+    assert js("address.ts", "return lab.readShown('t=-3&zoom=x&pan=1&from=1,a,2&map=a,b,1,0,c,0,1')") == {}
 
 
 # Where a flight begins
@@ -215,7 +215,7 @@ def test_a_flight_is_found_also_where_no_take_off_begins_it(js):
         motion = hh.simulate(scenario)
         assert "H" in motion.sequence, key
         events = json.loads(json.dumps(motion.to_dict()["events"]))
-        found = js("events.js", "return events.filter(lab.leaves).map(({ kind }) => kind)", events=events)
+        found = js("events.ts", "return events.filter(lab.leaves).map(({ kind }) => kind)", events=events)
         assert found, key
         assert (found[0] == "takeoff") == (key == "hop")
 
@@ -247,7 +247,7 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
     """
     columns = {name: column.tolist() for name, column in part.arrays.items()}
     header = json.loads(json.dumps(calls.finite(answered.header)))
-    before, wanted, after, pieces, outside = js("film.js", code, header=header, whole=whole, part=columns, times=times)
+    before, wanted, after, pieces, outside = js("film.ts", code, header=header, whole=whole, part=columns, times=times)
     sample = motion.at(times)
     assert before[0] == [298.0, 306.0]
     assert max(abs(np.array(before[1]) - sample.vx)) > 0.1  # what is seen without it
@@ -268,7 +268,7 @@ def test_a_short_film_asks_for_nothing(js):
     answered = calls.answer(calls.read("film", {"query": "duration=6"}))
     whole = {name: column.tolist() for name, column in answered.arrays.items()}
     header = json.loads(json.dumps(calls.finite(answered.header)))
-    assert js("film.js", "return new lab.Film({ header, arrays: whole }).wanted(3, 4)", header=header, whole=whole) is None
+    assert js("film.ts", "return new lab.Film({ header, arrays: whole }).wanted(3, 4)", header=header, whole=whole) is None
 
 
 # What theory and maps say

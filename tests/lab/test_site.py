@@ -101,7 +101,7 @@ def test_it_knows_where_the_documentation_is_if_told(tmp_path: Path) -> None:
 
 def test_the_pages_for_teachers_that_it_links_are_there() -> None:
     root = Path(__file__).parents[2]
-    linked = re.findall(r'"(teach/[\w-]+)\.html"', (root / "web" / "lab" / "teach.js").read_text(encoding="utf-8"))
+    linked = re.findall(r'"(teach/[\w-]+)\.html"', (root / "web" / "lab" / "teach" / "teach.ts").read_text(encoding="utf-8"))
     assert len(linked) == 4
     assert [page for page in linked if not (root / "docs" / f"{page}.md").is_file()] == []
 

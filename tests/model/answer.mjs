@@ -1,12 +1,12 @@
-// Reads requests, one JSON a line, and answers each as the page would:
+// Reads requests, one JSON per line, and answers each as the page would. Bundled, it runs as
 // `node answer.mjs kernel.js module derivatives < asked > answered`.
 
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
-import { LocalBackend } from "../../web/lab/local_backend.js";
-import { closest } from "../../web/model/close.js";
-import * as model from "../../web/model/index.js";
-import { fill, floatOf, jsonText, plain, pythonText, shortened } from "../../web/model/text.js";
+import { LocalBackend } from "../../web/lab/backend/local_backend.ts";
+import { closest } from "../../web/model/close.ts";
+import * as model from "../../web/model/index.ts";
+import { fill, floatOf, jsonText, plain, pythonText, shortened } from "../../web/model/text.ts";
 
 const [script, binary, derivatives] = process.argv.slice(2);
 const { HoopModule } = await import(script);

@@ -6,7 +6,6 @@ import csv
 import io
 import json
 import math
-import shutil
 from typing import Any
 
 import numpy as np
@@ -18,8 +17,9 @@ from hophoop.lab import calls, files, presets
 from hophoop.lab.limits import USUAL
 from hophoop.vocabulary.classes import class_color, class_text
 from model.test_page_model import answers
+from web_tools import needs_node
 
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
+pytestmark = needs_node
 
 BODIES: list[dict[str, Any]] = [
     {},

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import json
 import random
-import shutil
 from typing import Any
-
-import pytest
 
 from hophoop.lab import calls
 from hophoop.lab.motion_map import MAP_QUANTITIES
 from hophoop.scenario import InputError
 from model.requests_drawn import ODD, plain
 from model.test_page_model import answers
+from web_tools import needs_node
 
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
+pytestmark = needs_node
 
 # Long, fast, small, steep, stiff and heavy motions, about as often within the limits as beyond them.
 COSTLY = [

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import atexit
 import difflib
+import functools
 import json
 import math
 import random
 import shutil
 import subprocess
+import tempfile
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -24,19 +27,30 @@ from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError
 from model.requests_drawn import NUMBERS, given_of, request
+from web_tools import bundled, needs_node
 
 HERE = Path(__file__).parent
 KERNEL = tables.FILE.parent / "kernel.js"
 MODULE_FILE = MODULE_FOLDER / MODULE
 DERIVATIVES_FILE = MODULE_FOLDER / DERIVATIVES
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
+pytestmark = needs_node
+
+
+@functools.cache
+def answering() -> Path:
+    """The program that answers, with the page's sources in it."""
+    folder = tempfile.mkdtemp(prefix="hophoop-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    program = Path(folder) / "answer.mjs"
+    program.write_text(bundled(HERE / "answer.mjs"), encoding="utf-8")
+    return program
 
 
 def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
     """What the page's code makes of bodies, in one process."""
     asked = "".join(json.dumps({"call": call, "body": body}) + "\n" for body in bodies)
     done = subprocess.run(
-        ["node", "--no-warnings", HERE / "answer.mjs", KERNEL, MODULE_FILE, DERIVATIVES_FILE],
+        ["node", answering(), KERNEL, MODULE_FILE, DERIVATIVES_FILE],
         input=asked,
         capture_output=True,
         text=True,

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import json
 import math
-import shutil
 from typing import Any
 
 import numpy as np
-import pytest
 
 import hophoop as hh
 from hophoop.derivatives.parameters import PATHS, allowed_sides, value_of
@@ -17,8 +15,9 @@ from hophoop.lab import presets
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from model.test_page_model import answers
 from module.module_tools import drawn, rates_of, references, same
+from web_tools import needs_node
 
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
+pytestmark = needs_node
 
 RING, LOAD = hh.Ring(0.5, 0.45, 0.5), hh.PointMass(0.5, at=0.45)
 EDGES = [

@@ -167,7 +167,7 @@ def test_the_events_that_end_no_phase_are_spelt_once():
         path.relative_to(ROOT).as_posix()
         for folder in ("src/hophoop", "web/kernel", "web/lab", "web/model", "web/scene")
         for path in (ROOT / folder).rglob("*")
-        if path.suffix in (".py", ".js") and "static" not in path.parts
+        if path.suffix in (".py", ".ts") and "static" not in path.parts
         if spelt.search(path.read_text(encoding="utf-8"))
     }
     # the checker of proofs shares no table with what it checks
@@ -274,7 +274,7 @@ def test_one_spelling():
         path.relative_to(ROOT).as_posix()
         for folder in ("src", "docs", "tests", "examples", "benchmarks", "web/kernel", "web/lab", "web/model")
         for path in (ROOT / folder).rglob("*")
-        if path.suffix in (".py", ".md", ".js", ".html") and former.search(path.read_text(encoding="utf-8"))
+        if path.suffix in (".py", ".md", ".js", ".ts", ".html") and former.search(path.read_text(encoding="utf-8"))
     }
     assert found <= allowed
 

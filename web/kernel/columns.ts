@@ -35,7 +35,7 @@ export function columnsOf(module: HoopModule, computed: Computed, window?: [numb
   const width = layout.events.length;
   const places: Set<number> = new Set();
   for (let k = 0; k <= steps && duration > 0; k++) places.add(k === steps ? end : begin + k * ((end - begin) / steps));
-  const marks = new Set();
+  const marks = new Set<number>();
   // the end of the last piece can lie a rounding beyond the duration
   for (let k = 0; k < count; k++) {
     const mark = Math.min(rows[k * width + EVENT.t], duration);

@@ -78,7 +78,7 @@ export function readFields(
   }
   const before = found.said.length;
   const values: Record<string, any> = {};
-  for (const [name, field] of Object.entries(fields)) {
+  for (const [name, field] of Object.entries<any>(fields)) {
     if (field.kind === "section") continue;
     const read = own[field.kind];
     if (Object.hasOwn(data, name) && read) values[name] = read(data[name], `${path}.${name}`, found);

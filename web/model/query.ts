@@ -73,7 +73,7 @@ export function writtenValue(path: string, value: any) {
 
 /** Names of the fields that are whole numbers. */
 const WHOLE: Set<string> = new Set(
-  Object.values(tables.scenario.models).flatMap(({ fields }) =>
+  Object.values<any>(tables.scenario.models).flatMap(({ fields }) =>
     Object.keys(fields).filter((name) => fields[name].kind === "whole"),
   ),
 );

@@ -118,7 +118,7 @@ export function fitting(checked: Checked, mechanics: Mechanics, given: (checked:
 }
 
 function fittingContact(contact: CheckedContact, compliance: Compliance) {
-  for (const [name, { of: unit, ...range }] of Object.entries(scenario.relative)) {
+  for (const [name, { of: unit, ...range }] of Object.entries<any>(scenario.relative)) {
     const value = contact[name];
     if (value === null) continue;
     const relative = (compliance as any)[name];

@@ -188,7 +188,7 @@ export function usualKeys(name: string, model?: string): Record<string, any> {
 }
 
 const defaults = ({ fields }: any) =>
-  Object.fromEntries(Object.entries(fields).map(([name, field]) => [name, field.default ?? undefined]));
+  Object.fromEntries(Object.entries<any>(fields).map(([name, field]) => [name, field.default ?? undefined]));
 
 /** The scenario as the query of a link, as Python's `Scenario.to_query`. */
 export function toQuery(checked: Checked) {

@@ -1,4 +1,4 @@
-// Elements of the page. Words follow the language, see words.js.
+// Elements of the page. Words follow the language, see words.ts.
 
 import { luminance } from "./colors.ts";
 import { name as called, spokenText } from "../words/words.ts";

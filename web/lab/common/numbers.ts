@@ -12,7 +12,7 @@ export function show(value: number, digits = 4) {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  let text;
+  let text: string;
   if (size >= 1e6 || size < 1e-4) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
     text = `${trimZeros(mantissa)}·10${superscript(Number(exponent))}`;

@@ -36,8 +36,8 @@ function speakPacked(packed: DataView<ArrayBuffer>) {
 async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
-  let backend;
-  let setup;
+  let backend: Backend;
+  let setup: Setup;
   const words = speakFrom(here);
   try {
     backend = await backendOf(here, site ? null : base, base);

@@ -1,4 +1,4 @@
-// Words on the page, which say themselves again in another language. `dom.js` puts every word here; what is drawn on a canvas
+// Words on the page, which say themselves again in another language. `dom.ts` puts every word here; what is drawn on a canvas
 // calls `t`.
 
 import { LANGUAGES, spoken } from "../../words/texts.ts";

@@ -1,14 +1,14 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 5b77306a4e61c10f1ee867569570d23e */
-var Cl=Object.create;var ao=Object.defineProperty;var jl=Object.getOwnPropertyDescriptor;var Dl=Object.getOwnPropertyNames;var $l=Object.getPrototypeOf,Fl=Object.prototype.hasOwnProperty;var Bl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Wl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Dl(e))!Fl.call(s,i)&&i!==t&&ao(s,i,{get:()=>e[i],enumerable:!(n=jl(e,i))||n.enumerable});
-return s};var Hl=(s,e,t)=>(t=s!=null?Cl($l(s)):{},Wl(e||!s||!s.__esModule?ao(t,"default",{value:s,enumerable:!0}):t,s));var Wa=Bl(qs=>{"use strict";Object.defineProperty(qs,"__esModule",{value:!0});function $a(s){return!s||typeof s=="string"?s:s+""}var Kn=class{async svg2canvas(e,t,n){
-let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
-"2d").drawImage(i,0,0),o}toDataURL(e,t,n,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 058cc532672aa41c0e353a196c9c1101 */
+var ql=Object.create;var ao=Object.defineProperty;var Fl=Object.getOwnPropertyDescriptor;var Dl=Object.getOwnPropertyNames;var jl=Object.getPrototypeOf,Hl=Object.prototype.hasOwnProperty;var $l=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Bl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of Dl(e))!Hl.call(n,i)&&i!==t&&ao(n,i,{get:()=>e[i],enumerable:!(s=Fl(e,i))||s.enumerable});
+return n};var Wl=(n,e,t)=>(t=n!=null?ql(jl(n)):{},Bl(e||!n||!n.__esModule?ao(t,"default",{value:n,enumerable:!0}):t,n));var Ba=$l(In=>{"use strict";Object.defineProperty(In,"__esModule",{value:!0});function ja(n){return!n||typeof n=="string"?n:n+""}var Ks=class{async svg2canvas(e,t,s){
+let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=s,o.getContext(
+"2d").drawImage(i,0,0),o}toDataURL(e,t,s,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
 r);if(i==="image/svg+xml"||!i)return a.async?Promise.resolve(u):u;if(i==="image/jpeg"||i==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
-st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(u,t,n),d=h.toDataURL(i,o);return h.remove(),d})()}throw new Error(
-"svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,i,o,a,r,l){if(l||(l={}),!l.async)throw new Error(
-"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let u=await this.svg2canvas(c,t,n),
-d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Fa=new Kn;var Ba=(function(){var s,e,t,n,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
+st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(u,t,s),d=h.toDataURL(i,o);return h.remove(),d})()}throw new Error(
+"svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,s,i,o,a,r,l){if(l||(l={}),!l.async)throw new Error(
+"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,s,"image/svg+xml");return(async()=>{let u=await this.svg2canvas(c,t,s),
+d=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),d})()}},Ha=new Ks;var $a=(function(){var n,e,t,s,i;function o(h,d){var p=Object.keys(d),g;for(g=0;g<
 p.length;g++)h=h.replace(new RegExp("\\{"+p[g]+"\\}","gi"),d[p[g]]);return h}function a(h){var d,p,g;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",g=0;g<12;g++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
 return p}function r(h,d){var p,g,f={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)g="&"+h[p+1]+";",b=parseInt(h[p],d),f[g]="&#"+b+";";return f["\\xa0"]="&#\
@@ -27,15 +27,15 @@ uArr,8ei,rArr,8ej,dArr,8ek,hArr,8g0,forall,8g2,part,8g3,exist,8g5,empty,8g7,nabl
 prop,8gu,infin,8h0,ang,8h7,and,8h8,or,8h9,cap,8ha,cup,8hb,int,8hk,there4,8hs,sim,8i5,cong,8i8,asymp,8j0,ne,8j1,equiv,8j4,le,8j5,ge,8k2,sub,8k3,sup,8k4,nsub,8k6,\
 sube,8k7,supe,8kl,oplus,8kn,otimes,8l5,perp,8m5,sdot,8o8,lceil,8o9,rceil,8oa,lfloor,8ob,rfloor,8p9,lang,8pa,rang,9ea,loz,9j0,spades,9j3,clubs,9j5,hearts,9j6,dia\
 ms,ai,OElig,aj,oelig,b0,Scaron,b1,scaron,bo,Yuml,m6,circ,ms,tilde,802,ensp,803,emsp,809,thinsp,80c,zwnj,80d,zwj,80e,lrm,80f,rlm,80j,ndash,80k,mdash,80o,lsquo,80\
-p,rsquo,80q,sbquo,80s,ldquo,80t,rdquo,80u,bdquo,810,dagger,811,Dagger,81g,permil,81p,lsaquo,81q,rsaquo,85c,euro",32),s={strokeStyle:{svgAttr:"stroke",canvas:"#0\
+p,rsquo,80q,sbquo,80s,ldquo,80t,rdquo,80u,bdquo,810,dagger,811,Dagger,81g,permil,81p,lsaquo,81q,rsaquo,85c,euro",32),n={strokeStyle:{svgAttr:"stroke",canvas:"#0\
 00000",svg:"none",apply:"stroke"},fillStyle:{svgAttr:"fill",canvas:"#000000",svg:null,apply:"fill"},lineCap:{svgAttr:"stroke-linecap",canvas:"butt",svg:"butt",apply:"\
 stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"stroke"},miterLimit:{svgAttr:"stroke-miterlimit",canvas:10,svg:4,apply:"stroke"},
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
 abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
-var p=this.__ctx.__createElement("stop"),g,f;p.setAttribute("offset",h),$a(d).indexOf("rgba")!==-1?(g=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-f=g.exec(d),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:f[1],g:f[2],b:f[3]})),p.setAttribute("stop-opacity",f[4])):p.setAttribute("stop-color",$a(d)),this.
-__root.appendChild(p)},n=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
+var p=this.__ctx.__createElement("stop"),g,f;p.setAttribute("offset",h),ja(d).indexOf("rgba")!==-1?(g=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+f=g.exec(d),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:f[1],g:f[2],b:f[3]})),p.setAttribute("stop-opacity",f[4])):p.setAttribute("stop-color",ja(d)),this.
+__root.appendChild(p)},s=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
 width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
 p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
 __document.createElement("canvas"),this.__ctx=this.__canvas.getContext("2d")),this.__setDefaultStyles(),this.__styleStack=[this.__getStyleState()],this.__groupStack=
@@ -46,17 +46,17 @@ __root.appendChild(this.__defs),this.__currentElement=this.__document.createElem
 this.resetTransform(),this.__options=p,this.__id=Math.random().toString(16).substring(2,8),this.__debug("new",h)},e.prototype.__debug=function(...h){this.__options.
 debug&&console.debug(`svgcanvas#${this.__id}:`,...h)},e.prototype.__createElement=function(h,d,p){typeof d>"u"&&(d={});var g=this.__document.createElementNS("ht\
 tp://www.w3.org/2000/svg",h),f=Object.keys(d),b,w;for(p&&(g.setAttribute("fill","none"),g.setAttribute("stroke","none")),b=0;b<f.length;b++)w=f[b],g.setAttribute(
-w,d[w]);return g},e.prototype.__setDefaultStyles=function(){var h=Object.keys(s),d,p;for(d=0;d<h.length;d++)p=h[d],this[p]=s[p].canvas},e.prototype.__applyStyleState=
-function(h){var d=Object.keys(h),p,g;for(p=0;p<d.length;p++)g=d[p],this[g]=h[g]},e.prototype.__getStyleState=function(){var h,d={},p=Object.keys(s),g;for(h=0;h<
+w,d[w]);return g},e.prototype.__setDefaultStyles=function(){var h=Object.keys(n),d,p;for(d=0;d<h.length;d++)p=h[d],this[p]=n[p].canvas},e.prototype.__applyStyleState=
+function(h){var d=Object.keys(h),p,g;for(p=0;p<d.length;p++)g=d[p],this[g]=h[g]},e.prototype.__getStyleState=function(){var h,d={},p=Object.keys(n),g;for(h=0;h<
 p.length;h++)g=p[h],d[g]=this[g];return d},e.prototype.__applyTransformation=function(h,d){let{a:p,b:g,c:f,d:b,e:w,f:y}=d||this.getTransform();h.setAttribute("t\
 ransform",`matrix(${p} ${g} ${f} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var d=this.__currentElement,p=this.__currentElementsToStyle;
-p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(X){X.setAttribute(h,"")}));var g=Object.keys(s),f,b,w,y,v,T,M,A;for(f=0;f<g.length;f++)if(b=s[g[f]],
-w=this[g[f]],b.apply){if(w instanceof n){if(w.__ctx)for(M=0;M<w.__ctx.__defs.childNodes.length;M++)A=w.__ctx.__defs.childNodes[M],T=A.getAttribute("id"),this.__ids[T]=
-T,this.__defs.appendChild(A);d.setAttribute(b.apply,o("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,o("url(#{id}\
+p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(Q){Q.setAttribute(h,"")}));var g=Object.keys(n),f,b,w,y,v,S,T,A;for(f=0;f<g.length;f++)if(b=n[g[f]],
+w=this[g[f]],b.apply){if(w instanceof s){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)A=w.__ctx.__defs.childNodes[T],S=A.getAttribute("id"),this.__ids[S]=
+S,this.__defs.appendChild(A);d.setAttribute(b.apply,o("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,o("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-v=y.exec(w),d.setAttribute(b.svgAttr,o("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var z=v[4],O=this.globalAlpha;O!=null&&(z*=O),d.setAttribute(b.svgAttr+"-opac\
-ity",z)}else{var $=b.svgAttr;if(g[f]==="globalAlpha"){if($=h+"-"+b.svgAttr,d.getAttribute($))continue}else if(g[f]==="lineWidth"){var F=this.__getTransformScale();
-w=w*Math.max(F.x,F.y)}d.setAttribute($,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
+v=y.exec(w),d.setAttribute(b.svgAttr,o("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var L=v[4],N=this.globalAlpha;N!=null&&(L*=N),d.setAttribute(b.svgAttr+"-opac\
+ity",L)}else{var j=b.svgAttr;if(g[f]==="globalAlpha"){if(j=h+"-"+b.svgAttr,d.getAttribute(j))continue}else if(g[f]==="lineWidth"){var H=this.__getTransformScale();
+w=w*Math.max(H.x,H.y)}d.setAttribute(j,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
 h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var d=new XMLSerializer().serializeToString(this.__root),p,g,f,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
 y.test(d)&&(d=d.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(i),g=0;g<p.length;g++)f=p[g],b=i[f],
 w=new RegExp(f,"gi"),w.test(d)&&(d=d.replace(w,b));return d},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
@@ -77,23 +77,23 @@ x,y:this.__matrixTransform(f,b).y}))},e.prototype.quadraticCurveTo=function(h,d,
  {y}",{cpx:this.__matrixTransform(h,d).x,cpy:this.__matrixTransform(h,d).y,x:this.__matrixTransform(p,g).x,y:this.__matrixTransform(p,g).y}))};var u=function(h){
 var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,g,f){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(f<0)throw new Error("IndexSizeError: The radius provided ("+f+") is nega\
-tive.");if(b===h&&w===d||h===p&&d===g||f===0){this.lineTo(h,d);return}var y=u([b-h,w-d]),v=u([p-h,g-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var T=y[0]*
-v[0]+y[1]*v[1],M=Math.acos(Math.abs(T)),A=u([y[0]+v[0],y[1]+v[1]]),z=f/Math.sin(M/2),O=h+z*A[0],$=d+z*A[1],F=[-y[1],y[0]],X=[v[1],-v[0]],re=function(io){var oo=io[0],
-Il=io[1];return Il>=0?Math.acos(oo):-Math.acos(oo)},Gt=re(F),ql=re(X);this.lineTo(O+F[0]*f,$+F[1]*f),this.arc(O,$,f,Gt,ql)}},e.prototype.stroke=function(){this.
+tive.");if(b===h&&w===d||h===p&&d===g||f===0){this.lineTo(h,d);return}var y=u([b-h,w-d]),v=u([p-h,g-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var S=y[0]*
+v[0]+y[1]*v[1],T=Math.acos(Math.abs(S)),A=u([y[0]+v[0],y[1]+v[1]]),L=f/Math.sin(T/2),N=h+L*A[0],j=d+L*A[1],H=[-y[1],y[0]],Q=[v[1],-v[0]],re=function(io){var oo=io[0],
+Il=io[1];return Il>=0?Math.acos(oo):-Math.acos(oo)},Ut=re(H),Ol=re(Q);this.lineTo(N+H[0]*f,j+H[1]*f),this.arc(N,j,f,Ut,Ol)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,g){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
 h+p,d),this.lineTo(h+p,d+g),this.lineTo(h,d+g),this.lineTo(h,d),this.closePath()},e.prototype.roundRect=function(h,d,p,g,f){this.__currentElement.nodeName!=="pa\
 th"&&this.beginPath();let b,w,y,v;typeof f=="number"?(b=f,w=f,y=f,v=f):[b,w,y,v]=f,this.moveTo(h+b,d),this.arcTo(h+p,d,h+p,d+g,w),this.arcTo(h+p,d+g,h,d+g,y),this.
-arcTo(h,d+g,h,d,v),this.arcTo(h,d,h+p,d,b),this.closePath()},e.prototype.fillRect=function(h,d,p,g){let{a:f,b,c:w,d:y,e:v,f:T}=this.getTransform();JSON.stringify(
-[f,b,w,y,v,T])===JSON.stringify([1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&g===this.height&&this.__clearCanvas();var M,A;M=this.__createElement("rect",{x:h,y:d,
-width:p,height:g},!0),A=this.__closestGroupOrSvg(),A.appendChild(M),this.__currentElement=M,this.__applyTransformation(M),this.__applyStyleToCurrentElement("fil\
+arcTo(h,d+g,h,d,v),this.arcTo(h,d,h+p,d,b),this.closePath()},e.prototype.fillRect=function(h,d,p,g){let{a:f,b,c:w,d:y,e:v,f:S}=this.getTransform();JSON.stringify(
+[f,b,w,y,v,S])===JSON.stringify([1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&g===this.height&&this.__clearCanvas();var T,A;T=this.__createElement("rect",{x:h,y:d,
+width:p,height:g},!0),A=this.__closestGroupOrSvg(),A.appendChild(T),this.__currentElement=T,this.__applyTransformation(T),this.__applyStyleToCurrentElement("fil\
 l")},e.prototype.strokeRect=function(h,d,p,g){var f,b;f=this.__createElement("rect",{x:h,y:d,width:p,height:g},!0),b=this.__closestGroupOrSvg(),b.appendChild(f),
 this.__currentElement=f,this.__applyTransformation(f),this.__applyStyleToCurrentElement("stroke")},e.prototype.__clearCanvas=function(){var h=this.__root.childNodes[1];
 this.__root.removeChild(h),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
-this.__groupStack=[]},e.prototype.clearRect=function(h,d,p,g){let{a:f,b,c:w,d:y,e:v,f:T}=this.getTransform();if(JSON.stringify([f,b,w,y,v,T])===JSON.stringify([
-1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&g===this.height){this.__clearCanvas();return}var M,A=this.__closestGroupOrSvg();M=this.__createElement("rect",{x:h,
-y:d,width:p,height:g,fill:"#FFFFFF"},!0),this.__applyTransformation(M),A.appendChild(M)},e.prototype.createLinearGradient=function(h,d,p,g){var f=this.__createElement(
+this.__groupStack=[]},e.prototype.clearRect=function(h,d,p,g){let{a:f,b,c:w,d:y,e:v,f:S}=this.getTransform();if(JSON.stringify([f,b,w,y,v,S])===JSON.stringify([
+1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&g===this.height){this.__clearCanvas();return}var T,A=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
+y:d,width:p,height:g,fill:"#FFFFFF"},!0),this.__applyTransformation(T),A.appendChild(T)},e.prototype.createLinearGradient=function(h,d,p,g){var f=this.__createElement(
 "linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:d+"px",y2:g+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(f),new t(f,this)},
 e.prototype.createRadialGradient=function(h,d,p,g,f,b){var w=this.__createElement("radialGradient",{id:a(this.__ids),cx:g+"px",cy:f+"px",r:b+"px",fx:h+"px",fy:d+
 "px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(w),new t(w,this)},e.prototype.__applyText=function(h,d,p,g){var f=document.createElement(
@@ -103,30 +103,30 @@ ine":c(this.textBaseline)},!0);if(y.appendChild(this.__document.createTextNode(h
 g),this.__fontHref){var v=this.__createElement("a");v.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",this.__fontHref),v.appendChild(y),y=v}w.appendChild(
 y)},e.prototype.fillText=function(h,d,p){this.__applyText(h,d,p,"fill")},e.prototype.strokeText=function(h,d,p){this.__applyText(h,d,p,"stroke")},e.prototype.measureText=
 function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,d,p,g,f,b){if(g!==f){g=g%(2*Math.PI),f=f%(2*Math.PI),g===f&&(f=
-(f+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(f),y=d+p*Math.sin(f),v=h+p*Math.cos(g),T=d+p*Math.sin(g),M=b?0:1,A=0,z=f-g;z<0&&(z+=2*Math.PI),b?A=z>
-Math.PI?0:1:A=z>Math.PI?1:0;var O=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),$=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
-this.lineTo(v,T),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*O,ry:p*$,xAxisRotation:0,largeArcFlag:A,sweepFlag:M,
+(f+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(f),y=d+p*Math.sin(f),v=h+p*Math.cos(g),S=d+p*Math.sin(g),T=b?0:1,A=0,L=f-g;L<0&&(L+=2*Math.PI),b?A=L>
+Math.PI?0:1:A=L>Math.PI?1:0;var N=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),j=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
+this.lineTo(v,S),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*N,ry:p*j,xAxisRotation:0,largeArcFlag:A,sweepFlag:T,
 endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,g,f,b,w,y){if(b!==w){
-var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var T=this.__getTransformScale();p=p*T.x,g=g*T.y,f=f+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
-b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var M=h+Math.cos(-f)*p*Math.cos(w)+Math.sin(-f)*g*Math.sin(w),A=d-Math.sin(-f)*p*Math.cos(w)+Math.cos(-f)*g*Math.
-sin(w),z=h+Math.cos(-f)*p*Math.cos(b)+Math.sin(-f)*g*Math.sin(b),O=d-Math.sin(-f)*p*Math.cos(b)+Math.cos(-f)*g*Math.sin(b),$=y?0:1,F=0,X=w-b;X<0&&(X+=2*Math.PI),
-y?F=X>Math.PI?0:1:F=X>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(z,O),this.__transformMatrix=re,this.__addPathCommand(o("A {rx}\
- {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:g,xAxisRotation:f*(180/Math.PI),largeArcFlag:F,sweepFlag:$,endX:M,endY:A})),this.__currentPosition=
-{x:M,y:A}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),g=this.__createElement("g");this.__applyCurrentDefaultPath(),
+var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var S=this.__getTransformScale();p=p*S.x,g=g*S.y,f=f+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
+b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-f)*p*Math.cos(w)+Math.sin(-f)*g*Math.sin(w),A=d-Math.sin(-f)*p*Math.cos(w)+Math.cos(-f)*g*Math.
+sin(w),L=h+Math.cos(-f)*p*Math.cos(b)+Math.sin(-f)*g*Math.sin(b),N=d-Math.sin(-f)*p*Math.cos(b)+Math.cos(-f)*g*Math.sin(b),j=y?0:1,H=0,Q=w-b;Q<0&&(Q+=2*Math.PI),
+y?H=Q>Math.PI?0:1:H=Q>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(L,N),this.__transformMatrix=re,this.__addPathCommand(o("A {rx}\
+ {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:g,xAxisRotation:f*(180/Math.PI),largeArcFlag:H,sweepFlag:j,endX:T,endY:A})),this.__currentPosition=
+{x:T,y:A}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),g=this.__createElement("g");this.__applyCurrentDefaultPath(),
 h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),h.setAttribute("clip-path",o("url(#{\
-id})",{id:p})),h.appendChild(g),this.__currentElement=g},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,g,f,b,w=0,y=0,v,T,
-M,A,z,O,$,F,X,re;if(h.length===3)p=h[1],g=h[2],v=d.width,T=d.height,f=v,b=T;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],v=d.width,T=d.height;else if(h.length===
-9)w=h[1],y=h[2],v=h[3],T=h[4],p=h[5],g=h[6],f=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);M=this.__closestGroupOrSvg(),
-this.__currentElement;let Gt=this.getTransform().translate(p,g);if(d instanceof e){if(A=d.getSvg().cloneNode(!0),A.childNodes&&A.childNodes.length>1){for(z=A.childNodes[0];z.
-childNodes.length;)re=z.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(z.childNodes[0]);O=A.childNodes[1],O&&(this.__applyTransformation(
-O,Gt),M.appendChild(O))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&($=this.__createElement("image"),$.setAttribute("width",f),$.setAttribute("height",b),
-$.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||T!==d.height)&&(F=this.__document.createElement("canvas"),F.width=f,F.height=b,X=F.getContext("\
-2d"),X.drawImage(d,w,y,v,T,0,0,f,b),d=F),this.__applyTransformation($,Gt),$.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
-d.getAttribute("src")),M.appendChild($))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
+id})",{id:p})),h.appendChild(g),this.__currentElement=g},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,g,f,b,w=0,y=0,v,S,
+T,A,L,N,j,H,Q,re;if(h.length===3)p=h[1],g=h[2],v=d.width,S=d.height,f=v,b=S;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],v=d.width,S=d.height;else if(h.length===
+9)w=h[1],y=h[2],v=h[3],S=h[4],p=h[5],g=h[6],f=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
+this.__currentElement;let Ut=this.getTransform().translate(p,g);if(d instanceof e){if(A=d.getSvg().cloneNode(!0),A.childNodes&&A.childNodes.length>1){for(L=A.childNodes[0];L.
+childNodes.length;)re=L.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(L.childNodes[0]);N=A.childNodes[1],N&&(this.__applyTransformation(
+N,Ut),T.appendChild(N))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(j=this.__createElement("image"),j.setAttribute("width",f),j.setAttribute("height",b),
+j.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||S!==d.height)&&(H=this.__document.createElement("canvas"),H.width=f,H.height=b,Q=H.getContext("\
+2d"),Q.drawImage(d,w,y,v,S,0,0,f,b),d=H),this.__applyTransformation(j,Ut),j.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
+d.getAttribute("src")),T.appendChild(j))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 g=a(this.__ids),f;return p.setAttribute("id",g),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(f=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),f.setAttribute("width",h.width),f.setAttribute(
 "height",h.height),f.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",h.nodeName==="CANVAS"?h.toDataURL():h.getAttribute("src")),p.appendChild(f),this.
-__defs.appendChild(p)):h instanceof e&&(p.appendChild(h.__root.childNodes[1]),this.__defs.appendChild(p)),new n(p,this)},e.prototype.setLineDash=function(h){h&&
+__defs.appendChild(p)):h instanceof e&&(p.appendChild(h.__root.childNodes[1]),this.__defs.appendChild(p)),new s(p,this)},e.prototype.setLineDash=function(h){h&&
 h.length>0?this.lineDash=h.join(","):this.lineDash=null},e.prototype.setTransform=function(h,d,p,g,f,b){h instanceof DOMMatrix?this.__transformMatrix=new DOMMatrix(
 [h.a,h.b,h.c,h.d,h.e,h.f]):this.__transformMatrix=new DOMMatrix([h,d,p,g,f,b])},e.prototype.getTransform=function(){let{a:h,b:d,c:p,d:g,e:f,f:b}=this.__transformMatrix;
 return new DOMMatrix([h,d,p,g,f,b])},e.prototype.resetTransform=function(){this.setTransform(1,0,0,1,0,0)},e.prototype.scale=function(h,d){if(d===void 0&&(d=h),
@@ -135,23 +135,23 @@ multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));
 translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,g,f,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,g,f,b]));this.setTransform(
 w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){return Fa.getImageData(this.getSvg(),
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,g,f){return Ha.getImageData(this.getSvg(),
 this.width,this.height,h,d,p,g,f)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
-globalCompositeOperation=function(){},e})();function qe(s){this.ctx=new Ba(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
-display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute("class")||""},set:function(i){
-return n.setAttribute("class",i)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(i){
-Object.defineProperty(t,i,{get:function(){return e.getAttribute(i)|0},set:function(o){if(!(isNaN(o)||typeof o>"u"))return t.ctx[i]=o,e.setAttribute(i,o),n[i]=o}})}),
-["style","id"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return n[i]},set:function(o){if(typeof o<"u")return n[i]=o}})}),["getBoundingClient\
-Rect"].forEach(function(i){t[i]=function(){return e[i]()}})}qe.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupported type of context for SVG\
-Canvas");return this.ctx};qe.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};qe.prototype.toDataURL=function(s,e,t){return Fa.toDataURL(this.svg,this.width,this.height,s,e,t)};qe.prototype.addEventListener=
-function(){return this.svg.addEventListener.apply(this.svg,arguments)};qe.prototype.getElement=function(){return this.wrapper};qe.prototype.getAttribute=function(s){
-return this.wrapper.getAttribute(s)};qe.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};qs.Context=Ba;qs.Element=qe});function _e(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ro=s=>wt(s)>.2?"#111111":"#ffffff",yt=(s,e)=>`rgba(${_e(s).join(",")}\
-,${e})`,Ul=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function wt(s){let[e,t,n]=_e(s).map(Ul);return .2126*e+.7152*t+.0722*n}function vt(s,e){
-if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(wt(s)<.002)return"#eceef2";let t=s;for(let n=0;wt(t)<.2&&n<1;n+=.05)t=`#${_e(s).map(i=>Math.round(i+(255-i)*n).toString(
-16).padStart(2,"0")).join("")}`;return t}var Kt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Gl(){let s=[];
-for(let e=0;e<256;e++){let t=e/255*(Kt.length-1),n=Math.min(Math.floor(t),Kt.length-2),i=_e(Kt[n]),o=_e(Kt[n+1]);s.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-n))))}
-return s}var nt=Gl(),Vt=nt.map(s=>`rgb(${s.join(",")})`),Kl=["#123a8c","#8a6d00"],me=(s,e)=>vt(Kl[s],e);var Re={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+globalCompositeOperation=function(){},e})();function Oe(n){this.ctx=new $a(n),this.svg=this.ctx.__root;var e=this.svg,t=this,s=document.createElement("div");s.style.
+display="inline-block",s.appendChild(e),this.wrapper=s,Object.defineProperty(this,"className",{get:function(){return s.getAttribute("class")||""},set:function(i){
+return s.setAttribute("class",i)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(i){
+Object.defineProperty(t,i,{get:function(){return e.getAttribute(i)|0},set:function(o){if(!(isNaN(o)||typeof o>"u"))return t.ctx[i]=o,e.setAttribute(i,o),s[i]=o}})}),
+["style","id"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return s[i]},set:function(o){if(typeof o<"u")return s[i]=o}})}),["getBoundingClient\
+Rect"].forEach(function(i){t[i]=function(){return e[i]()}})}Oe.prototype.getContext=function(n){if(n!=="2d")throw new Error("Unsupported type of context for SVG\
+Canvas");return this.ctx};Oe.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),e=new Blob([n],{type:"image/svg+xml;charset=\
+utf-8"});return URL.createObjectURL(e)};Oe.prototype.toDataURL=function(n,e,t){return Ha.toDataURL(this.svg,this.width,this.height,n,e,t)};Oe.prototype.addEventListener=
+function(){return this.svg.addEventListener.apply(this.svg,arguments)};Oe.prototype.getElement=function(){return this.wrapper};Oe.prototype.getAttribute=function(n){
+return this.wrapper.getAttribute(n)};Oe.prototype.setAttribute=function(n,e){this.wrapper.setAttribute(n,e)};In.Context=$a;In.Element=Oe});function _e(n){let e=Number.parseInt(n.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ro=n=>wt(n)>.2?"#111111":"#ffffff",yt=(n,e)=>`rgba(${_e(n).join(",")}\
+,${e})`,Gl=n=>{let e=n/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function wt(n){let[e,t,s]=_e(n).map(Gl);return .2126*e+.7152*t+.0722*s}function vt(n,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(n))return n;if(wt(n)<.002)return"#eceef2";let t=n;for(let s=0;wt(t)<.2&&s<1;s+=.05)t=`#${_e(n).map(i=>Math.round(i+(255-i)*s).toString(
+16).padStart(2,"0")).join("")}`;return t}var Kt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Ul(){let n=[];
+for(let e=0;e<256;e++){let t=e/255*(Kt.length-1),s=Math.min(Math.floor(t),Kt.length-2),i=_e(Kt[s]),o=_e(Kt[s+1]);n.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-s))))}
+return n}var st=Ul(),Vt=st.map(n=>`rgb(${n.join(",")})`),Kl=["#123a8c","#8a6d00"],me=(n,e)=>vt(Kl[n],e);var Re={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -670,7 +670,7 @@ esos","la restitución es 0 y la llanta ha aterrizado: con cualquier otra rebota
 taría, y sus sucesos son otros","el deslizamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","el aro sin masa (γ = 1) es un límite singula\
 r en cuanto se pierde la fuerza de contacto","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimiento no tiene respuesta desde allí","el\
  parámetro está en el borde de lo permitido","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de con\
-tacto rígido."],lo=Object.fromEntries(Object.keys(Re).map((s,e)=>[s,Jl[e]]));var Yl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
+tacto rígido."],lo=Object.fromEntries(Object.keys(Re).map((n,e)=>[n,Jl[e]]));var Yl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
 rtir de {angle}","patine à partir de {angle}","dérape à partir de {angle}","vole à partir de {angle}","effleure le plan à partir de {angle}","saute à {angl\
 e}","retombe à {angle}","rebondit à {angle}","glisse dans l’autre sens à partir de {angle}","cesse brusquement de glisser à {angle}","fait demi-tour à {an\
 gle}","finit de rebondir à {angle}","rencontre le paradoxe de Painlevé à {angle}","rencontre l’indétermination de Painlevé à {angle}","se coince à {angl\
@@ -855,7 +855,7 @@ moindre changement peut mener à d’autres événements","la restitution est nu
  commence en contact : avec la jante levée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n\
 ’a pas de borne","le cerceau sans masse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que\
  sur la frontière de deux classes","le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deu\
-x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide."],ho=Object.fromEntries(Object.keys(Re).map((s,e)=>[s,Yl[e]]));var Zl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide."],ho=Object.fromEntries(Object.keys(Re).map((n,e)=>[n,Yl[e]]));var Zl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -994,216 +994,216 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 会怎样","触发该事件的量在那里只是触及零","该运动位于两类的边界上：极小的变化就可能导致不同的事件","恢复系数为 0 且环缘已落地：只\
 要不为零它就会弹起","运动从接触开始：若环缘被抬起或抛起，它会弹跳，事件就不同了","滑动到达 p_σ = 0，那里接触力无界",
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
-处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],co=Object.fromEntries(Object.keys(Re).map((s,e)=>[
-s,Zl[e]]));var xt={de:Re,es:lo,fr:ho,zh:co};var bn=new Map;function pe(s){try{return localStorage.getItem(s)??bn.get(s)??null}catch{return bn.get(s)??null}}function fe(s,e){bn.set(s,e);try{localStorage.setItem(
-s,e)}catch{}}var Xl=s=>{let e=new Intl.DisplayNames([s],{type:"language"}).of(s)??s;return e[0].toLocaleUpperCase(s)+e.slice(1)},St=Object.fromEntries(["en",...Object.keys(xt)].
-map(s=>[s,Xl(s)])),po="hophoop-language",fo=4e3,Ql=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Jt=/\{(\w+)\}/g,Se="\
-en",go=!1,bo=[],kt=new Map,_t=new Set,it=new Set,Pe=()=>Se;function yn(s){Se=s in St?s:"en",go=1.5.toLocaleString(Se).includes(","),kt=new Map,_t=new Set,it.clear(),
-bo=Object.keys(xt[Se]??{}).filter(e=>e.includes("{")).map(th).sort((e,t)=>uo(t.key)-uo(e.key))}function eh(){let s=pe(po);return s&&s in St?s:(globalThis.navigator?.
-languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in St)??"en"}function wo(s){fe(po,s)}var uo=s=>s.replace(Jt,"").length;function th(s){let e=[...s.matchAll(
-Jt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=s=>go?
-s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function x(s,e){let t=xt[Se];if(e)return B(vo(t?.[s]??mo(s),e));if(!t||!/\p{L}/u.test(s))return ge(s);if(_t.has(s))return s;let n=kt.
-get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??sh(i,t)??mo(i),a=s.replace(i,()=>o);return kt.size>fo&&kt.clear(),kt.set(s,a),B(a)}function B(s){return _t.
-size>fo&&_t.clear(),_t.add(s),s}var yo=(s,e)=>s.replace(Jt,(t,n)=>String(e[n])),vo=(s,e)=>s.replace(Jt,(t,n)=>n.startsWith("word")?String(e[n]):x(String(e[n])));
-function sh(s,e){for(let{key:t,pattern:n,names:i}of bo){let o=s.match(n);if(o)return vo(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return nh(s)}function nh(s){
-if(s.includes(" → "))return s.split(" → ").map(e=>x(e)).join(" → ")}function xo(s){if(!xt[Se])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],
-{comma:n,stop:i}=Se==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(n);return B(
-`${a[0]?.toLocaleUpperCase(Se)??""}${a.slice(1)}${i}${t?` ${x(t)}`:""}`)}function mo(s){let e=/\p{L}{3,}/u.test(s)&&!Ql.test(s);return Se!=="en"&&e&&it.size<200&&
-it.add(s),ge(s)}var vn=new WeakMap,wn=new WeakMap;function xn(s){let e=document.createTextNode(x(s));return vn.set(e,s),e}function ot(s,e,t){let n=wn.get(s)??{};
-n[e]=t,wn.set(s,n),s.setAttribute(e,x(t))}function ih(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.
-nodeValue??"").replace(/\s+/g," ");n.trim()&&vn.set(t,n)}for(let t of s.querySelectorAll("[aria-label]"))ot(t,"aria-label",t.getAttribute("aria-label")??"");Yt(
-s)}function Yt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=vn.get(t);n!==void 0&&
-(t.nodeValue=x(n));let i=wn.get(t);for(let[o,a]of Object.entries(i??{}))t.setAttribute(o,x(a))}}yn(eh());var oh=new Set(["aria-label","title","placeholder","label"]);function m(s,e={},...t){let n=document.createElement(s),i=n;for(let[o,a]of Object.entries(e))a==null||
-a===!1||(o.startsWith("on")?n.addEventListener(o.slice(2),a):o==="class"?n.className=a:o in n&&o!=="list"&&typeof a!="string"?i[o]=a:oh.has(o)?ot(n,o,String(a)):
-n.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||n.append(o.nodeType?o:xn(String(o)));return n}function P(s,e){e?s.replaceChildren(xn(e)):s.
-replaceChildren()}var Zt=s=>s!==null&&s.getRootNode().activeElement===s,be=s=>s.getContext("2d");function V(s){let e=s.getBoundingClientRect(),t=Math.min(globalThis.
-devicePixelRatio||1,2.5),n=Math.max(Math.round(e.width*t),1),i=Math.max(Math.round(e.height*t),1);(s.width!==n||s.height!==i)&&(s.width=n,s.height=i);let o=be(s);
-return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function ah(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=be(m("canvas",{width:1,height:1}));
-e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function kn(s){let e=getComputedStyle(
-s),t=i=>e.getPropertyValue(i).trim(),n=i=>ah(t(i));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--paper"),panel:n("--panel"),ground:n("--gro\
-und"),font:t("--font"),dark:wt(n("--paper"))<.2}}function at(s,e){let t=m("a",{href:URL.createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),
-setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function S(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
-s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[i,o]=s.toExponential(e-1).split("e");n=`${ko(i)}·10${rh(Number(o))}`}else
-n=ko(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return ge(n.replace("-","−"))}function ko(s){return s.includes(".")&&!s.includes("e")?s.replace(
-/\.?0+$/,""):s}function rh(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
-"")}var C=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,U=s=>ge(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Le(s){let e=Math.abs(s),[t,n]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return C(S(s*t,3),n)}function J(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),i=t/n;return(i>5?10:i>2?5:i>1?
-2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=J(e-s,t),i=[];for(let o=Math.ceil(s/n-1e-9);o*n<=e+1e-9*n&&i.length<
-200;o++)i.push(o*n);return i}function oe(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):ge((Math.abs(s)<e*1e-6?
-0:s).toFixed(t).replace("-","−"))}var So=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],lh="tfc",hh=/^[0-9a-f]{16}$/,ch=400;function Eo({time:s=0,options:e={},zoom:t=1,
-pan:n=[0,0],from:i,more:o,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Number(s.toFixed(4))}`);let c=So.filter(([u])=>e[u]).map(([,u])=>u);return c.join(
-"")!==lh&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),n.some(u=>Math.abs(u)>5e-4)&&l.push(`pan=${n.map(u=>Number(u.toFixed(3))).
+处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],co=Object.fromEntries(Object.keys(Re).map((n,e)=>[
+n,Zl[e]]));var xt={de:Re,es:lo,fr:ho,zh:co};var bs=new Map;function pe(n){try{return localStorage.getItem(n)??bs.get(n)??null}catch{return bs.get(n)??null}}function fe(n,e){bs.set(n,e);try{localStorage.setItem(
+n,e)}catch{}}var Ql=n=>{let e=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return e[0].toLocaleUpperCase(n)+e.slice(1)},Et=Object.fromEntries(["en",...Object.keys(xt)].
+map(n=>[n,Ql(n)])),po="hophoop-language",fo=4e3,Xl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Jt=/\{(\w+)\}/g,Ee="\
+en",go=!1,bo=[],kt=new Map,_t=new Set,it=new Set,Pe=()=>Ee;function ys(n){Ee=n in Et?n:"en",go=1.5.toLocaleString(Ee).includes(","),kt=new Map,_t=new Set,it.clear(),
+bo=Object.keys(xt[Ee]??{}).filter(e=>e.includes("{")).map(th).sort((e,t)=>uo(t.key)-uo(e.key))}function eh(){let n=pe(po);return n&&n in Et?n:(globalThis.navigator?.
+languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in Et)??"en"}function wo(n){fe(po,n)}var uo=n=>n.replace(Jt,"").length;function th(n){let e=[...n.matchAll(
+Jt)].map(([,s])=>s),t=n.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:n,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=n=>go?
+n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function x(n,e){let t=xt[Ee];if(e)return $(vo(t?.[n]??mo(n),e));if(!t||!/\p{L}/u.test(n))return ge(n);if(_t.has(n))return n;let s=kt.
+get(n);if(s!==void 0)return s;let i=n.trim(),o=t[i]??nh(i,t)??mo(i),a=n.replace(i,()=>o);return kt.size>fo&&kt.clear(),kt.set(n,a),$(a)}function $(n){return _t.
+size>fo&&_t.clear(),_t.add(n),n}var yo=(n,e)=>n.replace(Jt,(t,s)=>String(e[s])),vo=(n,e)=>n.replace(Jt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));
+function nh(n,e){for(let{key:t,pattern:s,names:i}of bo){let o=n.match(s);if(o)return vo(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return sh(n)}function sh(n){
+if(n.includes(" → "))return n.split(" → ").map(e=>x(e)).join(" → ")}function xo(n){if(!xt[Ee])return n;let[,e,t]=n.match(/^(.*?)\.(?: (.*))?$/su)??["",n,""],
+{comma:s,stop:i}=Ee==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return $(
+`${a[0]?.toLocaleUpperCase(Ee)??""}${a.slice(1)}${i}${t?` ${x(t)}`:""}`)}function mo(n){let e=/\p{L}{3,}/u.test(n)&&!Xl.test(n);return Ee!=="en"&&e&&it.size<200&&
+it.add(n),ge(n)}var vs=new WeakMap,ws=new WeakMap;function xs(n){let e=document.createTextNode(x(n));return vs.set(e,n),e}function ot(n,e,t){let s=ws.get(n)??{};
+s[e]=t,ws.set(n,s),n.setAttribute(e,x(t))}function ih(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=(t.
+nodeValue??"").replace(/\s+/g," ");s.trim()&&vs.set(t,s)}for(let t of n.querySelectorAll("[aria-label]"))ot(t,"aria-label",t.getAttribute("aria-label")??"");Yt(
+n)}function Yt(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=vs.get(t);s!==void 0&&
+(t.nodeValue=x(s));let i=ws.get(t);for(let[o,a]of Object.entries(i??{}))t.setAttribute(o,x(a))}}ys(eh());var oh=new Set(["aria-label","title","placeholder","label"]);function m(n,e={},...t){let s=document.createElement(n),i=s;for(let[o,a]of Object.entries(e))a==null||
+a===!1||(o.startsWith("on")?s.addEventListener(o.slice(2),a):o==="class"?s.className=a:o in s&&o!=="list"&&typeof a!="string"?i[o]=a:oh.has(o)?ot(s,o,String(a)):
+s.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||s.append(o.nodeType?o:xs(String(o)));return s}function P(n,e){e?n.replaceChildren(xs(e)):n.
+replaceChildren()}var Zt=n=>n!==null&&n.getRootNode().activeElement===n,be=n=>n.getContext("2d");function V(n){let e=n.getBoundingClientRect(),t=Math.min(globalThis.
+devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),i=Math.max(Math.round(e.height*t),1);(n.width!==s||n.height!==i)&&(n.width=s,n.height=i);let o=be(n);
+return o.setTransform(t,0,0,t,0,0),{context:o,width:s/t,height:i/t}}function ah(n){if(/^#[0-9a-f]{6}$/i.test(n))return n;let e=be(m("canvas",{width:1,height:1}));
+e.fillStyle=n,e.fillRect(0,0,1,1);let[t,s,i]=e.getImageData(0,0,1,1).data;return`#${[t,s,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function ks(n){let e=getComputedStyle(
+n),t=i=>e.getPropertyValue(i).trim(),s=i=>ah(t(i));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
+und"),font:t("--font"),dark:wt(s("--paper"))<.2}}function at(n,e){let t=m("a",{href:URL.createObjectURL(n),download:e});document.body.append(t),t.click(),t.remove(),
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(n,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(n,e)}}var _=(n,e,t)=>Math.min(Math.max(n,e),t);function E(n,e=4){if(n==null)return"–";if(typeof n!="number")return String(n);if(!Number.isFinite(n))return Number.isNaN(
+n)?"–":n>0?"∞":"−∞";if(n===0)return"0";let t=Math.abs(n),s;if(t>=1e6||t<1e-4){let[i,o]=n.toExponential(e-1).split("e");s=`${ko(i)}·10${rh(Number(o))}`}else
+s=ko(n.toPrecision(e)),s.includes("e")&&(s=String(Math.round(n)));return ge(s.replace("-","−"))}function ko(n){return n.includes(".")&&!n.includes("e")?n.replace(
+/\.?0+$/,""):n}function rh(n){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(n)].map(t=>e[t]).join(
+"")}var q=(n,e)=>e?e==="°"?`${n}°`:`${n} ${e}`:n,G=n=>ge(`${(n*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Ce(n){let e=Math.abs(n),[t,s]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return q(E(n*t,3),s)}function J(n,e){let t=n/Math.max(e,1),s=10**Math.floor(Math.log10(t)),i=t/s;return(i>5?10:i>2?5:i>1?
+2:1)*s}function le(n,e,t){if(!(e>n)||!Number.isFinite(n)||!Number.isFinite(e))return[];let s=J(e-n,t),i=[];for(let o=Math.ceil(n/s-1e-9);o*s<=e+1e-9*s&&i.length<
+200;o++)i.push(o*s);return i}function oe(n,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(n),e)>=1e6||t>12?E(n,3):ge((Math.abs(n)<e*1e-6?
+0:n).toFixed(t).replace("-","−"))}var Eo=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],lh="tfc",hh=/^[0-9a-f]{16}$/,ch=400;function Mo({time:n=0,options:e={},zoom:t=1,
+pan:s=[0,0],from:i,more:o,map:a,fingerprints:r=[]}){let l=[];n>0&&l.push(`t=${Number(n.toFixed(4))}`);let c=Eo.filter(([u])=>e[u]).map(([,u])=>u);return c.join(
+"")!==lh&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),s.some(u=>Math.abs(u)>5e-4)&&l.push(`pan=${s.map(u=>Number(u.toFixed(3))).
 join(",")}`),i&&l.push(`from=${i.map(u=>Number(u.toPrecision(3))).join(",")}`),o&&l.push(`more=${o}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
-Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function To(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
-0&&(t.time=n);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(So.map(([y,v])=>[y,i.includes(v)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=
+Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function So(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={},s=Number(e.get("t")??Number.NaN);s>=
+0&&(t.time=s);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(Eo.map(([y,v])=>[y,i.includes(v)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=
 _(o,.05,60));let a=_o(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=_o(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,
 f]=e.get("map")?.split(",")??[],b=[h,d,g,f].map(Number);f!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]});
-let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>hh.test(y)?y:"")),t}function _o(s,e){let t=(s??"").split(",").map(Number);
-return s&&t.length===e&&t.every(Number.isFinite)?t:null}var uh=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
-...s===null?[]:[s]]},Xt=class{constructor(e){this.lab=e,this.number=0,this.soon=ie(()=>this.write("same"),ch),this.listen=()=>this.arrived(),addEventListener("p\
+let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>hh.test(y)?y:"")),t}function _o(n,e){let t=(n??"").split(",").map(Number);
+return n&&t.length===e&&t.every(Number.isFinite)?t:null}var uh=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
+...n===null?[]:[n]]},Qt=class{constructor(e){this.lab=e;this.number=0;this.soon=ie(()=>this.write("same"),ch),this.listen=()=>this.arrived(),addEventListener("p\
 opstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length||!t.motions.history.holds(t.motions.
-queries()))return;let n=t.link();e==="step"?history.pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(
-t=>{let n=()=>t();addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=uh();JSON.stringify(
-t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var Et=[.05,.1,.25,.5,1,2,4],Qt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+queries()))return;let s=t.link();e==="step"?history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(
+t=>{let s=()=>t();addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=uh();JSON.stringify(
+t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var Mt=[.05,.1,.25,.5,1,2,4],Xt=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.playing=!1;this.loop=!0;this.last=null;this.listeners=new Set}changed(){
 for(let e of this.listeners)e(this)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(e){let t=Et.indexOf(this.speed);this.speed=Et[_(t+e,0,Et.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+duration&&(this.time=0),this.changed()}faster(e){let t=Mt.indexOf(this.speed);this.speed=Mt[_(t+e,0,Mt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
-this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function dh(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
-(i,o,a)=>`e${o&&"-"}${a.normalize("NFKD")}`);let n=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return n?n[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function mh(s,e,{label:t,unit:n,range:i}){let o=s.trim();if(Number.isNaN(e))return`${t} = ${o} must be a number, s\
-uch as 2.5.`;if(!i||e>=i.least&&e<=i.most||i.also.includes(e))return"";let a=i.also.includes(0)?"0 or ":"",r=`from ${S(i.least,4)} to ${C(S(i.most,4),n)}`,l=i.also.
-includes(1/0)?", or inf":"";return`${t} = ${C(S(e,6),n)} must be ${a}${r}${l}.`}var ph=0,rt=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
-typing=!1,this.error=m("p",{class:"error",role:"alert",id:`hh-error-${++ph}`,hidden:!0}),this.input=m("input",{type:"text",inputmode:"decimal",autocomplete:"off",
-spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:n=>{
-n.key!=="Escape"||!(this.typing||this.refused())||(n.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=dh(e,this.info.unit),n=mh(e,t,this.info);n?this.refuse(
-n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
+this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function dh(n,e=""){let t=n.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+(i,o,a)=>`e${o&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
+test(t)?Number(t.replace(",",".")):Number.NaN}function mh(n,e,{label:t,unit:s,range:i}){let o=n.trim();if(Number.isNaN(e))return`${t} = ${o} must be a number, s\
+uch as 2.5.`;if(!i||e>=i.least&&e<=i.most||i.also.includes(e))return"";let a=i.also.includes(0)?"0 or ":"",r=`from ${E(i.least,4)} to ${q(E(i.most,4),s)}`,l=i.also.
+includes(1/0)?", or inf":"";return`${t} = ${q(E(e,6),s)} must be ${a}${r}${l}.`}var ph=0,rt=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
+typing=!1;this.error=m("p",{class:"error",role:"alert",id:`hh-error-${++ph}`,hidden:!0});this.input=m("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
+s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=dh(e,this.info.unit),s=mh(e,t,this.info);s?this.refuse(
+s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=ge(e),this.typing||this.restore()}};var Mo={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+input.value=this.shown,this.accept()}show(e){this.shown=ge(e),this.typing||this.restore()}};var To={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
 ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},fh={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},gh=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function Ao(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
-max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:es(t*(1-n)),inner_radius:es(.98*e),outer_radius:e},{shape:"point_mass",mass:es(t*n),at:e}]}var es=s=>Number(
-s.toPrecision(6)),ts=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=m("div",{class:"parts"}),this.element=m("div",{},this.list,m("select",
-{"aria-label":"Add a part",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,gh(n,this.radius,es(.2*this.mass))])}},m("option",{value:""},
-"+ add a part …"),Object.entries(Mo).map(([t,{label:n}])=>m("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let i=JSON.stringify(
-e);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:i,parts:e,radius:t,mass:n}),this.list.
-replaceChildren(...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:n,keys:i}=Mo[e.shape];return m("fieldset",{class:"part"},m("legend",{},n,this.parts.length>1&&
-m("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${n}`,onclick:()=>this.send(this.parts.filter((o,a)=>a!==t))},"×")),i.map(o=>this.field(
-e,t,o)))}field(e,t,n){let[i,o]=fh[n],a=new rt({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),m("div",
-{},m("label",{},`${i} [${o}]`,a.input),a.error)}};var _n=Math.PI/180;function bh({allowed:s,degrees:e}){if(!s)return;let t=e?1/_n:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
-var Sn=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
-range=m("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
+dius","m"],at:["distance from centre","m"],length:["length","m"]},gh=(n,e,t)=>({ring:{shape:n,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:n,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:n,mass:t,at:e},rod:{shape:n,mass:t,length:.5*e,at:.5*e}})[n];function Ao(n){let e=n["hoop.radius"],t=n["hoop.mass"],s=Math.min(Math.
+max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:en(t*(1-s)),inner_radius:en(.98*e),outer_radius:e},{shape:"point_mass",mass:en(t*s),at:e}]}var en=n=>Number(
+n.toPrecision(6)),tn=class{constructor(e){this.onchange=e;this.list=m("div",{class:"parts"});this.element=m("div",{},this.list,m("select",{"aria-label":"Add a p\
+art",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,gh(s,this.radius,en(.2*this.mass))])}},m("option",{value:""},"+ add a part \
+…"),Object.entries(To).map(([t,{label:s}])=>m("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let i=JSON.stringify(e);if(i===this.
+text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:i,parts:e,radius:t,mass:s}),this.list.replaceChildren(
+...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:s,keys:i}=To[e.shape];return m("fieldset",{class:"part"},m("legend",{},s,this.parts.length>1&&m("button",{type:"\
+button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((o,a)=>a!==t))},"×")),i.map(o=>this.field(e,t,o)))}field(e,t,s){
+let[i,o]=fh[s],a=new rt({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),m("div",{},m("label",{},`${i}\
+ [${o}]`,a.input),a.error)}};var _s=Math.PI/180;function bh({allowed:n,degrees:e}){if(!n)return;let t=e?1/_s:1;return{least:n.least*t,most:n.most*t,also:n.also.map(s=>s==="inf"?1/0:Number(s))}}
+var Es=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
+range=m("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:i(!0),onpointerup:i(!1),onpointercancel:i(!1),onblur:i(!1)});let{label:o,unit:a}=e,r=`${o}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new rt({label:o,unit:a,name:r,range:bh(e)},l=>this.send(l,!0)),this.element=m("div",{class:"control",title:e.help},m("label",{for:n},m("\
+n ${a}`:""}`;this.entry=new rt({label:o,unit:a,name:r,range:bh(e)},l=>this.send(l,!0)),this.element=m("div",{class:"control",title:e.help},m("label",{for:s},m("\
 span",{},o),m("span",{class:"symbol"},e.symbol)),this.range,m("span",{class:"entry"},this.entry.input,m("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
-this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(n)),this.say(n),this.send(n,e)}send(e,t){
-let n=this.info.degrees?e*_n:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",C(S(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?_n:1);this.
-entry.show(n?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":x("auto {value}",{value:S(o,2)}),this.entry.input.title=
-n?C(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(o)}};function wh(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
-o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ss=class{way;kind;gravity;apart;derived;film;constructor(e,t){
-this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new Sn(i,this.onchange));this.choices=
-new Map(e.choices.map(n=>[n.path,wh(n,this.onchange)])),this.parts=new ts(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.
-hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
-element}of(e,t={}){return[...this.sliders.keys(),...this.choices.keys()].filter(n=>n.startsWith(`${e}.`)).flatMap(n=>[...t[n]??[],this.at(n)])}select(e,t,n){let i=m(
-"select",{onchange:()=>n(i.value)},t.map(([o,a])=>m("option",{value:o},a)));return{select:i,element:m("label",{class:"choice"},m("span",{},e),i)}}group(e,...t){
-let n=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return m("details",{class:"group",open:n},m("summary",{},e),t)}hoop(){return this.way=
-this.select("Given by",[["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange(
-[["hoop.parts",Ao(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=m("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.
-of("hoop",{"hoop.radius":[this.parts.element,this.derived]}))}plane(){this.apart=m("input",{type:"checkbox",onchange:()=>{let{values:n}=this.film;this.apart.checked?
-this.onchange([["plane.mu_static",n["plane.mu_static"]],["plane.mu_kinetic",n["plane.mu_kinetic"]]]):this.onchange([["plane.mu",n["plane.mu_static"]]])}}),this.
-gravity=this.select("Where",[...this.gravities.map(([n])=>[n,n]),["","elsewhere"]],n=>{let i=this.gravities.find(([o])=>o===n);i&&this.onchange([["plane.gravity",
-i[1]]])});let t={"plane.slope":[m("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group(
-"Plane",...this.of("plane",t))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="ro\
-lling"?this.onchange([["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,...this.of("start"),
-this.at("duration"))}contact(){return this.group("Contact",this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffnes\
-s"),this.at("contact.slip_speed"),this.at("contact.restitution"))}refuse(e,t){let n=e.length===1?this.sliders.get(e[0][0]):void 0;return n?.element.checkVisibility()?
-(n.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let n=e.scenario;for(let[
-i,o]of this.sliders){if(t.has(i))continue;let[a,r]=i.split(".");o.show(e.values[i]??(r?n[a]?.[r]:n[a]),e.automatic?.[i])}}showChoices(e,t){let{scenario:n,values:i}=e,
-o=n.hoop.parts?"parts":"load_fraction"in n.hoop?"load_fraction":"eccentricity",a="speed"in n.start,r="mu_static"in n.plane,l=n.contact.model==="compliant",c=(...p)=>p.
-some(g=>t.has(g));c("hoop.load_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.value=o),c("start.speed","start.omega")||(this.kind.select.value=a?
-"rolling":"free"),c("plane.mu","plane.mu_static")||(this.apart.checked=r);let u=this.gravities.find(([,p])=>Math.abs(p-n.plane.gravity)<1e-9);c("plane.gravity")||
-(this.gravity.select.value=u?u[0]:"");let h={"hoop.load_fraction":o==="load_fraction","hoop.eccentricity":o==="eccentricity","hoop.inertia_ratio":o==="eccentric\
-ity","hoop.mass":o!=="parts","plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.spee\
-d":a,"start.height":!a,"start.vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.r\
-estitution":l};for(let[p,g]of Object.entries(h))this.at(p).hidden=!g;this.parts.element.hidden=o!=="parts",n.hoop.parts&&this.parts.show(n.hoop.parts,i["hoop.ra\
-dius"],i["hoop.mass"]),this.derived.textContent=o==="eccentricity"?"":`ε = ${S(i["hoop.eccentricity"],5)}, κ = ${S(i["hoop.inertia_ratio"],5)}`+(o==="parts"?`\
-, m = ${S(i["hoop.mass"],5)} kg`:"");let d=n;for(let[p,{select:g}]of this.choices){if(t.has(p))continue;let[f,b]=p.split(".");d[f]?.[b]!==void 0&&(g.value=d[f][b])}}};var En=Math.PI/180;function zo(s,e){let{start:t,plane:n,contact:i,hoop:o}=s.scenario;return i.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
-be level.":Math.abs(s.gravity-9.81)>1e-9?"It must be on Earth.":(n.restitution??0)!==0?"Restitution must be 0.":s.radius!==1||o.parts?"The radius must stay 1 m,\
- without parts.":s.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in o?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Ro=s=>s.events.filter(
-({kind:e})=>e==="takeoff");function yh(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Po=(s,e)=>Math.min(Math.round(100*s/e),100),vh=1.596,
-xh=.37,kh=.05,Tn=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=zo(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...yh(s));return t?{points:Po(t,vh),text:"It rises by {height}.",values:{height:Le(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
+let s=this.info.degrees?e*_s:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",q(E(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,i=s?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?_s:1);this.
+entry.show(s?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:E(o,2)}),this.entry.input.title=
+s?q(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(o)}};function wh(n,e){let t=m("select",{"data-path":n.path,onchange:()=>e([[n.path,t.value]],!0)},n.options.map(([i,o])=>m("option",{value:i},
+o)));return{element:m("label",{class:"choice",title:n.help},m("span",{},n.label),t),select:t,path:n.path}}var nn=class{constructor(e,t){this.sliders=new Map;this.
+onchange=(s,i=!0)=>t(s,i);for(let s of Object.values(e.groups))for(let i of s)this.sliders.set(i.path,new Es(i,this.onchange));this.choices=new Map(e.choices.map(
+s=>[s.path,wh(s,this.onchange)])),this.parts=new tn(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.hoop(),this.plane(),this.
+start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.element}of(e,t={}){return[
+...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(`${e}.`)).flatMap(s=>[...t[s]??[],this.at(s)])}select(e,t,s){let i=m("select",{onchange:()=>s(
+i.value)},t.map(([o,a])=>m("option",{value:o},a)));return{select:i,element:m("label",{class:"choice"},m("span",{},e),i)}}group(e,...t){let s=e==="Start"||e==="P\
+lane"||!matchMedia("(max-width: 760px)").matches;return m("details",{class:"group",open:s},m("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[[
+"load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",Ao(
+t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=m("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
+radius":[this.parts.element,this.derived]}))}plane(){this.apart=m("input",{type:"checkbox",onchange:()=>{let{values:s}=this.film;this.apart.checked?this.onchange(
+[["plane.mu_static",s["plane.mu_static"]],["plane.mu_kinetic",s["plane.mu_kinetic"]]]):this.onchange([["plane.mu",s["plane.mu_static"]]])}}),this.gravity=this.select(
+"Where",[...this.gravities.map(([s])=>[s,s]),["","elsewhere"]],s=>{let i=this.gravities.find(([o])=>o===s);i&&this.onchange([["plane.gravity",i[1]]])});let t={"\
+plane.slope":[m("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group("Plane",...this.
+of("plane",t))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.onchange(
+[["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,...this.of("start"),this.at("duration"))}contact(){
+return this.group("Contact",this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),
+this.at("contact.restitution"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){
+this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[i,o]of this.sliders){if(t.has(i))continue;
+let[a,r]=i.split(".");o.show(e.values[i]??(r?s[a]?.[r]:s[a]),e.automatic?.[i])}}showChoices(e,t){let{scenario:s,values:i}=e,o=s.hoop.parts?"parts":"load_fractio\
+n"in s.hoop?"load_fraction":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...p)=>p.some(g=>t.has(g));c("hoop.loa\
+d_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.value=o),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu",
+"plane.mu_static")||(this.apart.checked=r);let u=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=u?
+u[0]:"");let h={"hoop.load_fraction":o==="load_fraction","hoop.eccentricity":o==="eccentricity","hoop.inertia_ratio":o==="eccentricity","hoop.mass":o!=="parts",
+"plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start\
+.vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,g]of Object.
+entries(h))this.at(p).hidden=!g;this.parts.element.hidden=o!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=
+o==="eccentricity"?"":`ε = ${E(i["hoop.eccentricity"],5)}, κ = ${E(i["hoop.inertia_ratio"],5)}`+(o==="parts"?`, m = ${E(i["hoop.mass"],5)} kg`:"");let d=s;for(let[
+p,{select:g}]of this.choices){if(t.has(p))continue;let[f,b]=p.split(".");d[f]?.[b]!==void 0&&(g.value=d[f][b])}}};var Ms=Math.PI/180;function Lo(n,e){let{start:t,plane:s,contact:i,hoop:o}=n.scenario;return i.model!=="rigid"?"Rigid contact only.":n.slope!==0?"The plane must \
+be level.":Math.abs(n.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":n.radius!==1||o.parts?"The radius must stay 1 m,\
+ without parts.":n.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in o?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
+m/s.":"At most 3.1 m/s.":n.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Ro=n=>n.events.filter(
+({kind:e})=>e==="takeoff");function yh(n){return n.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Po=(n,e)=>Math.min(Math.round(100*n/e),100),vh=1.596,
+xh=.37,kh=.05,Ss=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:n=>{let e=Lo(n,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...yh(n));return t?{points:Po(t,vh),text:"It rises by {height}.",values:{height:Ce(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=Ro(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<kh)return{points:0,text:"The first hop is too low."};let i=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/En,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
-from the top.",values:{off:U(i*En)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:n=>{let e=Ro(n)[0],t=n.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let s=n.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<kh)return{points:0,text:"The first hop is too low."};let i=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Ms,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
+from the top.",values:{off:G(i*Ms)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=zo(s,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*En)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Ro(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
-({from:o})=>o<t.t);if(n.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:Po(i.height,xh),text:"It rises by {height}.",values:{height:Le(i.height)}}:{points:0,
-text:"It does not hop."}}}],Mn=s=>s>=95?3:s>=75?2:s>=40?1:0;var Lo="hophoop-best-",_h=s=>"★".repeat(Mn(s))+"☆".repeat(3-Mn(s)),ns=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Tn.map(t=>[t.key,m("button",
-{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=m("p",{}),this.meter=m("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
-100","aria-label":"Score"}),this.result=m("p",{class:"challenge-result",role:"status"}),this.kept=m("p",{class:"hint"}),this.element=m("section",{class:"challen\
-ges card","aria-label":"Challenges",hidden:!0},m("header",{},m("h2",{},"Challenges"),m("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
-onclick:()=>this.close()},"×")),m("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
-kept,m("div",{class:"buttons"},m("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),m("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Tn[0]),this.element.scrollIntoView({block:"nearest"}),
-this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,n]of this.tabs)n.setAttribute(
-"aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let n=await t.backend.call("film",{query:e});t.clock.play(
-!1),t.clock.time=0,t.motions.replace(n)}catch(n){t.notice.fail(n)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:n,text:i,values:o={}}=e.score(t.film());
-this.meter.value=n;let a=x("{stars} {points} points. {what}",{stars:_h(n),points:n,what:x(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-pe(Lo+e.key)??0);n>r&&!t.stage.options.ahead&&fe(Lo+e.key,String(n)),P(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var No=.09,Sh=.03,An=Math.PI/180,is=Math.PI/4,Oo=2*Math.PI,Tt=s=>s-Oo*Math.round(s/Oo);function os(s,e){let t=s.at(e),n=e===0;return{angle:Tt(t.angle),height:Math.
-max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var qo=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Ne=s=>Number(s.toFixed(4))+0;function Io(s,e,t){
-if(s==="plane")return[["plane.slope",Ne(e.slope)]];if(e.height>0)return[["start.angle",Ne(e.angle)],["start.height",Ne(e.height)],["start.vx",Ne(e.vx)],["start.\
-vy",Ne(e.vy)],["start.omega",Ne(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Ne(e.angle)],["start.speed",Ne(n)]]}var Mt=class{constructor(e,t,n,i,o){
-this.grip=e,this.film=t,this.view=i,this.before=os(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
-i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
-atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
-let n=this.read(e),{radius:i}=this.film;if(this.turned+=Tt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-is,is);
-this.held.slope=Math.abs(o)<An?0:o}else if(this.grip==="load")this.held.angle=Tt(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
-this.held.height=o<Sh*i?0:o;let a=n.along-this.from.along;this.held.angle=Tt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-No;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>No,c=qo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
-a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Co(s,e,t,n,i){let o={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=Tt(n.angle+(o||a)*5*An*r);return{...n,angle:h}}if(s===
-"plane"){let h=_(n.slope+(o||-a)*An*r,-is,is);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=qo(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
-l);return{...n,height:c<1e-9?0:c,vx:u}}function Y(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
-n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function jo(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
-...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
-addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),n=t.size===2?i():null)}),s.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
-(t.set(a.pointerId,a),t.size!==2||!n))return;let r=i();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
-n=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var Eh=700,zn=44,Th=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],as=class{static Pull=Mt;pull=null;held=null;before=null;constructor(e){this.
-lab=e,this.places=new Map(Th.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=m("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=m("div",
-{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:n}=e.
-stage;t.grab=o=>this.take(o),n.addEventListener("pointermove",o=>this.hover(o)),n.addEventListener("pointerleave",()=>this.hover(null));let i=o=>this.pull&&o.cancelable&&
-o.preventDefault();n.addEventListener("touchmove",i,{passive:!1}),this.settle=ie(()=>this.chosen(!1),Eh)}place(e,t,n){return m("div",{class:`grip grip-${e}`,role:"\
-slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
-flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.
-toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),
-u=this.onPlane(t),h=_(1.1*r*a,zn,190),d=[["plane",u,zn],["hoop",l,h],["load",c,zn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
-e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
-point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
-let t=this.pull?.held??this.held??os(e,this.lab.clock.time),n={load:U(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Le(t.height),speed:S(t.vx,3)}),plane:U(
-t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
-r.getAttribute("aria-valuetext")!==n[a]&&(r.setAttribute("aria-valuetext",n[a]),r.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),r.setAttribute(
-"aria-valuemin",String(o[a][0])),r.setAttribute("aria-valuemax",String(Number(o[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
-for(let[n,i]of this.places){let{left:o,top:a,width:r}=i.getBoundingClientRect(),l=Math.hypot(e.clientX-o-r/2,e.clientY-a-r/2);!i.hidden&&l<=r/2&&(t=n)}return t}hover(e){
-if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[n,i]of this.places)i.classList.toggle("near",n===t);this.lab.stage.plane.style.cursor=
-t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:n}=this,{flat:i,plane:o}=n.stage,a=this.places.get(t),r=this.view(),l=o.getBoundingClientRect(),
-c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),u=new Mt(t,n.film(),n.clock.time,r,c(e)),h=[...i.shift],[d,p]=[!1,!1];this.pull=u,a.classList.add(
-"held");let g=()=>{p=!0,f.abort(),a.classList.remove("held"),i.fixed=null,this.pull=null,d&&this.comeBack(h)},f=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),
-g(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:f.signal}),Y(o,e,w=>{if(!p){if(i.pinched()){g(),d&&this.back();return}!d&&Math.hypot(
-w.clientX-e.clientX,w.clientY-e.clientY)<3||(d||(i.fixed=r.scale,this.hold(),this.begin()),d=!0,u.move(c(w),w.timeStamp),i.shift=[h[0]+u.moved,h[1]],this.change(
-t,u.held,!1),this.show(t,u.held))}},(w,y)=>{p||(g(),d&&(y?(this.change(t,u.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:n}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=os(n.film(),n.clock.time);let i=Co(
-e,t.key,t.shiftKey,this.held,n.film());if(!i)return;this.before===null&&(this.hold(),this.begin()),this.held=i,this.change(e==="load"?"hoop":e,i,!1),this.show(e,
-i),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
-ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,n){this.lab.motions.change(Io(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${U(t.angle)}`,
-hoop:t.height>0?`y = ${Le(t.height)}`:`θ = ${U(t.angle)}`,plane:`β = ${U(t.slope)}`};P(this.tip,t.vx&&this.held?`${n[e]}, v = ${S(t.vx,3)} m/s`:n[e]),this.tip.
-hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
-!0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
-request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let n=e.motions.lanes[e.motions.active];for(n.pending=null;n.busy;)await new Promise(
-i=>requestAnimationFrame(i));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(i){e.notice.fail(i)}}comeBack(e){let{flat:t}=this.lab.stage,n=matchMedia(
-"(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)return;let o=t.shift[0]-e[0];t.shift=Math.abs(o)<1||n?[...e]:[e[0]+.82*o,e[1]],this.lab.request(),
-t.shift[0]!==e[0]&&requestAnimationFrame(i)};i()}};var Mh={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:n=>{let e=Lo(n,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(n.scenario.start.angle??0)-Math.PI)>.5*Ms)return{points:0,text:"The load must start at the bottom."};if(n.values["plane.mu_kinetic"]>1.5||n.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Ro(n)[0];if(!t)return{points:0,text:"It does not hop."};let s=n.phases.filter(
+({from:o})=>o<t.t);if(s.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
+ng."};let i=n.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:Po(i.height,xh),text:"It rises by {height}.",values:{height:Ce(i.height)}}:{points:0,
+text:"It does not hop."}}}],Ts=n=>n>=95?3:n>=75?2:n>=40?1:0;var Co="hophoop-best-",_h=n=>"★".repeat(Ts(n))+"☆".repeat(3-Ts(n)),sn=class{constructor(e){this.lab=e;this.goal=null;this.tabs=new Map(Ss.map(t=>[t.key,m("b\
+utton",{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=m("p",{}),this.meter=m("meter",{min:"0",max:"100",low:"40",high:"\
+75",optimum:"100","aria-label":"Score"}),this.result=m("p",{class:"challenge-result",role:"status"}),this.kept=m("p",{class:"hint"}),this.element=m("section",{class:"\
+challenges card","aria-label":"Challenges",hidden:!0},m("header",{},m("h2",{},"Challenges"),m("button",{type:"button",class:"quiet","aria-label":"Leave the chal\
+lenges",onclick:()=>this.close()},"×")),m("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,
+this.kept,m("div",{class:"buttons"},m("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),m("button",{type:"button",onclick:()=>this.
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Ss[0]),this.element.scrollIntoView({block:"nearest"}),
+this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
+"aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
+!1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:i,values:o={}}=e.score(t.film());
+this.meter.value=s;let a=x("{stars} {points} points. {what}",{stars:_h(s),points:s,what:x(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+pe(Co+e.key)??0);s>r&&!t.stage.options.ahead&&fe(Co+e.key,String(s)),P(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var zo=.09,Eh=.03,As=Math.PI/180,on=Math.PI/4,No=2*Math.PI,St=n=>n-No*Math.round(n/No);function an(n,e){let t=n.at(e),s=e===0;return{angle:St(t.angle),height:Math.
+max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:n.slope}}var Oo=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),ze=n=>Number(n.toFixed(4))+0;function Io(n,e,t){
+if(n==="plane")return[["plane.slope",ze(e.slope)]];if(e.height>0)return[["start.angle",ze(e.angle)],["start.height",ze(e.height)],["start.vx",ze(e.vx)],["start.\
+vy",ze(e.vy)],["start.omega",ze(e.omega)]];let s=n==="load"?e.omega*t.radius:e.vx;return[["start.angle",ze(e.angle)],["start.speed",ze(s)]]}var Tt=class{constructor(e,t,s,i,o){
+this.grip=e;this.film=t;this.view=i;this.turned=0;this.trail=[];this.moved=0;this.before=an(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.
+center=[a.x,t.radius+a.height],this.foot=i.point(a.x,0),this.from=this.read(o)}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
+atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:i}}move(e,t){
+let s=this.read(e),{radius:i}=this.film;if(this.turned+=St(s.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-on,on);
+this.held.slope=Math.abs(o)<As?0:o}else if(this.grip==="load")this.held.angle=St(this.before.angle+this.turned);else{let o=this.before.height+s.away-this.from.away;
+this.held.height=o<Eh*i?0:o;let a=s.along-this.from.along;this.held.angle=St(this.before.angle+(this.held.height>0?0:a/i)),this.moved=s.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-zo;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:s,film:i}=this,o=s.at(-1),a=s[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>zo,c=Oo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
+a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function qo(n,e,t,s,i){let o={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(n==="load"){let h=St(s.angle+(o||a)*5*As*r);return{...s,angle:h}}if(n===
+"plane"){let h=_(s.slope+(o||-a)*As*r,-on,on);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=Oo(i),c=_(s.height+a*.05*r*i.radius,0,4*i.radius),u=_(s.vx+o*.1*r,-l,
+l);return{...s,height:c<1e-9?0:c,vx:u}}function Y(n,e,t,s=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>n.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
+s(c,l)};n.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Fo(n,e){let t=new Map,s=null,i=()=>{let[a,r]=[
+...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};n.
+addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?i():null)}),n.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
+(t.set(a.pointerId,a),t.size!==2||!s))return;let r=i();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])n.addEventListener(a,r=>{t.delete(r.pointerId),
+s=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return n.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var Mh=700,Ls=44,Sh=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],rn=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
+null;this.places=new Map(Sh.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=m("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=m("div",{
+class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
+stage;t.grab=o=>this.take(o),s.addEventListener("pointermove",o=>this.hover(o)),s.addEventListener("pointerleave",()=>this.hover(null));let i=o=>this.pull&&o.cancelable&&
+o.preventDefault();s.addEventListener("touchmove",i,{passive:!1}),this.settle=ie(()=>this.chosen(!1),Mh)}static{this.Pull=Tt}place(e,t,s){return m("div",{class:`\
+grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){
+return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;
+this.element.classList.toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.
+height+r*Math.cos(i.angle)),u=this.onPlane(t),h=_(1.1*r*a,Ls,190),d=[["plane",u,Ls],["hoop",l,h],["load",c,Ls]];for(let[p,[g,f],b]of d){let w=this.places.get(p);
+w.style.transform=`translate(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.
+tell(o)}onPlane(e){let t=e.point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.
+point(e.pose.x+i,0)}tell(e){let t=this.pull?.held??this.held??an(e,this.lab.clock.time),s={load:G(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Ce(t.
+height),speed:E(t.vx,3)}),plane:G(t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[
+-45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(
+i[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(o[a][0])),r.setAttribute("aria-valuemax",String(Number(o[a][1].toPrecision(4)))))}under(e){if(this.
+element.hidden)return null;let t=null;for(let[s,i]of this.places){let{left:o,top:a,width:r}=i.getBoundingClientRect(),l=Math.hypot(e.clientX-o-r/2,e.clientY-a-r/
+2);!i.hidden&&l<=r/2&&(t=s)}return t}hover(e){if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,i]of this.places)i.classList.toggle(
+"near",s===t);this.lab.stage.plane.style.cursor=t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:i,plane:o}=s.
+stage,a=this.places.get(t),r=this.view(),l=o.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),u=new Tt(t,s.film(),s.clock.
+time,r,c(e)),h=[...i.shift],[d,p]=[!1,!1];this.pull=u,a.classList.add("held");let g=()=>{p=!0,f.abort(),a.classList.remove("held"),i.fixed=null,this.pull=null,d&&
+this.comeBack(h)},f=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),g(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:f.
+signal}),Y(o,e,w=>{if(!p){if(i.pinched()){g(),d&&this.back();return}!d&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||(d||(i.fixed=r.scale,this.hold(),
+this.begin()),d=!0,u.move(c(w),w.timeStamp),i.shift=[h[0]+u.moved,h[1]],this.change(t,u.held,!1),this.show(t,u.held))}},(w,y)=>{p||(g(),d&&(y?(this.change(t,u.release(
+w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.
+key==="Enter")this.chosen(!0);else{this.held??=an(s.film(),s.clock.time);let i=qo(e,t.key,t.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.
+hold(),this.begin()),this.held=i,this.change(e==="load"?"hoop":e,i,!1),this.show(e,i),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.
+play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.
+motions.change(Io(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${G(t.angle)}`,hoop:t.height>0?`y = ${Ce(t.height)}`:`θ = ${G(t.angle)}`,plane:`β = ${G(
+t.slope)}`};P(this.tip,t.vx&&this.held?`${s[e]}, v = ${E(t.vx,3)} m/s`:s[e]),this.tip.hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change(
+[],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.
+seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)
+return;let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(i=>requestAnimationFrame(i));try{e.motions.replace(await e.backend.call(
+"film",{query:t}))}catch(i){e.notice.fail(i)}}comeBack(e){let{flat:t}=this.lab.stage,s=matchMedia("(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)
+return;let o=t.shift[0]-e[0];t.shift=Math.abs(o)<1||s?[...e]:[e[0]+.82*o,e[1]],this.lab.request(),t.shift[0]!==e[0]&&requestAnimationFrame(i)};i()}};var Th={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Z(s){let e="\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Z(n){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let n=document.createElementNS(e,"path");return n.setAttribute("d",Mh[s]),t.append(n),t}function Rn(s){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{wo(e.value),yn(e.value),s()}},Object.entries(St).map(([t,n])=>m("option",
-{value:t,lang:t},document.createTextNode(n))));return e.value=Pe(),e}var Do={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Th[n]),t.append(s),t}function Rs(n){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{wo(e.value),ys(e.value),n()}},Object.entries(Et).map(([t,s])=>m("option",
+{value:t,lang:t},document.createTextNode(s))));return e.value=Pe(),e}var Do={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
 {path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
@@ -1423,7 +1423,7 @@ file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","pl\
 ane.mu_static","plane.mu_kinetic","plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start\
-.vx","start.vy","start.omega"]};var E=Do,$e=s=>s==="inf"?1/0:s;var k={sources:"67265e6a6ce7c7c493ea343a4d7cb47b",module:"0be4fbd308f1e46d",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+.vx","start.vy","start.omega"]};var M=Do,je=n=>n==="inf"?1/0:n;var k={sources:"67265e6a6ce7c7c493ea343a4d7cb47b",module:"0be4fbd308f1e46d",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -1446,127 +1446,127 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 "skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
 ond","at"],impact_laws:["newton","poisson","stronge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painl\
 eve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["complete\
-d","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Fe=s=>Object.fromEntries(s.map((e,t)=>[e,t])),$o=Fe(k.cell),we=Fe(k.heads),H=Fe(k.events),Pn=Fe(k.samples),Fo=Fe(k.changes),Bo=Fe(k.numbers),Ln=Fe(k.words);
-function lt(s){let e=new Float64Array(k.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="number")),law:k.impact_laws.indexOf(s.
-impact_law),strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return k.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function Nn(s){let e=t=>t??Number.NaN;
-return Float64Array.of(k.laws.indexOf(s.law),k.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
-e(s.rtol))}var Rh=Object.entries(E.words.events),Ee=Object.fromEntries(Rh.map(([s,{label:e}])=>[s,e])),Wo=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var Ph=new Set(k.passing),Lh=3,Nh=1e-10;function Oh(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&o==="apex"&&(n<0||c>s[n].
-height)&&(n=i),!Ph.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=[i,-1]));return e}var rs=class{constructor(e,t,n){
-let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=i??o,this.step=i?n:
--n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||qh(i,o))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+Fo[t]]:Number.NaN}of(e,t){return this.
-step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Oh(this.events.slice(0,this.count)).map(({begin:e,
-top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.step*(this.rate(n,o)-this.rate(e,o));return{begin:e,end:n,height:this.of(t<0?e:t,"height"),distance:i("x"),duration:i(
-"t")}})}};function qh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Uo(s,e){let t=Math.abs(s);if(e===
-"°")return C(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?C(S(t,3),e):C(S(o*t,3),`${a}${e}`)}var ls=(s,e)=>Math.
-abs(s)>Nh*Math.max(e,.001);function Go(s,e){return Number.isFinite(s)?ls(s,1)?`${s>0?"+":"−"}${Uo(s,e)}`:"0":"–"}function On(s){let e=s.filter(([t])=>Number.
-isFinite(t)&&ls(t,1)).map(([t,n,i,o])=>x(t>0?i:o,{amount:Uo(t,n)})).join(Pe()==="zh"?"，":", ");return B(e)}var Ho=["m","{amount} further to the right","{amoun\
-t} further to the left"],Ih=["s","{amount} later","{amount} earlier"];function Ko(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[r,{begin:l,end:c,height:u,distance:h,
-duration:d}]of i.slice(0,Lh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=On([[u,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
-er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);g&&n.push(i.length>1?x(
-"Hop {number}: {list}.",{number:r+1,list:g}):x("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=On(
-[[s.of(o,"t"),...Ih],[s.of(o,"x"),...Ho]]);r&&n.push(x("The first event, {what}: {list}.",{what:x(Ee[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
-let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=On([[s.of(a,"x"),...Ho],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(x("At the end, after {time} s: {list}.",
-{time:S(e[a].t,4),list:l}))}return n}var Be=E.words.signs,hs=Object.keys(Be);function Vo(s,e=11){let n=[...s.filter(({kind:o})=>o in Be)].sort((o,a)=>hs.indexOf(o.kind)-hs.indexOf(a.kind)||o.x-a.x),
-i=[];for(let{kind:o,x:a}of n){let r=hs.indexOf(o)<hs.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
-x-(l[0].x+e))<e-1e-9)?l[0].mark!==Be[o]&&i.push({mark:Be[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Be[o],x:a,rare:r,hidden:0})}return i.sort(
-(o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Jo(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
-c)<1e-6?h.wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,
+d","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var He=n=>Object.fromEntries(n.map((e,t)=>[e,t])),jo=He(k.cell),we=He(k.heads),W=He(k.events),Ps=He(k.samples),Ho=He(k.changes),$o=He(k.numbers),Cs=He(k.words);
+function lt(n){let e=new Float64Array(k.cell.length),t={...Object.fromEntries(Object.entries(n).filter(([,s])=>typeof s=="number")),law:k.impact_laws.indexOf(n.
+impact_law),strike:+(n.painleve==="impact"),ideal:Number(n.ideal),allowed:1};return k.cell.forEach((s,i)=>{e[i]=t[s]??0}),e}function zs(n){let e=t=>t??Number.NaN;
+return Float64Array.of(k.laws.indexOf(n.law),k.friction_laws.indexOf(n.friction),e(n.stiffness),e(n.damping),e(n.restitution),e(n.slip_speed),e(n.tangential_stiffness),
+e(n.rtol))}var Rh=Object.entries(M.words.events),Me=Object.fromEntries(Rh.map(([n,{label:e}])=>[n,e])),Bo=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var Ph=new Set(k.passing),Ch=3,zh=1e-10;function Nh(n){let e=[],t=-1,s=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of n.entries())t>=0&&o==="apex"&&(s<0||c>n[s].
+height)&&(s=i),!Ph.has(o)&&(t>=0&&a==="H"&&l>n[t].t&&(e.push({begin:t,top:s,end:o==="end"?-1:i}),t=s=-1),r==="H"&&o!=="end"&&([t,s]=[i,-1]));return e}var ln=class{constructor(e,t,s){
+let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=i??o,this.step=i?s:
+-s,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Oh(i,o))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+Ho[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Nh(this.events.slice(0,this.count)).map(({begin:e,
+top:t,end:s})=>{let i=o=>s<0?Number.NaN:this.step*(this.rate(s,o)-this.rate(e,o));return{begin:e,end:s,height:this.of(t<0?e:t,"height"),distance:i("x"),duration:i(
+"t")}})}};function Oh(n,e){return n!==e&&(n?.rates.some((t,s)=>Number.isFinite(t)!==Number.isFinite(e?.rates[s]))??!1)}function Go(n,e){let t=Math.abs(n);if(e===
+"°")return q(E(t*180/Math.PI,3),"°");let s=t<.0995,i=t<9995e-8,[o,a]=s?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?q(E(t,3),e):q(E(o*t,3),`${a}${e}`)}var hn=(n,e)=>Math.
+abs(n)>zh*Math.max(e,.001);function Uo(n,e){return Number.isFinite(n)?hn(n,1)?`${n>0?"+":"−"}${Go(n,e)}`:"0":"–"}function Ns(n){let e=n.filter(([t])=>Number.
+isFinite(t)&&hn(t,1)).map(([t,s,i,o])=>x(t>0?i:o,{amount:Go(t,s)})).join(Pe()==="zh"?"，":", ");return $(e)}var Wo=["m","{amount} further to the right","{amoun\
+t} further to the left"],Ih=["s","{amount} later","{amount} earlier"];function Ko(n){let{events:e,count:t}=n,s=[],i=n.hops();for(let[r,{begin:l,end:c,height:u,distance:h,
+duration:d}]of i.slice(0,Ch).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Ns([[u,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+er"],[d,"s","{amount} more in the air","{amount} less in the air"],[n.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);g&&s.push(i.length>1?x(
+"Hop {number}: {list}.",{number:r+1,list:g}):x("The hop: {list}.",{list:g}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Ns(
+[[n.of(o,"t"),...Ih],[n.of(o,"x"),...Wo]]);r&&s.push(x("The first event, {what}: {list}.",{what:x(Me[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*n.of(a,"vx"),l=Ns([[n.of(a,"x"),...Wo],[r,"m/s","{amount} faster","{amount} slower"]]);l&&s.push(x("At the end, after {time} s: {list}.",
+{time:E(e[a].t,4),list:l}))}return s}var $e=M.words.signs,cn=Object.keys($e);function Vo(n,e=11){let s=[...n.filter(({kind:o})=>o in $e)].sort((o,a)=>cn.indexOf(o.kind)-cn.indexOf(a.kind)||o.x-a.x),
+i=[];for(let{kind:o,x:a}of s){let r=cn.indexOf(o)<cn.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==$e[o]&&i.push({mark:$e[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:$e[o],x:a,rare:r,hidden:0})}return i.sort(
+(o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Jo(n,e,t){let s=[],i=new Map,o=-1,a=(l,c,u)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+c)<1e-6?h.wide+=u:s.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of n){let[h,
 d]=[Math.max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){
-let f=Math.floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var Yo=.7,Zo=34,Ch=3,jh=400,Dh=8,qn=13;function Xo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,jh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
-of(a,"x"),dy:s.of(a,"height")}))}function Qo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&ls(r,e)).sort((r,l)=>r-l);if(!n.length)
-return 0;let i=Math.max(Yo*e,Zo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function ea(s,e,t){
-let n=[],i=Ch*Math.max(Yo*s.film.radius,Zo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
-d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
-g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;n.some(T=>Math.abs(T.base-y)<qn-1&&T.low<w&&T.high>b);)y-=qn;if(g[1]-y>Dh*qn)continue;n.push({low:b,high:w,base:y});
-let v=y-g[1];$h(s,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:Be[o]??""})}}function $h({context:s,look:e},t,n,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
-hypot(n[0]-l[0],n[1]-l[1]),[u,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=g,s.fillStyle=g,
-s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=f,s.setLineDash(a?[5,6]:[]),s.beginPath(),
-s.moveTo(l[0],l[1]),s.lineTo(n[0]-u*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
-f>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-u*d-h*d*.55,n[1]-h*d+u*d*.55),s.lineTo(n[0]-u*d+h*d*.55,n[1]-h*d-u*d*.55),s.closePath(),s.stroke(),s.fill());
-s.lineCap="butt";let p=o?r:"?";p&&(s.font=`600 11px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,l[0],l[1]-
-7),s.fillText(p,l[0],l[1]-7))}var ta=Math.PI/180,Fh=100,sa="plane.mu",Bh=/^(contact\.|duration$)/,Wh=200,cs=E.reasons;function na(s,e){return s.textContent=e,s}var us=class{on=!1;path=sa;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
-this.lab=e,this.later=ie(()=>this.fetch(),Fh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
-onclick:()=>this.turn()},"Arrows"),this.picked=m("select",{onchange:()=>this.pick(this.picked.value)}),this.step=m("span",{class:"more-step"}),this.take=m("butt\
-on",{type:"button",onclick:()=>this.apply()},"Do it"),this.said=m("ul",{class:"more-said"}),this.reason=m("p",{class:"more-reason",hidden:!0}),this.scale=m("p",
-{class:"hint"}),this.body=m("tbody",{}),this.rows=m("details",{class:"more-events"},m("summary",{},"Every event, by this step"),m("div",{class:"table-scroll",tabindex:"\
-0",role:"region","aria-label":"What changes at every event"},m("table",{},m("thead",{},m("tr",{},["event","time","place","height","load angle"].map(t=>m("th",{scope:"\
-col"},t)))),this.body))),this.element=m("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},m("header",{},m("h2",{},"What a litt\
-le more would do"),m("button",{type:"button",onclick:()=>this.turn(!1)},"Close")),m("div",{class:"more-asked"},m("label",{},m("span",{},"A little more"),this.picked),
-this.step,this.take),this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let i=e.root.classList.contains("guessing");if(!this.on||i||n!==e.motions.
-active)return;let o=Qo(this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&ea(t,this.arrows,o||1),o!==this.factor&&(this.factor=
-o,this.tellScale())}}turn(e=!this.on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",
-e?this.changed(!0):this.forget(),this.lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.
-lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!Bh.test(t.path)).map(({info:t})=>t)}parameter(){
-let{values:e,scenario:t}=this.lab.film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[i,o]=n.path.split("."),a=e[n.path]??t[i][o];return{
-info:n,value:Number(a==="inf"?1/0:a),step:n.step*(n.degrees?ta:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();
-let{query:t}=this.lab.film();this.known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.
-path)||(this.path=e.find(({path:n})=>n.startsWith(sa))?.path??e[0].path);let t=e.map(({label:n,symbol:i})=>`${x(n)} ${i}`);t.join()!==this.texts&&(this.texts=t.
-join(),this.picked.replaceChildren(...e.map(({path:n},i)=>na(m("option",{value:n}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=
-null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;
-let{signal:o}=this.asked;if(this.known=`${t} ${n.query}`,!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.
-changes)return this.refuse("This needs a browser that runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,o);if(o.aborted||e.film()!==n)return;if(!a)
-return this.refuse(cs.edge);this.changes=new rs(n,a,i.step),this.arrows=Xo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortEr\
-ror"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.
-rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
-t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>C(S(n.degrees?c/ta:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
-disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=Ko(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>na(
-m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(B([`${x(n.label)}\
- ${a}.`,...r,l&&x(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),
-this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":x("The arrows in the \
-picture lead from where the rim touches to where it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){
-let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=x(Ee[r]??r),u=x(cs[n.reason]);return B(x("From {what} at \
-{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?B(x("To one side only: {reason}.",{reason:x(cs.edge)})):a?B(x("To one side only: \
-{reason}.",{reason:x(cs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Go(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
-"span",{"aria-hidden":"true"},l),B(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Wh)).
-map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},Ee[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
-a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
-t]],!0)}};var ds=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
-this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
-show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ia=.22,oa=.03;function aa(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function ra(s,e,t){let n=Math.
-sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/n,.02,1))}function Hh(s){
-let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ms=class{static heard=aa;static knocks=ra;context=null;on=!1;last=0;start(){
-let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Hh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
-ass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),n.connect(i).connect(
-a).connect(e.destination),t.start(),n.start(),this.context=e,Object.assign(this,{tone:t,low:o,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
-resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:n}=this[e];n.setTargetAtTime(ia*t,this.context.currentTime,oa)}follow(e,t){if(!this.
-on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:n,pitch:i,hiss:o}=aa(e,t.time);if(this.set("low",n),
-this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,oa),t.time>this.last)for(let a of ra(e,this.last,t.time))this.knock(a);this.
-last=t.time}knock(e){let t=this.context,n=t.currentTime,i=t.createGain();i.gain.setValueAtTime(2.2*ia*Math.sqrt(e),n),i.gain.exponentialRampToValueAtTime(1e-4,n+
-.18);let o=t.createOscillator();o.frequency.setValueAtTime(190,n),o.frequency.exponentialRampToValueAtTime(60,n+.15),o.connect(i).connect(t.destination),o.start(
-n),o.stop(n+.2)}close(){this.context?.close()}};var In=Math.PI/180,Q=s=>e=>e.columns[s],At=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(i,o)=>e(n,o,t))),G={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:At("degrees",({angle:s},e)=>s[e]/In)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:At(
-"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/In/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/In-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:Q("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:Q("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:At(
-"rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:Q("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:At("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:Q(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:Q("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:Q("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:Q("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:Q("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:Q("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:Q("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:Q("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:At("total",({kinetic:s,potential:e},t)=>s[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:Q("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:Q("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Q("rolling_resistance")}},la=({name:s,symbol:e})=>[
-s," ",e];var Uh=["time","angle","x","vx","spin","normal_force","friction_force"],Gh=[1,.5,.2,.1,.05,.02,.01],Cn=601;function ha(s,e,t){let n=Math.min(Math.floor(s.duration/
-t+1e-9)+1,Cn),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Kh(s,r,a))})}return i}function Kh(s,e,t){
-if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let i=n.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
-i/360);let o=G[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var ps=class{film;rows=[];now;constructor(e){
-this.lab=e,this.columns=[...Uh],this.step=m("select",{onchange:()=>this.fill()},Gh.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
-m("div",{class:"table-picks"},Object.entries(G).filter(([t])=>t!=="time").map(([t,{name:n}])=>this.pick(t,n))),this.caption=m("caption",{}),this.head=m("thead",
-{}),this.body=m("tbody",{}),this.element=m("section",{class:"table","aria-label":"Table of the motion",hidden:!0},m("header",{},m("h2",{},"Table"),m("label",{class:"\
-table-step"},m("span",{},"Every"),this.step),m("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),m("button",{type:"button",onclick:()=>this.open(!1)},
-"Close")),m("details",{class:"table-columns"},m("summary",{},"Columns"),this.picks),m("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
- of the motion, rows"},m("table",{},this.caption,this.head,this.body)))}pick(e,t){let n=m("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
-let i=new Set(this.columns);n.checked?i.add(e):i.delete(e),this.columns=Object.keys(G).filter(o=>i.has(o)),this.fill()}});return m("label",{},n,m("span",{},t))}open(e){
+let f=Math.floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),s}var Yo=.7,Zo=34,qh=3,Fh=400,Dh=8,Os=13;function Qo(n){let{events:e,count:t}=n;return e.slice(0,Math.min(t,Fh)).map(({kind:s,x:i,height:o},a)=>({kind:s,x:i,y:o,dx:n.
+of(a,"x"),dy:n.of(a,"height")}))}function Xo(n,e,t){let s=n.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&hn(r,e)).sort((r,l)=>r-l);if(!s.length)
+return 0;let i=Math.max(Yo*e,Zo/t)/s[Math.floor(s.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function ea(n,e,t){
+let s=[],i=qh*Math.max(Yo*n.film.radius,Zo/n.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
+d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=n.point(a,r),f=n.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>n.width+20)continue;let[b,w]=[Math.min(
+g[0],f[0])-12,Math.max(g[0],f[0])+12],y=g[1];for(;s.some(S=>Math.abs(S.base-y)<Os-1&&S.low<w&&S.high>b);)y-=Os;if(g[1]-y>Dh*Os)continue;s.push({low:b,high:w,base:y});
+let v=y-g[1];jh(n,g,[f[0],f[1]+v],v,{known:u,broken:d<1,mark:$e[o]??""})}}function jh({context:n,look:e},t,s,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
+hypot(s[0]-l[0],s[1]-l[1]),[u,h]=c>0?[(s[0]-l[0])/c,(s[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[g,f]of[[e.paper,6.5],[e.ink,2.5]])n.strokeStyle=g,n.fillStyle=g,
+n.lineCap="round",i&&(n.lineWidth=f>3?3:1,n.beginPath(),n.moveTo(t[0],t[1]),n.lineTo(l[0],l[1]),n.stroke()),n.lineWidth=f,n.setLineDash(a?[5,6]:[]),n.beginPath(),
+n.moveTo(l[0],l[1]),n.lineTo(s[0]-u*d,s[1]-h*d),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
+f>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-u*d-h*d*.55,s[1]-h*d+u*d*.55),n.lineTo(s[0]-u*d+h*d*.55,s[1]-h*d-u*d*.55),n.closePath(),n.stroke(),n.fill());
+n.lineCap="butt";let p=o?r:"?";p&&(n.font=`600 11px ${e.font}`,n.textAlign="center",n.lineWidth=3,n.strokeStyle=e.paper,n.fillStyle=e.ink,n.strokeText(p,l[0],l[1]-
+7),n.fillText(p,l[0],l[1]-7))}var ta=Math.PI/180,Hh=100,na="plane.mu",$h=/^(contact\.|duration$)/,Bh=200,un=M.reasons;function sa(n,e){return n.textContent=e,n}var dn=class{constructor(e){this.
+lab=e;this.on=!1;this.path=na;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
+ie(()=>this.fetch(),Hh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
+"Arrows"),this.picked=m("select",{onchange:()=>this.pick(this.picked.value)}),this.step=m("span",{class:"more-step"}),this.take=m("button",{type:"button",onclick:()=>this.
+apply()},"Do it"),this.said=m("ul",{class:"more-said"}),this.reason=m("p",{class:"more-reason",hidden:!0}),this.scale=m("p",{class:"hint"}),this.body=m("tbody",
+{}),this.rows=m("details",{class:"more-events"},m("summary",{},"Every event, by this step"),m("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
+What changes at every event"},m("table",{},m("thead",{},m("tr",{},["event","time","place","height","load angle"].map(t=>m("th",{scope:"col"},t)))),this.body))),
+this.element=m("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},m("header",{},m("h2",{},"What a little more would do"),m("but\
+ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),m("div",{class:"more-asked"},m("label",{},m("span",{},"A little more"),this.picked),this.step,this.take),
+this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,s)=>{let i=e.root.classList.contains("guessing");if(!this.on||i||s!==e.motions.active)return;let o=Xo(
+this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&ea(t,this.arrows,o||1),o!==this.factor&&(this.factor=o,this.tellScale())}}turn(e=!this.
+on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",e?this.changed(!0):this.forget(),this.
+lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.lab.address?.soon()}offered(){return[
+...this.lab.controls.sliders.values()].filter(({info:t,element:s})=>!s.hidden&&!$h.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
+film(),s=this.offered().find(({path:r})=>r===this.path);if(!s)return null;let[i,o]=s.path.split("."),a=e[s.path]??t[i][o];return{info:s,value:Number(a==="inf"?1/0:
+a),step:s.step*(s.degrees?ta:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
+known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:s})=>s===this.path)||(this.path=e.find(({path:s})=>s.
+startsWith(na))?.path??e[0].path);let t=e.map(({label:s,symbol:i})=>`${x(s)} ${i}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
+map(({path:s},i)=>sa(m("option",{value:s}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
+if(!this.on)return;let{lab:e,path:t}=this,s=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:o}=this.asked;if(this.known=
+`${t} ${s.query}`,!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This nee\
+ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(s.scenario,t,o);if(o.aborted||e.film()!==s)return;if(!a)return this.refuse(un.edge);this.
+changes=new ln(s,a,i.step),this.arrows=Qo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!o.aborted&&this.refuse(l)}
+e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,
+this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||
+!t)return;let{info:s,value:i}=t,o=c=>q(E(s.degrees?c/ta:c,5),s.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
+this.scale.hidden=!1;let r=Ko(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>sa(m("li",{}),c)));let l=this.
+why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say($([`${x(s.label)} ${a}.`,...r,l&&x(l)].filter(
+Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),this.three=e}tellScale(){
+let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":x("The arrows in the picture lead from where t\
+he rim touches to where it would, {factor} times as long.",{factor:E(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:s,events:i,
+edge:o,sided:a}=e;if(t>=0&&s){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=x(Me[r]??r),u=x(un[s.reason]);return $(x("From {what} at {time} s on no derivative: {r\
+eason}.",{what:c,time:E(l,4),reason:u}))}return o?$(x("To one side only: {reason}.",{reason:x(un.edge)})):a?$(x("To one side only: {reason}.",{reason:x(un.sided)})):
+""}fill(e){let t=(i,o,a)=>{let r=Uo(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m("span",{"aria-hidden":"true"},l),
+$(r))},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Bh)).map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.
+lab.clock.seek(o)},m("th",{scope:"row"},Me[i]??i,m("small",{},` ${E(o,4)} s`)),s.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
+!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var mn=class{constructor(e){this.lab=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("\
+fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
+lab.show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),
+this.full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ia=.22,oa=.03;function aa(n,e){let t=n.at(e),s=n.mass*(n.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,o=i/(1+i),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function ra(n,e,t){let s=Math.
+sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/s,.02,1))}function Wh(n){
+let e=n.createBuffer(1,n.sampleRate,n.sampleRate),t=e.getChannelData(0),s=1;for(let i=0;i<t.length;i++)s=s*16807%2147483647,t[i]=2*s/2147483647-1;return e}var pn=class{constructor(){
+this.context=null;this.on=!1;this.last=0}static{this.heard=aa}static{this.knocks=ra}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.
+createBufferSource();s.buffer=Wh(e),s.loop=!0;let i=e.createBiquadFilter();i.type="bandpass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];
+o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),s.connect(i).connect(a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(
+this,{tone:t,low:o,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){
+let{gain:s}=this[e];s.setTargetAtTime(ia*t,this.context.currentTime,oa)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
+"high",0),this.last=t.time;return}let{tone:s,pitch:i,hiss:o}=aa(e,t.time);if(this.set("low",s),this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.
+context.currentTime,oa),t.time>this.last)for(let a of ra(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,s=t.currentTime,i=t.createGain();
+i.gain.setValueAtTime(2.2*ia*Math.sqrt(e),s),i.gain.exponentialRampToValueAtTime(1e-4,s+.18);let o=t.createOscillator();o.frequency.setValueAtTime(190,s),o.frequency.
+exponentialRampToValueAtTime(60,s+.15),o.connect(i).connect(t.destination),o.start(s),o.stop(s+.2)}close(){this.context?.close()}};var Is=Math.PI/180,X=n=>e=>e.columns[n],At=(n,e)=>t=>t.derived(n,s=>Float64Array.from(t.t,(i,o)=>e(s,o,t))),U={time:{name:"time",symbol:"t",unit:"s",values:n=>n.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:At("degrees",({angle:n},e)=>n[e]/Is)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:At(
+"within",({angle:n},e)=>{let t=s=>Math.floor(n[s]/Is/360);return e>0&&t(e)!==t(e-1)?Number.NaN:n[e]/Is-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:X("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:X("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:At(
+"rise",({height:n,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+n[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:X("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:At("spin",({omega:n},e,t)=>n[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:X(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:X("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:X("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:X("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:X("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:X("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:X("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:X("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:At("total",({kinetic:n,potential:e},t)=>n[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:X("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:X("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:X("rolling_resistance")}},la=({name:n,symbol:e})=>[
+n," ",e];var Gh=["time","angle","x","vx","spin","normal_force","friction_force"],Uh=[1,.5,.2,.1,.05,.02,.01],qs=601;function ha(n,e,t){let s=Math.min(Math.floor(n.duration/
+t+1e-9)+1,qs),i=[];for(let o=0;o<s;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:n.at(a).mode,values:e.map(r=>Kh(n,r,a))})}return i}function Kh(n,e,t){
+if(e==="time")return t;let s=n.at(t);if(e in s&&e!=="angle")return s[e];let i=s.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
+i/360);let o=U[e].values(n),a=n.index(t),r=Math.min(a+1,n.length-1),l=n.t[r]>n.t[a]?(t-n.t[a])/(n.t[r]-n.t[a]):0;return o[a]+l*(o[r]-o[a])}var fn=class{constructor(e){
+this.lab=e;this.rows=[];this.columns=[...Gh];this.step=m("select",{onchange:()=>this.fill()},Uh.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value=
+"0.1",this.picks=m("div",{class:"table-picks"},Object.entries(U).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=m("caption",{}),this.
+head=m("thead",{}),this.body=m("tbody",{}),this.element=m("section",{class:"table","aria-label":"Table of the motion",hidden:!0},m("header",{},m("h2",{},"Table"),
+m("label",{class:"table-step"},m("span",{},"Every"),this.step),m("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),m("button",{type:"button",onclick:()=>this.
+open(!1)},"Close")),m("details",{class:"table-columns"},m("summary",{},"Columns"),this.picks),m("div",{class:"table-scroll",tabindex:"0",role:"region","aria-lab\
+el":"Table of the motion, rows"},m("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=m("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
+let i=new Set(this.columns);s.checked?i.add(e):i.delete(e),this.columns=Object.keys(U).filter(o=>i.has(o)),this.fill()}});return m("label",{},s,m("span",{},t))}open(e){
 this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
-element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>G[c]);this.head.
+element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>U[c]);this.head.
 replaceChildren(m("tr",{},o.map(({name:c,symbol:u,unit:h})=>m("th",{scope:"col",title:c},u,h&&m("small",{},` ${h}`))),m("th",{scope:"col"},"mode")));let a=ha(e,
-t,n);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((d,p)=>p===0?m("th",{scope:"row"},S(d,4)):m("td",
-{},S(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=Cn+1e-6,l=x("The first {count}\
- rows.",{count:Cn});P(this.caption,r?e.summary:B(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
-let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("\
-now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(o=>`${G[o].name} [${G[o].unit||"1"}]`),"mode"],i=ha(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
-...a,o].join(","));at(new Blob([[n.join(","),...i,""].join(`\r
+t,s);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:m("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((d,p)=>p===0?m("th",{scope:"row"},E(d,4)):m("td",
+{},E(d,4))),m("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=qs+1e-6,l=x("The first {count}\
+ rows.",{count:qs});P(this.caption,r?e.summary:$(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
+now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(o=>`${U[o].name} [${U[o].unit||"1"}]`),"mode"],i=ha(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
+...a,o].join(","));at(new Blob([[s.join(","),...i,""].join(`\r
 `)],{type:"text/csv"}),"hophoop-table.csv")}};var ca="hoop.radius=0.4&duration=1.5&start.speed=",Vh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
@@ -1581,492 +1581,491 @@ nly the smallest push and rolls. How much potential energy has been set free whe
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Zh=["1.0","1.3","1.6","1.9","2.2","2.3"],Xh=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ua(s,e){
-let t=u=>{c.close(),s(u)},n=(u,h="Show")=>m("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=Xh(),o=i&&[["teach/index.html","Teaching with the hoop"],
+rim slips. Why does slipping help it to hop?"],Zh=["1.0","1.3","1.6","1.9","2.2","2.3"],Qh=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ua(n,e){
+let t=u=>{c.close(),n(u)},s=(u,h="Show")=>m("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=Qh(),o=i&&[["teach/index.html","Teaching with the hoop"],
 ["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=m("table",{},m("caption",{},"A lesson of 45 mi\
 nutes"),m("thead",{},m("tr",{},["Minute","What happens","Motion"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Vh.map(([u,h,d])=>m("tr",{},m("th",{scope:"row"},
-u),m("td",{},h),m("td",{},d===null?"":n(d)))))),r=m("table",{},m("caption",{},"What students often think"),m("thead",{},m("tr",{},["Idea","What is right"].map(u=>m(
+u),m("td",{},h),m("td",{},d===null?"":s(d)))))),r=m("table",{},m("caption",{},"What students often think"),m("thead",{},m("tr",{},["Idea","What is right"].map(u=>m(
 "th",{scope:"col"},u)))),m("tbody",{},Jh.map(([u,h])=>m("tr",{},m("td",{},u),m("td",{},h))))),l=m("section",{class:"sheet"},m("h3",{},"Worksheet: the hoop that \
 hops"),m("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
 e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),m("ol",{},Yh.map(u=>m("li",{},u,m("div",{class:"answer-line"})))),m("table",{class:"sheet-\
 table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(u=>m("th",{scope:"col"},u)))),m("tbody",{},Zh.map(u=>m("tr",{},m("th",
-{scope:"row"},n(`${ca}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
+{scope:"row"},s(`${ca}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
 For teachers"),m("button",{type:"button",onclick:()=>print()},"Print"),m("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),m("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",m("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var jn="RSKHM",Qh=new Set(["x","angle","height"]),ec=1/60,da=8,tc={x:"vx",angle:"omega",height:"vy"},Oe=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
-this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??null,this.events=t.events,this.values=
-t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.
-t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=
-this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.
-part=null}wanted(e,t=0){if(this.duration<ec*this.length)return null;let n=_(e,0,this.duration),i=Math.min(n+t,this.duration);if(this.part&&n>=this.part.t[0]&&i<=
-this.part.t[this.part.length-1])return null;let o=Math.max(n-.25*da,0);return[o,Math.min(o+da+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(
-this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return xo(
-this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let i=t.at(-1);i&&i.mode===jn[e[n]]?i.to=this.t[n]:t.push({mode:jn[e[n]],from:this.
-t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)t[n].to=t[n+1].from;return t.filter(n=>n.to>n.from||t.length===1)}findExtent(){let{x:e,height:t,vx:n,vy:i,omega:o}=this.
-columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,
-e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(n[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(
-.95*(r.length-1))]||1,a}index(e){let t=0,n=this.length;for(;n-t>1;){let i=t+n>>1;this.t[i]<=e?t=i:n=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,
-from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,
-from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.at(t);let i=this.index(
-t),o=Math.min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:jn[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){
-if(c==="t"||c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(Qh.has(c)){let p=this.columns[tc[c]];l[c]=sc(h,d,p[i]*a,p[o]*a,r)}else
-l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function sc(s,e,t,n,i){if(!Number.isFinite(t)||!Number.
-isFinite(n))return s+(e-s)*i;let o=1-i;return o*o*(1+2*i)*s+i*i*(3-2*i)*e+i*o*(o*t-i*n)}var Fn=s=>s-360*Math.floor(s/360);function nc(s,e){let t=Math.abs(Fn(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ic(s,e){let t=Math.max(...e)-
-Math.min(...e,0),n=e.reduce((i,o,a)=>i+Math.abs(o-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var oc=0;function Pt(s,e,t=!1){let n=`hh-guess-${++oc}`,
-i="",o=s.map(([a,r])=>{let l=m("input",{type:"radio",name:n,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
+e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Fs="RSKHM",Xh=new Set(["x","angle","height"]),ec=1/60,da=8,tc={x:"vx",angle:"omega",height:"vy"},Ne=class{constructor(e){this.cache=new Map;this.part=null;let{
+header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??null,
+this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.
+columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["\
+hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent()}wanted(e,t=0){
+if(this.duration<ec*this.length)return null;let s=_(e,0,this.duration),i=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&i<=this.part.t[this.part.length-
+1])return null;let o=Math.max(s-.25*da,0);return[o,Math.min(o+da+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.
+t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return xo(this.said)}findPhases(){let{
+mode:e}=this.columns,t=[];for(let s=0;s<this.length;s++){let i=t.at(-1);i&&i.mode===Fs[e[s]]?i.to=this.t[s]:t.push({mode:Fs[e[s]],from:this.t[s],to:this.t[s]})}
+for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:i,omega:o}=this.columns,a={
+left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>
+a.top&&(a.top=t[l]);let c=Math.hypot(s[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(.95*(r.length-
+1))]||1,a}index(e){let t=0,s=this.length;for(;s-t>1;){let i=t+s>>1;this.t[i]<=e?t=i:s=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.
+length}];let[t,s]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,from:0,to:e.
+length},{film:this,from:this.index(s)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let i=this.index(t),o=Math.
+min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:Fs[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){if(c==="t"||
+c==="mode")continue;let h=u[i],d=u[o];if(r===0||!Number.isFinite(d))l[c]=h;else if(Xh.has(c)){let p=this.columns[tc[c]];l[c]=nc(h,d,p[i]*a,p[o]*a,r)}else l[c]=h+
+(d-h)*r}return l}derived(e,t){let s=this.cache.get(e)??t(this.columns);return this.cache.set(e,s),s}};function nc(n,e,t,s,i){if(!Number.isFinite(t)||!Number.isFinite(
+s))return n+(e-n)*i;let o=1-i;return o*o*(1+2*i)*n+i*i*(3-2*i)*e+i*o*(o*t-i*s)}var Hs=n=>n-360*Math.floor(n/360);function sc(n,e){let t=Math.abs(Hs(n-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ic(n,e){let t=Math.max(...e)-
+Math.min(...e,0),s=e.reduce((i,o,a)=>i+Math.abs(o-n[a]),0)/e.length;return Math.round(100*_(1-2*s/(t||1),0,1))}var oc=0;function Pt(n,e,t=!1){let s=`hh-guess-${++oc}`,
+i="",o=n.map(([a,r])=>{let l=m("input",{type:"radio",name:s,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:m("label",{class:"guess-choice"},l,m("span",
 {},r))}});return{element:m("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
-row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var Te=168,Rt=58,
-Dn=(s,e=Rt)=>{let t=s*Math.PI/180;return[Te/2+e*Math.sin(t),Te/2-e*Math.cos(t)]};function Bn(s,e){let t=0,n=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=V(o),h=getComputedStyle(
-a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,Te,Te),u.strokeStyle=p,u.fillStyle=
-p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,Te/2+Rt),u.lineTo(Te-8,Te/2+Rt),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(Te/2,Te/2,Rt,0,2*Math.PI),u.stroke(),u.font=
-"11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Dn(b,Rt-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
-u.arc(...Dn(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...Dn(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,n?g:p,9)},
-l=u=>{i===null&&(t=Fn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
+row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(m("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var Se=168,Rt=58,
+Ds=(n,e=Rt)=>{let t=n*Math.PI/180;return[Se/2+e*Math.sin(t),Se/2-e*Math.cos(t)]};function $s(n,e){let t=0,s=!1,i=null,o=m("canvas",{class:"dial-canvas"}),a=m("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":n,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let{context:u}=V(o),h=getComputedStyle(
+a),d=h.getPropertyValue("--ink").trim(),p=h.getPropertyValue("--soft").trim(),g=h.getPropertyValue("--accent").trim();u.clearRect(0,0,Se,Se),u.strokeStyle=p,u.fillStyle=
+p,u.lineWidth=1.5,u.beginPath(),u.moveTo(8,Se/2+Rt),u.lineTo(Se-8,Se/2+Rt),u.stroke(),u.lineWidth=4,u.beginPath(),u.arc(Se/2,Se/2,Rt,0,2*Math.PI),u.stroke(),u.font=
+"11px system-ui, sans-serif",u.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Ds(b,Rt-17);u.fillText(`${b}°`,w,y+4)}let f=(b,w,y)=>{u.fillStyle=w,u.beginPath(),
+u.arc(...Ds(b),y,0,2*Math.PI),u.fill()};i!==null&&(u.strokeStyle=d,u.lineWidth=2,u.beginPath(),u.arc(...Ds(i),12,0,2*Math.PI),u.stroke(),f(i,d,7)),f(t,s?g:p,9)},
+l=u=>{i===null&&(t=Hs(u),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
 u.preventDefault(),a.focus({preventScroll:!0}),c(u),Y(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
-PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-Fn(u),r(),nc(t,i))}}var zt=9,[ye,fs,We,$n]=[34,12,12,26];function ma({label:s,unit:e,most:t},n){let i=Array(zt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
-h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
-"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:v=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[v.key];T&&(v.preventDefault(),v.stopPropagation(),
-g(y,i[y]+T*t/(v.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
-h=w=>ye+w/(zt-1)*(u().width-ye-fs),d=w=>We+(1-w/t)*(u().height-We-$n),p=()=>{let{context:w,width:y,height:v}=V(r),T=getComputedStyle(c),M=z=>T.getPropertyValue(
-z).trim();w.clearRect(0,0,y,v),w.strokeStyle=M("--line"),w.fillStyle=M("--soft"),w.font="11px system-ui, sans-serif";for(let z=0;z<zt;z+=2)w.textAlign="center",
-w.fillText(`${45*z}°`,h(z),v-8),w.strokeRect(h(z),We,0,v-We-$n);for(let z of[0,t/2,t])w.textAlign="right",w.fillText(String(z),ye-6,d(z)+4),w.strokeRect(ye,d(z),
-y-ye-fs,0);w.textAlign="left",w.fillText(e,ye+4,We+10);let A=(z,O,$)=>{w.strokeStyle=O,w.lineWidth=2.5,w.setLineDash($),w.beginPath(),z.forEach((F,X)=>{let re=ye+
-X/(z.length-1)*(y-ye-fs);X?w.lineTo(re,d(_(F,0,t))):w.moveTo(re,d(_(F,0,t)))}),w.stroke(),w.setLineDash([])};A(i,M("--accent"),[6,4]),a&&A(a,M("--ink"),[]),l.forEach(
-(z,O)=>{z.style.transform=`translate(${h(O)}px, ${d(i[O])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
-"aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),v=_((w.clientX-y.left-ye)/(y.width-ye-fs),0,1),T=Math.round(v*(zt-1)),M=t*(1-(w.
-clientY-y.top-We)/(y.height-We-$n)),A=f??T,z=i[A];for(let O=Math.min(A,T);O<=Math.max(A,T);O++)g(O,A===T?M:z+(M-z)*(O-A)/(T-A));f=T};c.addEventListener("pointer\
+PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:u=>(i=
+Hs(u),r(),sc(t,i))}}var Lt=9,[ye,gn,Be,js]=[34,12,12,26];function ma({label:n,unit:e,most:t},s){let i=Array(Lt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${n} with the load at ${45*y}°`,"aria-orientation":"vertical",
+"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:v=>{let S={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[v.key];S&&(v.preventDefault(),v.stopPropagation(),
+g(y,i[y]+S*t/(v.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
+h=w=>ye+w/(Lt-1)*(u().width-ye-gn),d=w=>Be+(1-w/t)*(u().height-Be-js),p=()=>{let{context:w,width:y,height:v}=V(r),S=getComputedStyle(c),T=L=>S.getPropertyValue(
+L).trim();w.clearRect(0,0,y,v),w.strokeStyle=T("--line"),w.fillStyle=T("--soft"),w.font="11px system-ui, sans-serif";for(let L=0;L<Lt;L+=2)w.textAlign="center",
+w.fillText(`${45*L}°`,h(L),v-8),w.strokeRect(h(L),Be,0,v-Be-js);for(let L of[0,t/2,t])w.textAlign="right",w.fillText(String(L),ye-6,d(L)+4),w.strokeRect(ye,d(L),
+y-ye-gn,0);w.textAlign="left",w.fillText(e,ye+4,Be+10);let A=(L,N,j)=>{w.strokeStyle=N,w.lineWidth=2.5,w.setLineDash(j),w.beginPath(),L.forEach((H,Q)=>{let re=ye+
+Q/(L.length-1)*(y-ye-gn);Q?w.lineTo(re,d(_(H,0,t))):w.moveTo(re,d(_(H,0,t)))}),w.stroke(),w.setLineDash([])};A(i,T("--accent"),[6,4]),a&&A(a,T("--ink"),[]),l.forEach(
+(L,N)=>{L.style.transform=`translate(${h(N)}px, ${d(i[N])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),l[w].setAttribute(
+"aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),s())},f=null,b=w=>{let y=u(),v=_((w.clientX-y.left-ye)/(y.width-ye-gn),0,1),S=Math.round(v*(Lt-1)),T=t*(1-(w.
+clientY-y.top-Be)/(y.height-Be-js)),A=f??S,L=i[A];for(let N=Math.min(A,S);N<=Math.max(A,S);N++)g(N,A===S?T:L+(T-L)*(N-A)/(S-A));f=S};c.addEventListener("pointer\
 down",w=>{w.preventDefault(),f=null,b(w),Y(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
-p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(zt-1);return ic(i,i.map((v,T)=>w[Math.round(T*y)]))}}}var bs=2*Math.PI,se=(s,e)=>s.events.find(t=>t.kind===e),gs=s=>U(s-bs*Math.floor(s/bs));function ac(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
-t;r++){let l=s.columns.angle[0]+bs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
-u*(i[c]-i[a]))}return o}var rc=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,lc={R:"roll",S:"spin",K:"skid",H:"bounce"},He=[{key:"littlewood",title:"\
+p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Lt-1);return ic(i,i.map((v,S)=>w[Math.round(S*y)]))}}}var wn=2*Math.PI,ne=(n,e)=>n.events.find(t=>t.kind===e),bn=n=>G(n-wn*Math.floor(n/wn));function ac(n,e,t=72){let{angle:s}=n.columns,i=n.columns[e],o=[],a=0;for(let r=0;r<=
+t;r++){let l=n.columns.angle[0]+wn*r/t;for(;a+1<n.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,n.length-1),u=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;o.push(i[a]+
+u*(i[c]-i[a]))}return o}var rc=(n,e)=>n.t[n.columns.angle.findIndex(t=>t>=e)]??n.duration,lc={R:"roll",S:"spin",K:"skid",H:"bounce"},We=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Pt(
-[["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],s),until:([s])=>{
-let[e,t]=[se(s,"skim"),se(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):s.duration},answer:([s])=>{let e=se(s,"skim")??se(s,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:gs(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>Pt(
+[["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],n),until:([n])=>{
+let[e,t]=[ne(n,"skim"),ne(n,"impact")];return e?e.t+.7*((t?.t??n.duration)-e.t):n.duration},answer:([n])=>{let e=ne(n,"skim")??ne(n,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:bn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>ma({label:"Speed of the centre",unit:"m/s",most:10},
-s),until:([s])=>rc(s,bs),answer:([s])=>{let e=ac(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:n=>ma({label:"Speed of the centre",unit:"m/s",most:10},
+n),until:([n])=>rc(n,wn),answer:([n])=>{let e=ac(n,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:E(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:s=>Bn("Angle of the load where it begins to slip",s),until:([s])=>(se(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=se(s,"slip_start"),t=s.at(e.t).normal_force/
-(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:gs(e.
-angle),share:`${S(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
+guess:n=>$s("Angle of the load where it begins to slip",n),until:([n])=>(ne(n,"slip_start")?.t??0)+.02,answer:([n])=>{let e=ne(n,"slip_start"),t=n.at(e.t).normal_force/
+(n.mass*n.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:bn(e.
+angle),share:`${E(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>Bn("Angle of the load\
- where it takes off",s),until:([s])=>(se(s,"takeoff")?.t??0)+.12,answer:([s])=>{let e=se(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
- takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:gs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:n=>$s("Angle of the load\
+ where it takes off",n),until:([n])=>(ne(n,"takeoff")?.t??0)+.12,answer:([n])=>{let e=ne(n,"takeoff"),t=n.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
+ takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:bn(e.angle),slip:E(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
 ane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at th\
 e top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it\
- do just after it has landed?",queries:[""],guess:s=>Pt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turn\
-s too fast."],["bounce","It bounces."]],s),until:([s])=>(se(s,"impact")?.t??s.duration)+.15,answer:([s])=>{let[e,t]=[se(s,"takeoff"),se(s,"impact")],n=s.events.
-find(i=>i.kind==="apex");return{truth:lc[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
-le}.",values:{time:S((t?.t??0)-(e?.t??0),3),height:S(100*(n?.height??0),3),angle:gs(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
+ do just after it has landed?",queries:[""],guess:n=>Pt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turn\
+s too fast."],["bounce","It bounces."]],n),until:([n])=>(ne(n,"impact")?.t??n.duration)+.15,answer:([n])=>{let[e,t]=[ne(n,"takeoff"),ne(n,"impact")],s=n.events.
+find(i=>i.kind==="apex");return{truth:lc[n.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
+le}.",values:{time:E((t?.t??0)-(e?.t??0),3),height:E(100*(s?.height??0),3),angle:bn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
 as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",
 title:"More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highes\
-t?",queries:["plane.mu=0.05","plane.mu=0.2",""],guess:s=>Pt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>se(e,"im\
-pact")?.t??0)),answer:s=>{let e=s.map(o=>Math.max(0,...o.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,n,i]=e.map(o=>S(100*o,3));return{truth:String(e.indexOf(
-Math.max(...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:n,high:i}}},why:"On ice nothing driv\
+t?",queries:["plane.mu=0.05","plane.mu=0.2",""],guess:n=>Pt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(e=>ne(e,"im\
+pact")?.t??0)),answer:n=>{let e=n.map(o=>Math.max(0,...o.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,i]=e.map(o=>E(100*o,3));return{truth:String(e.indexOf(
+Math.max(...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:i}}},why:"On ice nothing driv\
 es the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is brak\
 ed on the way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid\
  bodies with dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration\
-=3","plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:s=>Pt([["flight","It flies off."],["impact","An impact stop\
-s the slide at once."],["both","Both agree with the laws."]],s),until:s=>Math.min(.8,...s.map(e=>e.duration)),answer:s=>({truth:s.every(e=>se(e,"painleve_indete\
+=3","plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>Pt([["flight","It flies off."],["impact","An impact stop\
+s the slide at once."],["both","Both agree with the laws."]],n),until:n=>Math.min(.8,...n.map(e=>e.duration)),answer:n=>({truth:n.every(e=>ne(e,"painleve_indete\
 rminate"))?"both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws \
 have two answers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"\
 Your turn",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are compu\
-ted from the motion itself.",question:"",queries:[""]}];var pa="hophoop-visit",ws=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
-t,this.body=m("div",{class:"visit-body"}),this.said=m("div",{class:"visit-answer",role:"status"}),this.element=m("section",{class:"visit card","aria-label":"Gui\
-ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){pe(pa)||(this.element.hidden=!1,P(this.said,""),this.
-body.replaceChildren(m("div",{class:"buttons offer"},m("p",{},m("b",{},"New here?")," ","Eight short questions: guess, then play."),m("button",{type:"button",class:"\
-main",onclick:()=>this.start()},"Start the visit"),m("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
-fe(pa,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
-lab.show()}async go(e){let t=He[e],n=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),P(this.said,
-""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<He.length-1);try{let o=await Promise.all(t.queries.map(a=>i.backend.call("film",{query:a})));if(n!==
-this.asked)return;this.films=o.map(a=>new Oe(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
-i.motions.note(),this.fill(e)}catch(o){i.notice.fail(o)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
-"aria-label",x("The hoop, before it is let go."))}fill(e){let t=He[e];this.play=m("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
-"Play");let n=e===He.length-1,i=m("h2",{tabindex:"-1"},t.title);this.next=m("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-m("header",{},m("span",{class:"visit-count"},`Step ${e+1} of ${He.length}`),m("progress",{max:String(He.length),value:String(e+1),"aria-hidden":"true"}),m("butt\
-on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),i,m("p",{},t.text),t.question?m("p",{class:"visit-question"},t.
-question):"",this.guess?.element??"",m("div",{class:"buttons"},e>0&&m("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,n?m("butto\
-n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,n&&m("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
-m("span",{class:"hint visit-wait"},"First say what you expect, then play."))),n&&this.points.size&&this.total(),i.focus({preventScroll:!0})}guessed(){this.play&&
-(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;!t||!this.guess||(this.play.disabled=!0,this.
-stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),matchMedia("(prefers-reduced-motion: reduce)").matches?e.clock.
-seek(this.stop):e.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===
-null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;e.playing=!1;let n=this.stop;this.stop=null,this.unwind(),e.seek(n),this.judge()}judge(){
-let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:n,text:i,values:o={}}=e.answer(this.films),a=t.judge(n);this.points.set(e.key,a),this.said.replaceChildren(
-m("p",{},m("b",{},`${a} of 100 points.`)," ",yo(i,o)),m("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
-{block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,n)=>t+n,0);this.said.replaceChildren(m("p",{},`You have ${e} of ${100*this.points.size} poi\
-nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ys=class{words={t:x,untranslated:it};constructor(e){this.lab=e,this.grips=new as(e),this.sound=new ms,this.present=new ds(e),this.challenges=new ns(e),this.
-visit=new ws(e,()=>this.challenges.open()),this.table=new ps(e),this.more=new us(e),this.teach=ua(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),
-this.spoken()}layOut(){let{lab:e}=this,t=e.stage.element.parentElement,n=e.root.querySelector(".side");n?n.prepend(this.visit.element,this.challenges.element):t.
-before(this.visit.element,this.challenges.element),t.after(this.more.element,this.table.element),e.transport.element.querySelector(".switches")?.append(this.more.
-switch),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.querySelector(".right")?.prepend(this.menu(),
-this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(n,i,o)=>m("button",{type:"button",title:i,"ari\
-a-label":i,"aria-pressed":"false",onclick:o},Z(n));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a tenth\
- of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.on),this.mark()}),
-this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),m("div",{class:"buttons tools"},
-this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(e.loop)),this.slow?.setAttribute("aria-pres\
-sed",String(e.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("aria-pressed",String(this.present.on))}menu(){
-let e=(n,i)=>m("button",{type:"button",onclick:()=>{t.open=!1,i()}},n),t=m("details",{class:"learn"},m("summary",{class:"button"},"Learn"),m("div",{class:"menu-\
-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
-he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener(
-"pointerdown",n=>{t.contains(n.target)||(t.open=!1)}),t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector(
-"summary")?.focus())}),t}languages(){return Rn(()=>{this.spoken(),Yt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Pe(),this.lab.hosted&&(document.
-documentElement.lang=Pe(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
-this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
-this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Lt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),vs=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
-a.group)??[],a]);this.fresh=!1,this.presets=m("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
-value);this.fresh=a!==void 0,a&&n.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},m("option",{value:""},"Motions to start from …"),[...i].
-map(([a,r])=>m("optgroup",{label:a},r.map(({key:l,title:c})=>m("option",{value:l},c))))),this.undo=Lt(Z("undo"),"Undo (z)",n.undo),this.redo=Lt(Z("redo"),"Redo \
-(y)",n.redo);let o=m("span",{},m("span",{class:"long"},"Compare"),m("span",{class:"short"},Z("two")));this.compare=Lt(o,"Compare two hoops",n.compare),this.element=
+ted from the motion itself.",question:"",queries:[""]}];var pa="hophoop-visit",yn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.stop=null;this.loop=null;this.
+asked=0;this.onchallenges=t,this.body=m("div",{class:"visit-body"}),this.said=m("div",{class:"visit-answer",role:"status"}),this.element=m("section",{class:"vis\
+it card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){pe(pa)||(this.element.hidden=
+!1,P(this.said,""),this.body.replaceChildren(m("div",{class:"buttons offer"},m("p",{},m("b",{},"New here?")," ","Eight short questions: guess, then play."),m("b\
+utton",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),m("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.
+clear(),this.go(0)}leave(){fe(pa,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("\
+visiting"),this.veil(),this.lab.show()}async go(e){let t=We[e],s=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.guess=
+null,this.unwind(),P(this.said,""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<We.length-1);try{let o=await Promise.all(t.queries.map(a=>i.backend.
+call("film",{query:a})));if(s!==this.asked)return;this.films=o.map(a=>new Ne(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??
+null,this.veil(),i.changed(),i.motions.note(),this.fill(e)}catch(o){i.notice.fail(o)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&
+this.lab.stage.element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=We[e];this.play=m("button",{type:"button",class:"main",disabled:!!this.
+guess,onclick:()=>this.show()},"Play");let s=e===We.length-1,i=m("h2",{tabindex:"-1"},t.title);this.next=m("button",{type:"button",onclick:()=>this.go(e+1)},"Ne\
+xt"),this.body.replaceChildren(m("header",{},m("span",{class:"visit-count"},`Step ${e+1} of ${We.length}`),m("progress",{max:String(We.length),value:String(e+1),
+"aria-hidden":"true"}),m("button",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),i,m("p",{},t.text),t.question?m("\
+p",{class:"visit-question"},t.question):"",this.guess?.element??"",m("div",{class:"buttons"},e>0&&m("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.
+guess&&this.play,s?m("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&m("button",{type:"button",onclick:()=>this.leave()},
+"Done"),this.guess&&m("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),i.focus({preventScroll:!0})}guessed(){
+this.play&&(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;!t||!this.guess||(this.play.disabled=
+!0,this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),matchMedia("(prefers-reduced-motion: reduce)").matches?
+e.clock.seek(this.stop):e.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.
+stop===null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;e.playing=!1;let s=this.stop;this.stop=null,this.unwind(),e.seek(s),this.
+judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:i,values:o={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.
+said.replaceChildren(m("p",{},m("b",{},`${a} of 100 points.`)," ",yo(i,o)),m("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.
+said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(m("p",{},`You have ${e} of ${100*this.
+points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var vn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:it};this.grips=new rn(this.lab);this.sound=new pn;this.present=new mn(this.lab);this.challenges=
+new sn(this.lab);this.visit=new yn(e,()=>this.challenges.open()),this.table=new fn(e),this.more=new dn(e),this.teach=ua(t=>this.challenges.load(t),()=>this.visit.
+start()),this.layOut(),this.spoken()}layOut(){let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.
+challenges.element):t.before(this.visit.element,this.challenges.element),t.after(this.more.element,this.table.element),e.transport.element.querySelector(".switc\
+hes")?.append(this.more.switch),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.querySelector(".\
+right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,i,o)=>m("button",
+{type:"button",title:i,"aria-label":i,"aria-pressed":"false",onclick:o},Z(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("\
+slow","Slow motion: a tenth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(
+!this.sound.on),this.mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),
+m("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(e.loop)),this.
+slow?.setAttribute("aria-pressed",String(e.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("aria-pressed",String(
+this.present.on))}menu(){let e=(s,i)=>m("button",{type:"button",onclick:()=>{t.open=!1,i()}},s),t=m("details",{class:"learn"},m("summary",{class:"button"},"Lear\
+n"),m("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.
+turn(!0)),e("Table of the motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.
+lab.root.addEventListener("pointerdown",s=>{t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),
+t.open=!1,t.querySelector("summary")?.focus())}),t}languages(){return Rs(()=>{this.spoken(),Yt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Pe(),
+this.lab.hosted&&(document.documentElement.lang=Pe(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.
+sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.
+lab.film()),this.more.changed(),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Ct=(n,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},n),xn=class{constructor(e,t,s){this.fresh=!1;let i=new Map;for(let a of e)i.set(a.group,
+[...i.get(a.group)??[],a]);this.presets=m("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
+value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},m("option",{value:""},"Motions to start from …"),[...i].
+map(([a,r])=>m("optgroup",{label:a},r.map(({key:l,title:c})=>m("option",{value:l},c))))),this.undo=Ct(Z("undo"),"Undo (z)",s.undo),this.redo=Ct(Z("redo"),"Redo \
+(y)",s.redo);let o=m("span",{},m("span",{class:"long"},"Compare"),m("span",{class:"short"},Z("two")));this.compare=Ct(o,"Compare two hoops",s.compare),this.element=
 m("header",{class:"top"},m("h1",{},m("span",{class:"logo","aria-hidden":"true"}),m("span",{},"hophoop",m("span",{class:"long"}," lab"))),this.presets,m("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),m("div",{class:"buttons right"},t,Lt(Z("theme"),"Dark or light (d)",n.theme),Lt("?","Keys and help (?)",n.help)))}show(e,t){
+buttons"},this.undo,this.redo,this.compare),m("div",{class:"buttons right"},t,Ct(Z("theme"),"Dark or light (d)",s.theme),Ct("?","Keys and help (?)",s.help)))}show(e,t){
 this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var hc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
 ["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],cc=[["R","roll","the rim does n\
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
  +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],uc=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Wn=(s,e,t=()=>!1)=>m("table",{},m("caption",{},s),e.map(([n,...i])=>m("\
-tr",{},m("th",{scope:"row"},t(n),n),i.map(o=>m("td",{},o)))));function fa(s,e,t){let n=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Bs=(n,e,t=()=>!1)=>m("table",{},m("caption",{},n),e.map(([s,...i])=>m("\
+tr",{},m("th",{scope:"row"},t(s),s),i.map(o=>m("td",{},o)))));function fa(n,e,t){let s=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
 p"),m("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),Wn("Modes",cc,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),Wn("Marks on t\
-he bar of time",uc),Wn("Keys",hc),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var xs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
+mething that rigid-body mechanics cannot decide. Move a slider and see."),Bs("Modes",cc,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),Bs("Marks on t\
+he bar of time",uc),Bs("Keys",hc),t,m("p",{class:"hint"},`hophoop ${n}`),m("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var kn=class{constructor(e){this.tabs=["A","B"].map((t,s)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=m("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=m("p",{class:"preset-text"}),this.element=m("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var ga="hophoop-single-keys",dc=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
-s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
-clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
-whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
-travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function mc(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function pc(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ks=class{constructor(e){
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===t))}};var ga="hophoop-single-keys",dc=(n,e)=>({" ":()=>n.clock.play(),ArrowLeft:()=>e?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>e?n.transport.jump(1):
+n.transport.nudge(1),Home:()=>n.clock.seek(0),End:()=>n.clock.seek(n.clock.duration),h:()=>n.transport.jump(1,"takeoff"),l:()=>n.transport.jump(1,"impact"),"[":()=>n.
+clock.faster(-1),"]":()=>n.clock.faster(1),t:()=>n.toggle("traces"),f:()=>n.toggle("forces"),c:()=>n.toggle("speed"),a:()=>n.extras.more.turn(),w:()=>n.toggle("\
+whole"),3:()=>n.toggle("three"),"+":()=>n.stage.zoom(1.25),"=":()=>n.stage.zoom(1.25),"-":()=>n.stage.zoom(.8),0:()=>n.stage.zoom(0),z:()=>n.travel(-1),y:()=>n.
+travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function mc(n,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),n.travel(t==="y"||e.shiftKey?1:-1))}function pc(n){let e=n.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var _n=class{constructor(e){
 this.on=!e||pe(ga)!=="off";let t=m("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&fe(ga,this.on?"on":"off")}});this.element=m("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function fc(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){pc(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){mc(s,e);return}if(e.altKey||
-t.matches?.("select")&&!(e.key===" "&&s.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=dc(s,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function ba(s,e){
-let t=e?document:s.root,n=i=>{fc(s,i),e||i.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function wa(s,e){let t=m("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
-s.classList.contains("stuck"))return;let a=s.offsetHeight;s.style.marginBottom="",s.classList.toggle("stuck",o),o&&(s.style.marginBottom=`${a-s.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=o?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function ya(s,e){s.classList.add("hophoop"),!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}function va(s,e){
-let{root:t,notice:n,hosted:i}=s,o=h=>!e||e.includes(h),a=m("aside",{class:"side","aria-label":"Parameters"},s.hoops.element,n.message,s.controls.element),r=m("d\
-iv",{class:"player"},s.stage.element,s.timeline.element,s.transport.element),l=i?wa(r,()=>s.request()):null,c=m("div",{class:"middle"},l?.edge,r,m("div",{class:"\
-words"},s.story.element,o("theory")&&s.theory.element),o("map")&&s.map.element),u=m("div",{class:"why"},o("plots")&&s.plots.element,o("plots")&&s.phase.element);
-return t.replaceChildren(m("div",{class:"page"},i&&gc(s.timeline.element),s.header.element,m("div",{class:"columns"},o("controls")&&a,c,u)),n.toast,s.share.dialog,
-s.help),t.classList.toggle("no-controls",!o("controls")),l}function gc(s){s.id="hh-player";let e=m("a",{class:"skip button",href:"#hh-player"},"Skip to the play\
-er");return e.onclick=t=>{t.preventDefault(),s.focus()},e}var[xa,bc]=[62,92],wc=12,Ue=10,yc=36,ka=Math.PI/180,ve=["x","y"],_s=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
-y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=xa}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of ve)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
-let[n,i]=this.windows[e];return{path:this.paths[e],from:n,to:i,cells:t}}bounds(e){let{range:t,allowed:n}=this.info(e),i=2*(t[1]-t[0]);return[Math.max(n[0],t[0]-
-i),Math.min(n[1],t[1]+i)]}zoom(e,t){let n={x:[],y:[]};for(let i of ve){let[o,a]=this.windows[i],r=t?.[i]??.5*(o+a);n[i]=Ge([r-(r-o)*e,r+(a-r)*e],this.bounds(i));
-let l=Math.max(Math.abs(n[i][0]),Math.abs(n[i][1]),1e-9);if(n[i][1]-n[i][0]<400*Number.EPSILON*l)return!1}return ve.every(i=>n[i].every((o,a)=>o===this.windows[i][a]))?
-!1:(this.windows=n,!0)}drag(e,t,n){let i=(o,a)=>Ge(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",n/this.box.
-height)}}restore(e){if(!ve.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of ve)this.paths[t]=e[t][0];for(let t of ve)this.windows[t]=Ge(
-e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return ve.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?bc:xa,this.box={width:e-this.left-wc,height:t-Ue-yc}}clip(e){e.beginPath(),e.rect(this.
-left,Ue,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return Ue+
-(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([i,o],a)=>i+_(a,0,1)*(o-i);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-Ue)/
-this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let i=this.info(n),[o,a]=this.windows[n],
-r=Math.max(Math.abs(o),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${x(i.label)} = ${C(S(i.degrees?e[n]/ka:e[n],l),i.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t,n){e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ue+.5,this.box.width-1,this.box.height-1),e.font=`11px ${n.
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function fc(n,e){let t=e.target;if(n.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){pc(n);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){mc(n,e);return}if(e.altKey||
+t.matches?.("select")&&!(e.key===" "&&n.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
+ summary, input[type=checkbox]")||!n.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=dc(n,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function ba(n,e){
+let t=e?document:n.root,s=i=>{fc(n,i),e||i.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}function wa(n,e){let t=m("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
+n.classList.contains("stuck"))return;let a=n.offsetHeight;n.style.marginBottom="",n.classList.toggle("stuck",o),o&&(n.style.marginBottom=`${a-n.offsetHeight}px`),
+document.documentElement.style.scrollPaddingTop=o?`${n.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}function ya(n,e){n.classList.add("hophoop"),!e&&(n.classList.add("embedded"),n.dataset.lmSuppressShortcuts="true",n.dataset.pSuppressShortcuts="true")}function va(n,e){
+let{root:t,notice:s,hosted:i}=n,o=h=>!e||e.includes(h),a=m("aside",{class:"side","aria-label":"Parameters"},n.hoops.element,s.message,n.controls.element),r=m("d\
+iv",{class:"player"},n.stage.element,n.timeline.element,n.transport.element),l=i?wa(r,()=>n.request()):null,c=m("div",{class:"middle"},l?.edge,r,m("div",{class:"\
+words"},n.story.element,o("theory")&&n.theory.element),o("map")&&n.map.element),u=m("div",{class:"why"},o("plots")&&n.plots.element,o("plots")&&n.phase.element);
+return t.replaceChildren(m("div",{class:"page"},i&&gc(n.timeline.element),n.header.element,m("div",{class:"columns"},o("controls")&&a,c,u)),s.toast,n.share.dialog,
+n.help),t.classList.toggle("no-controls",!o("controls")),l}function gc(n){n.id="hh-player";let e=m("a",{class:"skip button",href:"#hh-player"},"Skip to the play\
+er");return e.onclick=t=>{t.preventDefault(),n.focus()},e}var[xa,bc]=[62,92],wc=12,Ge=10,yc=36,ka=Math.PI/180,ve=["x","y"],En=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
+t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=xa}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of ve)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+let[s,i]=this.windows[e];return{path:this.paths[e],from:s,to:i,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),i=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
+i),Math.min(s[1],t[1]+i)]}zoom(e,t){let s={x:[],y:[]};for(let i of ve){let[o,a]=this.windows[i],r=t?.[i]??.5*(o+a);s[i]=Ue([r-(r-o)*e,r+(a-r)*e],this.bounds(i));
+let l=Math.max(Math.abs(s[i][0]),Math.abs(s[i][1]),1e-9);if(s[i][1]-s[i][0]<400*Number.EPSILON*l)return!1}return ve.every(i=>s[i].every((o,a)=>o===this.windows[i][a]))?
+!1:(this.windows=s,!0)}drag(e,t,s){let i=(o,a)=>Ue(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",s/this.box.
+height)}}restore(e){if(!ve.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of ve)this.paths[t]=e[t][0];for(let t of ve)this.windows[t]=Ue(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return ve.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?bc:xa,this.box={width:e-this.left-wc,height:t-Ge-yc}}clip(e){e.beginPath(),e.rect(this.
+left,Ge,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return Ge+
+(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([i,o],a)=>i+_(a,0,1)*(o-i);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-Ge)/
+this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let i=this.info(s),[o,a]=this.windows[s],
+r=Math.max(Math.abs(o),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${x(i.label)} = ${q(E(i.degrees?e[s]/ka:e[s],l),i.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ge+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
 font}`;for(let i of ve){let o=this.info(i),a=o.degrees?1/ka:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,u=J(l-r,c),h=this.
-deep(i),d=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-d,l-d,c).map(b=>b+d):le(r,l,c);for(let b of p){let w=h?S(b-d,3):oe(b,u);i==="x"?(e.textAlign="center",
-e.fillText(w,this.x(b/a),Ue+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
+deep(i),d=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-d,l-d,c).map(b=>b+d):le(r,l,c);for(let b of p){let w=h?E(b-d,3):oe(b,u);i==="x"?(e.textAlign="center",
+e.fillText(w,this.x(b/a),Ge+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
 let g=h?` − ${String(d).replace("-","−")}`:"",f=`${x(o.label)}${g}${o.unit?` [${o.unit}]`:""}`;e.save(),e.textAlign="center",i==="x"?e.translate(this.left+.5*
-this.box.width,t-5):(e.translate(12,Ue+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ge([s,e],[t,n]){let i=Math.min(e-s,n-
-t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function Hn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
-s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var ht=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,vc=.0018,_a=200,
-[xc,kc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Zt(n()))&&(o.preventDefault(),
-e(Math.exp(-Math.min(Math.max(o.deltaY,-_a),_a)*vc),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
-"=")e(xc);else if(o.key==="-")e(kc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),jo(s,e)}var Sa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ea=48;function Ta(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Un(
-s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>Sc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
-pointerType!=="touch"&&_c(s,i)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",i=>Ec(s,i))}function Un(s,e){let t=s.body.getBoundingClientRect();
-return s.axes.place(e.clientX-t.left,e.clientY-t.top)}function _c(s,e){s.tip.textContent=s.said(Un(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();s.
-tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Sc(s,e,t,n){e.preventDefault(),
-s.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Un(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(o,u,h),s.redraw(),s.soon())};Y(s.body,e,l,(c,u)=>{
-u&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function Ec(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,Sa[e.key]){let[n,i]=Sa[e.key],{x:o,y:a}=s.
-axes.windows;s.pointed={x:_(t.x+n*(o[1]-o[0])/Ea,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/Ea,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.
-key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var Tc=["start.height","start.vx","start.vy","start.omega"];function Ma(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(n=>Tc.includes(n))?"of starts in any state, though this motion starts rolling":""}var Mc=Math.PI/180,Ac=12,zc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Aa(s){return s.unit==="rad"?[1/Mc,"°"]:[1,s.unit==="1"?"":
-s.unit]}function Rc({classes:s,what:e},t){let[n,i]=[1/0,-1/0];if(s)return[n,i];for(let o of t)o<n&&(n=o),o>i&&(i=o);return[zc.includes(e)?Math.min(n,0):n,i]}function za(s){
-let{values:e}=s.arrays,t=s.header,{x:n,y:i,classes:o}=t,a=new ImageData(n.cells,i.cells),[r,l]=Rc(t,e),c=o?.map(({color:h})=>_e(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
-n.cells;d++){let p=e[h*n.cells+d],g=4*((i.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let f=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<i.cells&&e[(h+1)*
-n.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):nt[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:n.cells,height:i.cells});
-return be(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[n.from,n.to],y:[i.from,i.to],low:r,high:l}}function Ra(s,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
-o[1]+1e-300;return[...s.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Ac)}function Pa({header:s,low:e,high:t,values:n}){let{classes:i}=s;if(!i){let r=m("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=be(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${nt[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,u]=Aa(s);return[m("span",{},s.label,": ",t>=e?S(e*c,3):"none"," "),r,m("span",{},t>=e?C(S(t*c,3),u):""),n.some(h=>!Number.isFinite(h))?m("span",{},m("\
-i",{class:"blank"}),"none"):""]}let o=new Map;for(let r of n)o.set(r,(o.get(r)??0)+1);let a=[...o].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
+this.box.width,t-5):(e.translate(12,Ge+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ue([n,e],[t,s]){let i=Math.min(e-n,s-
+t);return n<t?[t,t+i]:e>s?[s-i,s]:[n,e]}function Ws(n,e,t,s,i){for(let[o,a]of[[i,4],[s,1.8]])n.strokeStyle=o,n.lineWidth=a,n.beginPath(),n.arc(e,t,7,0,2*Math.PI),
+n.moveTo(e-13,t),n.lineTo(e-4,t),n.moveTo(e+4,t),n.lineTo(e+13,t),n.moveTo(e,t-13),n.lineTo(e,t-4),n.moveTo(e,t+4),n.lineTo(e,t+13),n.stroke()}var ht=n=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${n&&`; ${n}`}; double-click for all`,vc=.0018,_a=200,
+[xc,kc]=[1/.6,1/1.7];function ae(n,{zoom:e,home:t,chosen:s=()=>n,keys:i=!1}){return n.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Zt(s()))&&(o.preventDefault(),
+e(Math.exp(-Math.min(Math.max(o.deltaY,-_a),_a)*vc),o))},{passive:!1}),n.addEventListener("dblclick",t),i&&n.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
+"=")e(xc);else if(o.key==="-")e(kc);else if(o.key==="0")t();else if(o.key==="Escape")n.blur();else return;o.preventDefault(),o.stopPropagation()}),Fo(n,e)}var Ea={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ma=48;function Sa(n){let{body:e}=n,t=!1,s=ae(e,{zoom:(i,o)=>n.axes.box&&n.zoom(1/i,o?Gs(
+n,o):n.pointed??void 0),home:()=>n.home(),keys:!0});e.addEventListener("pointerdown",i=>Ec(n,i,s,o=>t=o)),e.addEventListener("pointermove",i=>{n.axes.box&&!t&&i.
+pointerType!=="touch"&&_c(n,i)}),e.addEventListener("pointerleave",()=>n.tip.hidden=!0),e.addEventListener("keydown",i=>Mc(n,i))}function Gs(n,e){let t=n.body.getBoundingClientRect();
+return n.axes.place(e.clientX-t.left,e.clientY-t.top)}function _c(n,e){n.tip.textContent=n.said(Gs(n,e)),n.tip.hidden=!1;let t=n.body.getBoundingClientRect();n.
+tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,n.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Ec(n,e,t,s){e.preventDefault(),
+n.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...n.axes.windows.x],y:[...n.axes.windows.y]};n.pointed=Gs(n,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,s(!0),n.tip.hidden=!0,n.axes.drag(o,u,h),n.redraw(),n.soon())};Y(n.body,e,l,(c,u)=>{
+u&&!a&&!r&&n.pointed&&n.take(n.pointed),s(!1)})}function Mc(n,e){let t=n.pointed??n.here()??n.axes.middle();if(n.pointed=t,Ea[e.key]){let[s,i]=Ea[e.key],{x:o,y:a}=n.
+axes.windows;n.pointed={x:_(t.x+s*(o[1]-o[0])/Ma,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/Ma,a[0],a[1])},n.state.textContent=n.said(n.pointed),n.say(n.said(n.pointed))}else if(e.
+key==="Enter")n.take(t);else return;e.preventDefault(),e.stopPropagation(),n.redraw()}var Sc=["start.height","start.vx","start.vy","start.omega"];function Ta(n,e){let t="speed"in n.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(s=>Sc.includes(s))?"of starts in any state, though this motion starts rolling":""}var Tc=Math.PI/180,Ac=12,Lc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Aa(n){return n.unit==="rad"?[1/Tc,"°"]:[1,n.unit==="1"?"":
+n.unit]}function Rc({classes:n,what:e},t){let[s,i]=[1/0,-1/0];if(n)return[s,i];for(let o of t)o<s&&(s=o),o>i&&(i=o);return[Lc.includes(e)?Math.min(s,0):s,i]}function La(n){
+let{values:e}=n.arrays,t=n.header,{x:s,y:i,classes:o}=t,a=new ImageData(s.cells,i.cells),[r,l]=Rc(t,e),c=o?.map(({color:h})=>_e(h));for(let h=0;h<i.cells;h++)for(let d=0;d<
+s.cells;d++){let p=e[h*s.cells+d],g=4*((i.cells-1-h)*s.cells+d);if(!Number.isFinite(p))continue;let f=c&&(d+1<s.cells&&e[h*s.cells+d+1]!==p||h+1<i.cells&&e[(h+1)*
+s.cells+d]!==p),b=c?c[p].map(w=>f?.72*w:w):st[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],g)}let u=m("canvas",{width:s.cells,height:i.cells});
+return be(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[s.from,s.to],y:[i.from,i.to],low:r,high:l}}function Ra(n,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
+o[1]+1e-300;return[...n.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Ac)}function Pa({header:n,low:e,high:t,values:s}){let{classes:i}=n;if(!i){let r=m("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=be(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${st[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
+10);let[c,u]=Aa(n);return[m("span",{},n.label,": ",t>=e?E(e*c,3):"none"," "),r,m("span",{},t>=e?q(E(t*c,3),u):""),s.some(h=>!Number.isFinite(h))?m("span",{},m("\
+i",{class:"blank"}),"none"):""]}let o=new Map;for(let r of s)o.set(r,(o.get(r)??0)+1);let a=[...o].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
 0,10).map(([r])=>{let{color:l,text:c}=i[r];return m("span",{},m("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?m("span",{},`and ${a.length-
-10} more`):""]}function La(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
-(e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=n[l*i.cells+r];if(a)return x(a[c]?.text??"not allowed");let[u,h]=Aa(t);return Number.
-isFinite(c)?C(S(c*u,4),h):x("none")}return"…"}var Na=[[24,16],[72,48],[216,144]],Ss=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:n,say:i,changed:o}){this.backend=
-e,this.onmotion=n,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new _s(a),this.what="sequence",this.layers=[],this.canvas=m("canvas",{class:"plo\
-t-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),this.body=m("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
-ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=m("div",{class:"map-keys"}),this.state=m("span",{class:"hint"});
-let r=l=>{let c=m("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:u,label:h})=>m("option",{value:u},h)));return c};this.selects={x:r(
-"x"),y:r("y")},this.quantity=m("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,
-c])=>m("option",{value:l},c))),this.element=m("section",{class:"map","aria-label":"Map of motions"},m("div",{class:"map-head"},m("h2",{},"Map"),m("label",{},"of",
-this.quantity),m("label",{},"Across",this.selects.x),m("label",{},"Up",this.selects.y),m("span",{class:"buttons"},m("button",{type:"button","aria-label":"Zoom i\
-nto the map",onclick:()=>this.zoom(.5)},"+"),m("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),m("button",{type:"but\
-ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,m("p",{class:"hint"},`Click to take that motion into the player; ${ht("drag to move")}\
-.`)),Ta(this),this.soon=ie(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
-refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of ve)this.selects[e].value=
-this.axes.paths[e]}setAxis(e,t){this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);
-for(let n of Object.values(this.axes.paths)){let[i,o]=n.split(".");t[i]&&delete t[i][o]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let n=this.key_of(
-e.scenario);n!==this.key_now&&(this.key_now=n,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&
-e.x==="start.speed"&&e.y==="plane.mu")return;let n=i=>[e[i],...t[i]];return{what:this.what,x:n("x"),y:n("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===
-e.what)||!this.axes.restore(e)||(this.quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.
-stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,n=t.contact.model==="rigid"?[]:[[
-"contact.model","rigid"]];this.computing=!0;let i=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.
-kind=i,this.redraw();try{for(let[o,a]of Na){P(this.state,`computing ${o*a} motions …`);let r={x:this.axes.asked("x",o),y:this.axes.asked("y",a)},l={scenario:t,
-changes:n,...r,what:this.what},c=await this.backend.call("map",l,e),u=za(c);this.layers=Ra(this.layers,u),this.keys.replaceChildren(...Pa(u));let h=Ma(t,Object.
-values(this.axes.paths)),d=x(n.length?"{count} motions, with rigid contact":"{count} motions",{count:o*a});P(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.
-level=Na.length}catch(o){let{name:a,message:r}=o;if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,
-width:n,height:i}=V(this.canvas);this.axes.fit(n,i),t.clearRect(0,0,n,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:o}=this;for(let r of this.
-layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&Hn(t,o.x(a.x),o.y(a.y),e.ink,e.paper),this.
-pointed&&Zt(this.body)&&Hn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{let[i,o]=n.split(".");return this.
-film.values[n]??this.film.scenario[i]?.[o]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.
-axes.said(e)}: ${La(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&
-(this.redraw(),this.soon())}};var Ts=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
-null||Es(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
-i),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&Es(this.now,e)}next(e){
-return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.
-now=i,this.what="")}arrive(e){if(!(this.now&&Es(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,i=n.length-n.findLastIndex(o=>Es(o,e));if(!(i>
-n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},Es=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var Ms=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ts,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+10} more`):""]}function Ca(n,e){for(let{header:t,values:s}of[...n].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
+(e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=s[l*i.cells+r];if(a)return x(a[c]?.text??"not allowed");let[u,h]=Aa(t);return Number.
+isFinite(c)?q(E(c*u,4),h):x("none")}return"…"}var za=[[24,16],[72,48],[216,144]],Mn=class{constructor(e,t,{take:s,say:i,changed:o}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=s,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new En(a),this.canvas=m("canvas",{class:"plot-canvas"}),this.tip=m("div",{
+class:"tip",hidden:!0}),this.body=m("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
+the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=m("div",{class:"map-keys"}),this.state=m("span",{class:"hint"});let r=l=>{let c=m("select",{"\
+data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:u,label:h})=>m("option",{value:u},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
+m("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,c])=>m("option",{value:l},c))),
+this.element=m("section",{class:"map","aria-label":"Map of motions"},m("div",{class:"map-head"},m("h2",{},"Map"),m("label",{},"of",this.quantity),m("label",{},"\
+Across",this.selects.x),m("label",{},"Up",this.selects.y),m("span",{class:"buttons"},m("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
+zoom(.5)},"+"),m("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),m("button",{type:"button",onclick:()=>this.home()},
+"Whole map")),this.state),this.body,this.keys,m("p",{class:"hint"},`Click to take that motion into the player; ${ht("drag to move")}.`)),Sa(this),this.soon=ie(()=>this.
+refresh(),140),this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.
+syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of ve)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
+choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let s of Object.values(this.axes.paths)){
+let[i,o]=s.split(".");t[i]&&delete t[i][o]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(e.scenario);s!==this.key_now&&(this.key_now=
+s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&e.x==="start.speed"&&e.y==="plane.mu")return;
+let s=i=>[e[i],...t[i]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===e.what)||!this.axes.restore(e)||(this.
+quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.stale=!0;return}this.stale=!1,this.asked?.
+abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;
+let i=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.kind=i,this.redraw();try{for(let[o,a]of za){
+P(this.state,`computing ${o*a} motions …`);let r={x:this.axes.asked("x",o),y:this.axes.asked("y",a)},l={scenario:t,changes:s,...r,what:this.what},c=await this.
+backend.call("map",l,e),u=La(c);this.layers=Ra(this.layers,u),this.keys.replaceChildren(...Pa(u));let h=Ta(t,Object.values(this.axes.paths)),d=x(s.length?"{coun\
+t} motions, with rigid contact":"{count} motions",{count:o*a});P(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.level=za.length}catch(o){let{name:a,message:r}=o;
+if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:s,height:i}=V(this.canvas);this.axes.
+fit(s,i),t.clearRect(0,0,s,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.
+y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&Ws(t,o.x(a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Zt(this.body)&&Ws(t,o.x(this.pointed.
+x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=s=>{let[i,o]=s.split(".");return this.film.values[s]??this.film.scenario[i]?.[o]},
+t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Ca(this.layers,
+e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Tn=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",s=performance.now()){let i=this.now;if(this.now=e,i===
+null||Sn(i,e))return"same";let o=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],o?"again":(this.past.push(
+i),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&Sn(this.now,e)}next(e){
+return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(s.push(this.now),this.
+now=i,this.what="")}arrive(e){if(!(this.now&&Sn(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:this.future,i=s.length-s.findLastIndex(o=>Sn(o,e));if(!(i>
+s.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},Sn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var An=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new Tn;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Oe(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
-all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.moved=performance.now(),n.since??=n.moved,n.pending=[...(n.pending??
-[]).filter(([i])=>!e.some(([o])=>o===i)),...e],n.commit||=t,n.what=e.map(([i])=>i).join(),t&&this.history.touch(n.what,n.moved),this.pump(n)}async pump(e){if(e.
-busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
-new Oe(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(i){this.lanes.includes(e)&&this.
-listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let n of this.lanes){let{film:i}=n,o=n.refining||n.coarse===i?null:i.wanted(e,t);o&&(n.refining=
-!0,this.backend.call("samples",{scenario:i.scenario,window:o}).then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{n.coarse=i}).finally(()=>{n.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Ne(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.moved=performance.now(),s.since??=s.moved,s.pending=[...(s.pending??
+[]).filter(([i])=>!e.some(([o])=>o===i)),...e],s.commit||=t,s.what=e.map(([i])=>i).join(),t&&this.history.touch(s.what,s.moved),this.pump(s)}async pump(e){if(e.
+busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
+new Ne(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(i){this.lanes.includes(e)&&this.
+listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let s of this.lanes){let{film:i}=s,o=s.refining||s.coarse===i?null:i.wanted(e,t);o&&(s.refining=
+!0,this.backend.call("samples",{scenario:i.scenario,window:o}).then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{s.coarse=i}).finally(()=>{s.
 refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(
-this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Oe(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
+this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Ne(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
 let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){
 return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.
 going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
 active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
-"same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
-0).query,n&&`#${n}`)}};var Pc=6e3,As=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
-timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
-message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Pc)}};var q=52,Me=10,R=8,zs=30;function Oa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
-t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),n<o-4*r&&(n=o-.6*r),n=Math.min(n,0),i=Math.max(i,0),e&&([n,i]=[-Math.max(-n,i),Math.max(
--n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function qa(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
-i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=J(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
-a[0],a[1],l)){let b=Math.round(e.y(f))+.5;s.globalAlpha=Math.abs(f)<1e-9*c?1:.55,s.beginPath(),s.moveTo(q,b),s.lineTo(t-Me,b),s.stroke(),s.globalAlpha=1,s.fillText(
-oe(f,c),q-6,b)}let u=o.width/70,h=J(r[1]-r[0],u);s.textAlign="center",s.textBaseline="alphabetic";let{name:d,unit:p}=G[e.shared.axis],g=p?`${x(d)} [${p}]`:x(d);
-for(let f of le(r[0],r[1],u)){let b=e.x(f);s.beginPath(),s.moveTo(b,R+o.height),s.lineTo(b,R+o.height+4),s.stroke(),s.fillText(oe(f,h),b,R+o.height+15)}s.textAlign=
-"right",s.fillText(g,t-Me,n-3),s.save(),s.translate(11,R+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(x(e.unit),0,0),s.restore()}var Lc="RSKHM?";function Ia(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Lc[s[a*
-e+r]],c=_e(t[l]??"#6E6E6E"),u=4*((n-1-a)*e+r);o.data.set([...c,255],u)}return be(i).putImageData(o,0,0),i}function Ca(s,e,t){let n=t.length;s.strokeStyle=yt(e.look.
-dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let i=0;i<n;i++){if(!t[i])continue;let o=i;for(;o<n&&t[o]===t[i];)o++;let a=e.x(i*2*Math.PI/n),r=e.x(o*2*Math.PI/
-n);s.save(),s.beginPath(),s.rect(a,R,r-a,e.box.height),s.clip(),s.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?R+e.box.
-height:R),s.lineTo(a+c+e.box.height,l>0?R:R+e.box.height);s.stroke(),s.restore(),i=o}}function ja(s,e,t,n){let{look:i}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.
-soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(q+.5,R+.5,e.box.width-1,e.box.height-1),s.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
-PI,r=a-o>200?45:J(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);s.beginPath(),s.moveTo(u,R+e.box.height),s.lineTo(u,R+e.box.height+
-4),s.stroke(),s.fillText(oe(c*r,r),u,R+e.box.height+15)}s.textAlign="right",s.fillText(x("angle θ within a turn [°]"),t-Me,n-3),s.textBaseline="middle";let l=e.
-top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,J(l,5)),q-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,R+.5*e.box.height),
-s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var Rs={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=Rs[e].map((o,a)=>(n+=
-o,`${a%2?"transparent":s??"var(--ink)"} ${n-o}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
-join(", ")})`}return t}var Ls=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
-canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"\
-plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.
-element=m("section",{class:"phase"},m("header",{},m("h3",{},"Plane of θ and θ̇"),this.keys),this.body,m("p",{class:"hint"},"Colours: the mode that follows co\
-ntact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${ht("")}.`)),this.body.addEventListener("pointerdown",i=>this.seek(
-i)),this.pinched=ae(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(o?this.point(o):this.middle(),1/i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.
-asked="",this.soon=ie(()=>this.sharpen(),140)}async fetch(e,t){let n=this.reach(),i=JSON.stringify([e.hoop,e.plane,n]);if(i!==this.asked){let o=await this.painted(
-e,[0,2*Math.PI,-n,n],t);this.asked=i,this.pictures=[o],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||
-this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.
-sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,n){let{header:i,arrays:o}=await this.
-backend.call("regions",{scenario:e,window:t},n);return n?.throwIfAborted(),{window:i.window,paradox:o.paradox,picture:Ia(o.modes,o.paradox.length,this.colors.modes)}}reach(){
-return this.reached}findReach(){let e=0;for(let n of this.films??[]){let i=Float64Array.from(n.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
-e,i[Math.floor(.99*(i.length-1))]??0)}let t=J(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.
-wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){
-this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left-q)/this.box.width,i=1-(e.clientY-t.top-R)/
-this.box.height;return[this.range[0]+n*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),
-.5*(this.bottom()+this.top())]}zoomAbout([e,t],n){let i=Math.max(e-(e-this.range[0])*n,0),o=Math.min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(
-t-(t-this.bottom())*n,-a),l=Math.min(t+(this.top()-t)*n,a);this.range=[i,o],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){
-return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,n){
-this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.
-some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return q+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){
-return R+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:i,height:o}=V(
-this.canvas);if(this.box={width:i-q-Me,height:o-R-zs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(q,R,this.box.width,this.box.height),n.clip(),this.pictures){
-n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,u,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];n.fillStyle=
-t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ca(n,this,this.pictures[0].paradox)}for(let[a,r]of this.
-films.entries())this.way(n,r,a);if(n.restore(),ja(n,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(
-r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ps(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
-columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?me(n,this.look.dark):this.look.ink,e.beginPath();let l=null;
-for(let c=0;c<t.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==
-l.lap){let d=u>l.lap?r:0;e.lineTo(this.x(d),this.y(o[c])),e.moveTo(this.x(r-d),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));
-l={lap:u,mode:a[c]}}e.stroke(),e.setLineDash([])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:i}=V(this.over);t.clearRect(0,0,n,i),this.
-films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=q&&u<=q+this.box.width&&h>=R&&h<=R+this.box.height&&
-(t.beginPath(),t.arc(u,h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?me(a,this.look.dark):
-this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){
-let t=this.body.getBoundingClientRect(),[n,i]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.columns,
-l=2*Math.PI,c={distance:1/0,t:0};for(let u=0;u<o.length;u++){let h=a[u]-Math.floor(a[u]/l)*l,d=Math.hypot(this.x(h)-n,this.y(r[u])-i);d<c.distance&&(c={distance:d,
-t:o.t[u]})}c.distance<40&&this.clock.seek(_(c.t,0,o.duration))}};var ct=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:n,curves:i,limits:o,symmetric:a=!1},r){this.key=e,this.title=
-t,this.unit=n,this.curves=i,this.limits=o,this.symmetric=a,this.shared=r,this.canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas \
-plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"plot-body",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=
-m("section",{class:"plot","data-plot":e},m("header",{},m("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=
-ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return G[this.
-shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.
-films)for(let i of this.abscissa(n))i<e&&(e=i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??
-this.fullRange(),this.legend(this.shades(e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:i,width:o,height:a}=V(this.canvas);this.box={width:o-q-Me,height:a-
-R-zs},i.clearRect(0,0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.
-shared.axis==="time"&&this.bands(i,t[n],e),qa(i,this,o,a),i.save(),i.beginPath(),i.rect(q,R,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,
-l);if(t.length>1)for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.
-curves(e).map(o=>({...o,color:o.color&&vt(o.color,n)}));let i=Object.keys(Rs);return this.curves(e).map((o,a)=>({...o,color:me(t,n),dash:i[a%i.length]}))}x(e){return q+
-(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return R+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
-let t=[];for(let{film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(
-i[a])}return Oa(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),q,q+this.box.width),a=_(this.x(i.to),q,q+this.box.width);a<=o||(e.fillStyle=
-yt(n.modes[i.mode],.14),e.fillRect(o,R,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
-Rs[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
-isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
-[])}letter(e,{film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.
-isFinite(i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,R+10,R+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
-e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+
-t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ps(i.color,
-i.dash),i.name," ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.
-films.length>1?`${"AB"[a]}: `:"",u={name:x(i),low:S(r,3),high:S(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",u)}`:""}),n=x("Diagram: {title} in {uni\
-t}.",{title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{
-context:t,width:n,height:i}=V(this.over);if(t.clearRect(0,0,n,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-
-1),h=r.t[u]>r.t[c]?(l.t-r.t[c])/(r.t[u]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[u]-d[c])),g=p>=q-1&&p<=q+this.box.width+1;g&&(t.strokeStyle=this.look.soft,
-t.lineWidth=1,t.beginPath(),t.moveTo(p,R),t.lineTo(p,R+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+
-h*(w-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let v=this.y(y);!g||!(v>=R-1&&v<=R+this.box.height+1)||(t.fillStyle=
+"same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
+0).query,s&&`#${s}`)}};var Pc=6e3,Ln=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0});this.toast=m("div",{class:"toast",role:"status",hidden:!0});this.
+timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
+message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Pc)}};var O=52,Te=10,R=8,Rn=30;function Na(n,e){if(!n.length)return[0,1];let t=Float64Array.from(n).sort(),[s,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),s<o-4*r&&(s=o-.6*r),s=Math.min(s,0),i=Math.max(i,0),e&&([s,i]=[-Math.max(-s,i),Math.max(
+-s,i)]);let l=.06*(i-s)||1;return[s<0?s-l:s,i+l]}function Oa(n,e,t,s){let{look:i,box:o,heights:a,range:r}=e;n.font=`11px ${i.font}`,n.strokeStyle=i.line,n.fillStyle=
+i.soft,n.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=J(a[1]-a[0],l);n.textAlign="right",n.textBaseline="middle";for(let f of le(
+a[0],a[1],l)){let b=Math.round(e.y(f))+.5;n.globalAlpha=Math.abs(f)<1e-9*c?1:.55,n.beginPath(),n.moveTo(O,b),n.lineTo(t-Te,b),n.stroke(),n.globalAlpha=1,n.fillText(
+oe(f,c),O-6,b)}let u=o.width/70,h=J(r[1]-r[0],u);n.textAlign="center",n.textBaseline="alphabetic";let{name:d,unit:p}=U[e.shared.axis],g=p?`${x(d)} [${p}]`:x(d);
+for(let f of le(r[0],r[1],u)){let b=e.x(f);n.beginPath(),n.moveTo(b,R+o.height),n.lineTo(b,R+o.height+4),n.stroke(),n.fillText(oe(f,h),b,R+o.height+15)}n.textAlign=
+"right",n.fillText(g,t-Te,s-3),n.save(),n.translate(11,R+.5*o.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(x(e.unit),0,0),n.restore()}var Cc="RSKHM?";function Ia(n,e,t){let s=n.length/e,i=m("canvas",{width:e,height:s}),o=new ImageData(e,s);for(let a=0;a<s;a++)for(let r=0;r<e;r++){let l=Cc[n[a*
+e+r]],c=_e(t[l]??"#6E6E6E"),u=4*((s-1-a)*e+r);o.data.set([...c,255],u)}return be(i).putImageData(o,0,0),i}function qa(n,e,t){let s=t.length;n.strokeStyle=yt(e.look.
+dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let i=0;i<s;i++){if(!t[i])continue;let o=i;for(;o<s&&t[o]===t[i];)o++;let a=e.x(i*2*Math.PI/s),r=e.x(o*2*Math.PI/
+s);n.save(),n.beginPath(),n.rect(a,R,r-a,e.box.height),n.clip(),n.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)n.moveTo(a+c,l>0?R+e.box.
+height:R),n.lineTo(a+c+e.box.height,l>0?R:R+e.box.height);n.stroke(),n.restore(),i=o}}function Fa(n,e,t,s){let{look:i}=e;n.font=`11px ${i.font}`,n.strokeStyle=i.
+soft,n.fillStyle=i.soft,n.lineWidth=1,n.strokeRect(O+.5,R+.5,e.box.width-1,e.box.height-1),n.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
+PI,r=a-o>200?45:J(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);n.beginPath(),n.moveTo(u,R+e.box.height),n.lineTo(u,R+e.box.height+
+4),n.stroke(),n.fillText(oe(c*r,r),u,R+e.box.height+15)}n.textAlign="right",n.fillText(x("angle θ within a turn [°]"),t-Te,s-3),n.textBaseline="middle";let l=e.
+top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))n.fillText(oe(c,J(l,5)),O-6,e.y(c));n.textBaseline="alphabetic",n.save(),n.translate(11,R+.5*e.box.height),
+n.rotate(-Math.PI/2),n.textAlign="center",n.fillText("θ̇ [rad/s]",0,0),n.restore()}var Pn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Cn(n,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+n??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,i=Pn[e].map((o,a)=>(s+=
+o,`${a%2?"transparent":n??"var(--ink)"} ${s-o}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
+join(", ")})`}return t}var zn=class{constructor(e,t,s){this.backend=e;this.clock=t;this.colors=s;this.canvas=m("canvas",{class:"plot-canvas"});this.over=m("canvas",{class:"plot-canvas\
+ plot-over"});this.keys=m("div",{class:"plot-keys"});this.asked="";this.body=m("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and\
+ angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=m("section",{class:"phase"},m("header",{},m("h3",{},"Plane \
+of θ and θ̇"),this.keys),this.body,m("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
+" ",`Click to go there; ${ht("")}.`)),this.body.addEventListener("pointerdown",i=>this.seek(i)),this.pinched=ae(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(
+o?this.point(o):this.middle(),1/i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ie(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),
+i=JSON.stringify([e.hoop,e.plane,s]);if(i!==this.asked){let o=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=i,this.pictures=[o],this.redraw()}this.window&&
+await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(
+this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.
+name!=="AbortError")throw e}}}async painted(e,t,s){let{header:i,arrays:o}=await this.backend.call("regions",{scenario:e,window:t},s);return s?.throwIfAborted(),
+{window:i.window,paradox:o.paradox,picture:Ia(o.modes,o.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??
+[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,i[Math.floor(.99*(i.length-1))]??0)}let t=J(Math.max(e,1)*1.15,
+4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-
+e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.
+body.getBoundingClientRect(),s=(e.clientX-t.left-O)/this.box.width,i=1-(e.clientY-t.top-R)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),
+this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],s){let i=Math.max(e-
+(e-this.range[0])*s,0),o=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=
+[i,o],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){
+return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=this.findReach(),this.
+forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.
+redraw()}x(e){return O+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return R+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){
+if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:i,height:o}=V(this.canvas);if(this.box={width:i-O-Te,height:o-R-Rn},s.clearRect(0,0,i,o),s.save(),
+s.beginPath(),s.rect(O,R,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,
+u,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];s.fillStyle=t.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.globalAlpha=.35,s.drawImage(a,d[0],
+d[1],d[2],d[3]),s.globalAlpha=1}qa(s,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),Fa(s,this,i,o),this.keyed!==
+t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot\
+-key"},Cn(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,s){let{angle:i,omega:o,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:
+[]),e.strokeStyle=this.films.length>1?me(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(o[c])){l=null;
+continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==l.lap){let d=u>l.lap?r:0;e.lineTo(this.x(d),this.y(o[c])),
+e.moveTo(this.x(r-d),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));l={lap:u,mode:a[c]}}e.stroke(),e.setLineDash([])}cursor(e){
+if(!this.films||!this.box)return;let{context:t,width:s,height:i}=V(this.over);t.clearRect(0,0,s,i),this.films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-
+Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=O&&u<=O+this.box.width&&h>=R&&h<=R+this.box.height&&(t.beginPath(),t.arc(u,h,a?4:5.5,0,2*Math.PI),t.fillStyle=
+this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?me(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
+`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,i]=[
+e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let u=0;u<
+o.length;u++){let h=a[u]-Math.floor(a[u]/l)*l,d=Math.hypot(this.x(h)-s,this.y(r[u])-i);d<c.distance&&(c={distance:d,t:o.t[u]})}c.distance<40&&this.clock.seek(_(
+c.t,0,o.duration))}};var ct=class{constructor({key:e,title:t,unit:s,curves:i,limits:o,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=s,this.curves=i,this.limits=
+o,this.symmetric=a,this.canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.
+body=m("div",{class:"plot-body",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=m("section",{class:"plot","data-plot":e},m("header",
+{},m("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
+c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return U[this.shared.axis].values(e)}fullRange(){if(this.
+shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let i of this.abscissa(s))i<e&&(e=
+i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}take(e,t,s){this.films=e,this.active=t,this.look=s,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
+e[t],t),s.dark)}draw(e){let{films:t,active:s}=this,{context:i,width:o,height:a}=V(this.canvas);this.box={width:o-O-Te,height:a-R-Rn},i.clearRect(0,0,o,a);let r=t.
+flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="time"&&this.bands(
+i,t[s],e),Oa(i,this,o,a),i.save(),i.beginPath(),i.rect(O,R,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,l);if(t.length>1)for(let l of r)
+l.number===0&&this.letter(i,l);i.restore(),this.describe(r)}shades(e,t){let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(o=>({...o,color:o.
+color&&vt(o.color,s)}));let i=Object.keys(Pn);return this.curves(e).map((o,a)=>({...o,color:me(t,s),dash:i[a%i.length]}))}x(e){return O+(e-this.range[0])/(this.
+range[1]-this.range[0])*this.box.width}y(e){return R+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:s,
+values:i}of e){let o=this.abscissa(s);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(i[a])}return Na(t,this.
+symmetric)}bands(e,t,s){for(let i of t.phases){let o=_(this.x(i.from),O,O+this.box.width),a=_(this.x(i.to),O,O+this.box.width);a<=o||(e.fillStyle=yt(s.modes[i.mode],
+.14),e.fillRect(o,R,a-o,this.box.height))}}curve(e,{film:t,color:s,dash:i,number:o}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Pn[i??"solid"]),
+e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.isFinite(c[u])||
+!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,
+lane:s,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(i[l]))
+return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,R+10,R+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.
+look.panel,e.strokeText("AB"[s],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[s],c,u)}legend(e,t){let s=e.map(i=>i.name+i.color+i.dash).join()+t;this.named!==
+s&&(this.named=s,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Cn(i.color,i.dash),i.name,
+" ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.films.
+length>1?`${"AB"[a]}: `:"",u={name:x(i),low:E(r,3),high:E(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",u)}`:""}),s=x("Diagram: {title} in {unit}.",{
+title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,
+width:s,height:i}=V(this.over);if(t.clearRect(0,0,s,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-1),h=r.t[u]>
+r.t[c]?(l.t-r.t[c])/(r.t[u]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[u]-d[c])),g=p>=O-1&&p<=O+this.box.width+1;g&&(t.strokeStyle=this.look.soft,t.lineWidth=
+1,t.beginPath(),t.moveTo(p,R),t.lineTo(p,R+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+h*(w-
+f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=E(y,3));let v=this.y(y);!g||!(v>=R-1&&v<=R+this.box.height+1)||(t.fillStyle=
 f.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=yt("#0072B2",.2),t.fillRect(Math.min(
-o,a),R,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_((e.clientX-t.left-q)/(t.width-q-Me),0,1);return this.range[0]+n*(this.
-range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=e.clientX-t.left,i=this.valueAt(e),o=this.pinched(),a=r=>{if(o||=
-this.pinched(),o)return;let l=r.clientX-t.left;this.picked=e.pointerType==="mouse"&&Math.abs(l-n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
+o,a),R,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),s=_((e.clientX-t.left-O)/(t.width-O-Te),0,1);return this.range[0]+s*(this.
+range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,i=this.valueAt(e),o=this.pinched(),a=r=>{if(o||=
+this.pinched(),o)return;let l=r.clientX-t.left;this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
 this.cursor(this.shared.clock.time)};Y(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(
 this.shared.clock.time):l&&!o&&this.seek(e.pointerType==="mouse"?i:c)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],
-n=this.abscissa(t),i=0;for(let o=0;o<n.length;o++)Math.abs(n[o]-e)<Math.abs(n[i]-e)&&(i=o);return this.onseek(t.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){
-let n=this.fullRange(),i=Math.max(e-(e-this.range[0])*t,n[0]),o=Math.min(e+(this.range[1]-e)*t,n[1]);this.zoomTo(i<=n[0]&&o>=n[1]?null:[i,o])}zoomTo(e){this.shared.
-range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Gn=s=>Object.entries(G).map(([e,t])=>m("option",{value:e},s(t)));function Da(s){let e="height",t=new ct({key:"own",title:"Your choice",unit:"",curves:o=>[{name:x(
-G[e].name),values:G[e].values(o)}]},s),n=()=>{let{symbol:o,unit:a}=G[e];t.unit=a?`${o} [${a}]`:o},i=m("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=i.value,n(),s.changed()}},Gn(la));return i.value=e,n(),t.element.querySelector("h3")?.after(i),t}function Nc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
-R θ̇",color:s.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,n=>n*e.radius))}]},{key:"energies",title:"Energies and losse\
-s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:s.kinetic,values:e.columns.kinetic},{name:"potential",color:s.potential,values:e.columns.potential},{name:"\
-total",values:e.derived("total",({t,kinetic:n,potential:i})=>Float64Array.from(t,(o,a)=>n[a]+i[a])),dash:"dash"},{name:"lost to friction",color:s.friction_loss,
-values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:s.impact_loss,values:e.columns.
+s=this.abscissa(t),i=0;for(let o=0;o<s.length;o++)Math.abs(s[o]-e)<Math.abs(s[i]-e)&&(i=o);return this.onseek(t.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){
+let s=this.fullRange(),i=Math.max(e-(e-this.range[0])*t,s[0]),o=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(i<=s[0]&&o>=s[1]?null:[i,o])}zoomTo(e){this.shared.
+range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Us=n=>Object.entries(U).map(([e,t])=>m("option",{value:e},n(t)));function Da(n){let e="height",t=new ct({key:"own",title:"Your choice",unit:"",curves:o=>[{name:x(
+U[e].name),values:U[e].values(o)}]},n),s=()=>{let{symbol:o,unit:a}=U[e];t.unit=a?`${o} [${a}]`:o},i=m("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=i.value,s(),n.changed()}},Us(la));return i.value=e,s(),t.element.querySelector("h3")?.after(i),t}function zc(n){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:n.center_speed,values:e.columns.vx},{name:"\
+R θ̇",color:n.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
+s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:n.kinetic,values:e.columns.kinetic},{name:"potential",color:n.potential,values:e.columns.potential},{name:"\
+total",values:e.derived("total",({t,kinetic:s,potential:i})=>Float64Array.from(t,(o,a)=>s[a]+i[a])),dash:"dash"},{name:"lost to friction",color:n.friction_loss,
+values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:n.impact_loss,values:e.columns.
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
-orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
-dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
-friction_force,values:e.columns.utilization}]}]}var Ns=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
-redraw()},this.plots=[...Nc(t).map(i=>new ct(i,this.shared)),Da(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
-i.element,!0]));let n=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
-plots)n.observe(i.element);this.axis=m("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
-null,this.redraw()}},Gn(({name:i})=>`over ${i}`)),this.back=m("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
-m("span",{class:"hint"}),this.element=m("div",{class:"plots"},m("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(e,t,n){
-this.films=e,this.active=t,this.look=n;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${ht("")}`,
+orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:n.normal_force,values:e.columns.normal_force},{name:"friction F",color:n.friction_force,
+dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:n.
+friction_force,values:e.columns.utilization}]}]}var Nn=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
+this.plots=[...zc(t).map(i=>new ct(i,this.shared)),Da(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[i.element,
+!0]));let s=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.plots)
+s.observe(i.element);this.axis=m("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
+this.redraw()}},Us(({name:i})=>`over ${i}`)),this.back=m("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=m("\
+span",{class:"hint"}),this.element=m("div",{class:"plots"},m("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(e,t,s){
+this.films=e,this.active=t,this.look=s;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${ht("")}`,
 o=e.length>1;P(this.hint,o?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${i}`:i),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Oc={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},qc={python:"The bits differ: {own} here, {other} in Python.",link:"\
-The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Os=class{constructor(e){this.python=new Map(e.map(({key:t,query:n})=>[
-n,E.fingerprints[t]])),this.link=new Map}expect(e,t){for(let[n,{query:i}]of e.entries())t[n]&&this.link.set(i,t[n])}expected(e){return e.map(({query:t})=>this.link.
-get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let i=this[n].get(e);if(!i)return[];let o=t===i;return[{same:o,text:o?Oc[n]:qc[n].
-replace("{own}",t).replace("{other}",i)}]}):[]}};var Ha=Hl(Wa(),1);var Ic=3840;async function Ua(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Ic/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
-round(e*n),height:Math.round(t*n)}),o=be(i);return o.setTransform(n,0,0,n,0,0),Vn(o,s,e,t),s.stage.options.three?(o.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
-Va(o,s,e,t),Jn(o,s,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Ga(s){if(s.stage.options.three)
-throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Ha.Context(
-{width:e,height:t,document});return Vn(n,s,e,t),Va(n,s,e,t),Jn(n,s,t),new Blob([n.getSerializedSvg()],{type:"image/svg+xml"})}function Ka(s,e){let t=s.stage.canvas(),
-{width:n,height:i}=t.getBoundingClientRect(),o=be(e);o.setTransform(e.width/n,0,0,e.height/i,0,0),Vn(o,s,n,i),o.drawImage(t,0,0,n,i),Jn(o,s,i)}function Vn(s,{theme:e},t,n){
-s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function Va(s,e,t,n){let{stage:i,clock:o,theme:a}=e;i.flat.paint(s,t,n,e.films(),o.time,i.options,a.look,a.inks)}function Jn(s,e,t){
-let{theme:n,stage:i,clock:o}=e,a=e.films();s.textBaseline="top",s.textAlign="left";for(let[r,l]of a.entries()){let c=l.at(o.time),u=a.length>1?`${"AB"[r]}: `:"",
-h=x(n.colors.mode_names[c.mode]),d=`t = ${c.t.toFixed(3)} s, θ = ${U(c.angle)}, v = ${S(c.vx,3)} m/s`,p=i.options.three?10+20*r:10+r*t/a.length;s.fillStyle=n.colors.
-modes[c.mode],s.fillRect(12,p+2,11,11),s.fillStyle=n.look.ink,s.font=`13px ${n.look.font}`,s.fillText(`${u}${h}, ${d}`,30,p)}s.textBaseline="alphabetic"}async function Ja(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
-stead.");let t=m("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),i=[];
-n.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
-s.afterFrame=()=>{Ka(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await o,s.afterFrame=null,s.clock.loop=a,new Blob(i,{type:n.
-mimeType})}var Cc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],Is=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),Cc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
-ture (PNG)",()=>this.picture("png",Ua)),this.item("Picture (SVG)",()=>this.picture("svg",Ga)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Nc={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},Oc={python:"The bits differ: {own} here, {other} in Python.",link:"\
+The bits differ: {own} here, {other} where the link was made, perhaps with another version."},On=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
+({key:t,query:s})=>[s,M.fingerprints[t]]))}expect(e,t){for(let[s,{query:i}]of e.entries())t[s]&&this.link.set(i,t[s])}expected(e){return e.map(({query:t})=>this.
+link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(s=>{let i=this[s].get(e);if(!i)return[];let o=t===i;return[{same:o,text:o?Nc[s]:
+Oc[s].replace("{own}",t).replace("{other}",i)}]}):[]}};var Wa=Wl(Ba(),1);var Ic=3840;async function Ga(n){let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=Math.max(Ic/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
+round(e*s),height:Math.round(t*s)}),o=be(i);return o.setTransform(s,0,0,s,0,0),Vs(o,n,e,t),n.stage.options.three?(o.drawImage(n.stage.sharp(n,s),0,0,e,t),n.drawStage()):
+Va(o,n,e,t),Js(o,n,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Ua(n){if(n.stage.options.three)
+throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=new Wa.Context(
+{width:e,height:t,document});return Vs(s,n,e,t),Va(s,n,e,t),Js(s,n,t),new Blob([s.getSerializedSvg()],{type:"image/svg+xml"})}function Ka(n,e){let t=n.stage.canvas(),
+{width:s,height:i}=t.getBoundingClientRect(),o=be(e);o.setTransform(e.width/s,0,0,e.height/i,0,0),Vs(o,n,s,i),o.drawImage(t,0,0,s,i),Js(o,n,i)}function Vs(n,{theme:e},t,s){
+n.fillStyle=e.look.paper,n.fillRect(0,0,t,s)}function Va(n,e,t,s){let{stage:i,clock:o,theme:a}=e;i.flat.paint(n,t,s,e.films(),o.time,i.options,a.look,a.inks)}function Js(n,e,t){
+let{theme:s,stage:i,clock:o}=e,a=e.films();n.textBaseline="top",n.textAlign="left";for(let[r,l]of a.entries()){let c=l.at(o.time),u=a.length>1?`${"AB"[r]}: `:"",
+h=x(s.colors.mode_names[c.mode]),d=`t = ${c.t.toFixed(3)} s, θ = ${G(c.angle)}, v = ${E(c.vx,3)} m/s`,p=i.options.three?10+20*r:10+r*t/a.length;n.fillStyle=s.colors.
+modes[c.mode],n.fillRect(12,p+2,11,11),n.fillStyle=s.look.ink,n.font=`13px ${s.look.font}`,n.fillText(`${u}${h}, ${d}`,30,p)}n.textBaseline="alphabetic"}async function Ja(n){let e=n.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
+stead.");let t=m("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),s=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),i=[];
+s.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>s.onstop=r),{loop:a}=n.clock;return n.clock.loop=!1,n.clock.seek(0),n.notice.say("Recording one run …"),
+n.afterFrame=()=>{Ka(n,t),!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await o,n.afterFrame=null,n.clock.loop=a,new Blob(i,{type:s.
+mimeType})}var qc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+)"]],qn=class{constructor(e){this.lab=e;this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
+this.item("Copy the link",()=>this.copyLink()),qc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Pic\
+ture (PNG)",()=>this.picture("png",Ga)),this.item("Picture (SVG)",()=>this.picture("svg",Ua)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
 "Show me the Python",()=>this.code()))),this.dialog=m("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
-own",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return m("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(n){
-this.lab.notice.fail(n)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.clipboard.writeText(e),
+own",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return m("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(s){
+this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.clipboard.writeText(e),
 this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith(
 "mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),at(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e}\
  is there.`)}async picture(e,t){at(await t(this.lab),`hophoop.${e}`)}async record(){at(await Ja(this.lab),"hophoop.webm"),this.lab.notice.say("The film is there\
 .")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,"The scena\
-rio as a file",e.toml)}show(...e){let t=[];for(let n=0;n<e.length;n+=2){let i=e[n+1],o=m("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.
-writeText(i).catch(()=>{}),P(o,"Copied")},t.push(m("header",{},m("h2",{},e[n]),o),m("pre",{tabindex:"0"},m("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(
-...t,m("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Ya=120,Cs=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
-common=h,this.pose=i.at(o);let d=i.radius,{left:p,right:g}=i.extent,{top:f}=h;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let b=2*h.radius+Math.min(
-f,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(g-p)*this.cosine+2.6*d,v=(g-p)*Math.abs(this.sine)+2.6*d+f;this.scale=Math.min(t/y,.86*n/v,w)*
-c,this.focus=[.5*(p+g),0],this.place=[.5*t+u[0],(i.slope?.62:.8)*n+u[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=
-[(t<520?.6:.46)*t+u[0],.82*n+u[1]]}point(e,t){let n=e-this.focus[0],i=t-this.focus[1];return[this.place[0]+this.scale*(n*this.cosine+i*this.sine),this.place[1]-
-this.scale*(i*this.cosine-n*this.sine)]}unpoint(e,t){let n=(e-this.place[0])/this.scale,i=-(t-this.place[1])/this.scale;return[this.focus[0]+n*this.cosine-i*this.
-sine,this.focus[1]+n*this.sine+i*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
-forces()}ground(){let{context:e,look:t,width:n,height:i}=this,o=(Math.hypot(n,i)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
+rio as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let i=e[s+1],o=m("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.
+writeText(i).catch(()=>{}),P(o,"Copied")},t.push(m("header",{},m("h2",{},e[s]),o),m("pre",{tabindex:"0"},m("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(
+...t,m("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Ya=120,Fn=class{constructor(e,t,s,i,o,a,r,l,c,u,h){this.context=e;this.width=t;this.height=s;this.film=i;this.options=a;this.look=r;this.colors=l;this.common=
+h;this.top=0;this.pose=i.at(o);let d=i.radius,{left:p,right:g}=i.extent,{top:f}=h;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let b=2*h.radius+Math.
+min(f,6*h.radius),w=Math.min(.66*s/b,.36*t/h.radius);if(a.whole){let y=(g-p)*this.cosine+2.6*d,v=(g-p)*Math.abs(this.sine)+2.6*d+f;this.scale=Math.min(t/y,.86*s/
+v,w)*c,this.focus=[.5*(p+g),0],this.place=[.5*t+u[0],(i.slope?.62:.8)*s+u[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
+place=[(t<520?.6:.46)*t+u[0],.82*s+u[1]]}point(e,t){let s=e-this.focus[0],i=t-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+i*this.sine),this.place[1]-
+this.scale*(i*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/this.scale,i=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-i*this.
+sine,this.focus[1]+s*this.sine+i*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
+forces()}ground(){let{context:e,look:t,width:s,height:i}=this,o=(Math.hypot(s,i)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
 this.focus[0]-o,0),[l,c]=this.point(this.focus[0]+o,0),u=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
-l+u[0],c+u[1]),e.lineTo(a+u[0],r+u[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=J(n/this.scale,n/
+l+u[0],c+u[1]),e.lineTo(a+u[0],r+u[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=J(s/this.scale,s/
 90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let d=Math.ceil((this.focus[0]-o)/h),p=Math.min(Math.floor((this.focus[0]+o)/h),
-d+400);for(let g=d;g<=p;g++){let[f,b]=this.point(g*h,0);f<-40||f>n+40||(e.beginPath(),e.moveTo(f,b),e.lineTo(f-6*this.sine,b+6*this.cosine),e.stroke(),e.fillText(
-`${oe(g*h,h)} m`,f-18*this.sine,b+8+10*this.cosine))}}traces(){let{film:e,context:t,look:n,colors:i}=this,o=e.radius,a=this.options.ahead?e.duration:this.pose.t,
+d+400);for(let g=d;g<=p;g++){let[f,b]=this.point(g*h,0);f<-40||f>s+40||(e.beginPath(),e.moveTo(f,b),e.lineTo(f-6*this.sine,b+6*this.cosine),e.stroke(),e.fillText(
+`${oe(g*h,h)} m`,f-18*this.sine,b+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:i}=this,o=e.radius,a=this.options.ahead?e.duration:this.pose.t,
 r=(l,c,u,h)=>{t.strokeStyle=c,t.lineWidth=u,t.lineJoin="round",t.beginPath();let d=!1,p=(g,f,b)=>{let[w,y]=this.point(g+l*Math.sin(b),o+f+l*Math.cos(b));d?t.lineTo(
 w,y):t.moveTo(w,y),d=!0};for(let g of e.pieces()){let{x:f,height:b,angle:w,mode:y}=g.film.columns;for(let v=g.from;v<g.to&&g.film.t[v]<=a;v++)h===void 0||y[v]===
 3===h?p(f[v],b[v],w[v]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),t.stroke()};t.globalAlpha=
-this.options.ahead?.45:1,r(o,n.ink,1.3),r(e.eccentricity*o,i.gravity_center,1.8,!1),r(e.eccentricity*o,i.airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:n,
-film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(i.radius*a-_(.07*i.radius*a,2,
-14)-3,2),0,2*Math.PI),n.stroke(),n.fillStyle=t,n.font=`700 17px ${this.look.font}`,n.textAlign="center",n.fillText(e,r-14,l+20)}hoop(){let{film:e,pose:t,context:n,
-look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
-"butt",i.dark&&(n.strokeStyle=i.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){let b=this.common.
-speed;n.lineWidth=l;let w=2*Math.PI/Ya;for(let y=0;y<Ya;y++){let v=t.angle+y*w,T=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.sin(v+.5*w));n.strokeStyle=
-Vt[_(Math.round(255*T/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
-n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=i.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(u[0],u[1])),n.lineTo(
-...h(t.angle)),n.stroke();let d=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,n.stroke()};d(this.point(
+this.options.ahead?.45:1,r(o,s.ink,1.3),r(e.eccentricity*o,i.gravity_center,1.8,!1),r(e.eccentricity*o,i.airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,
+film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),s.arc(r,l,Math.max(i.radius*a-_(.07*i.radius*a,2,
+14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,
+look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(s.lineCap=
+"butt",i.dark&&(s.strokeStyle=i.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),s.stroke()),this.options.speed){let b=this.common.
+speed;s.lineWidth=l;let w=2*Math.PI/Ya;for(let y=0;y<Ya;y++){let v=t.angle+y*w,S=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.sin(v+.5*w));s.strokeStyle=
+Vt[_(Math.round(255*S/b)||0,0,255)],s.beginPath(),s.moveTo(...h(v-.04*w)),s.lineTo(...h(v+1.04*w)),s.stroke()}}else s.strokeStyle=o.modes[t.mode],s.lineWidth=l,
+s.beginPath(),s.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=i.soft,s.lineWidth=1,s.beginPath(),s.moveTo(...this.point(u[0],u[1])),s.lineTo(
+...h(t.angle)),s.stroke();let d=(b,w,y,v)=>{s.beginPath(),s.arc(...b,w,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=1.5,s.strokeStyle=v,s.stroke()};d(this.point(
 u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),_(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
-g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,_(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:n,pose:i,context:o,look:a,
+g*Math.sin(t.angle),u[1]+g*Math.cos(t.angle));d(f,_(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){let{film:s,pose:i,context:o,look:a,
 scale:r}=this,c=e.reduce((u,h)=>u+h.mass*(h.at??0),0)<0?-1:1;o.strokeStyle=a.ink;for(let u of e){let h=c*(u.at??0),d=this.point(t[0]+h*Math.sin(i.angle),t[1]+h*
 Math.cos(i.angle));if(o.fillStyle=a.ink,o.lineWidth=1,o.beginPath(),u.shape==="ring")o.globalAlpha=.22,o.arc(...d,u.outer_radius*r,0,2*Math.PI),o.arc(...d,u.inner_radius*
 r,0,2*Math.PI,!0),o.fill(),o.globalAlpha=1;else if(u.shape==="rod"){let p=.5*u.length,g=f=>this.point(t[0]+f*Math.sin(i.angle),t[1]+f*Math.cos(i.angle));o.lineWidth=
-4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:_(.08*n.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
-p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,i=e.radius,o=e.mass*(e.gravity||9.81),a=l=>.55*i*l/o;if(t.mode==="H"||!(t.normal_force>
-0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],n.normal_force,`N = ${S(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],n.friction_force,
-`F = ${S(t.friction_force,3)} N`,!0)}arrow([e,t],[n,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(n)>h||Math.abs(i)>h;[n,i]=[_(
-n,-h,h),_(i,-h,h)];let p=this.point(e,t),g=this.point(e+n,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
-f);for(let[M,A]of[[c.paper,6],[o,3]])l.strokeStyle=M,l.fillStyle=M,l.lineWidth=A,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-b*y,g[1]-w*y),l.stroke();if(l.beginPath(),
-l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[M,A]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
-c.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(M+b*(z-3)-w*7,A+w*(z-3)+b*7),l.lineTo(M+b*(z+3)+w*7,A+w*(z+3)-b*7);l.stroke()}l.font=`600 12px ${c.
-font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let T=r?[p[0]-.5*v-32*this.sine,p[1]+32*this.cosine]:[g[0]+
-12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];T[0]=_(T[0],4,u-v-4),l.strokeText(a,T[0],T[1]),l.fillText(a,T[0],T[1])}};var js=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
-"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
-this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,n]=[0,0]){let{width:i,
-height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
-let t=[e.clientX,e.clientY],n=this.shift;Y(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
-let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
+4,o.moveTo(...g(h-p)),o.lineTo(...g(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:_(.08*s.radius*r,3,12);o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...d,
+p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,i=e.radius,o=e.mass*(e.gravity||9.81),a=l=>.55*i*l/o;if(t.mode==="H"||!(t.normal_force>
+0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N = ${E(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,
+`F = ${E(t.friction_force,3)} N`,!0)}arrow([e,t],[s,i],o,a,r){let{context:l,look:c,width:u}=this,h=2.2*this.film.radius,d=Math.abs(s)>h||Math.abs(i)>h;[s,i]=[_(
+s,-h,h),_(i,-h,h)];let p=this.point(e,t),g=this.point(e+s,t+i),f=Math.hypot(g[0]-p[0],g[1]-p[1]);if(f<2)return;let b=(g[0]-p[0])/f,w=(g[1]-p[1])/f,y=Math.min(11,
+f);for(let[T,A]of[[c.paper,6],[o,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=A,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-b*y,g[1]-w*y),l.stroke();if(l.beginPath(),
+l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[T,A]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
+c.paper,l.lineWidth=2,l.beginPath();for(let L of[-3,3])l.moveTo(T+b*(L-3)-w*7,A+w*(L-3)+b*7),l.lineTo(T+b*(L+3)+w*7,A+w*(L+3)-b*7);l.stroke()}l.font=`600 12px ${c.
+font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let S=r?[p[0]-.5*v-32*this.sine,p[1]+32*this.cosine]:[g[0]+
+12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];S[0]=_(S[0],4,u-v-4),l.strokeText(a,S[0],S[1]),l.fillText(a,S[0],S[1])}};var Dn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=ae(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
+this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,s]=[0,0]){let{width:i,
+height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,s*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
+let t=[e.clientX,e.clientY],s=this.shift;Y(this.canvas,e,i=>{this.pinched()||(this.shift=[s[0]+i.clientX-t[0],s[1]+i.clientY-t[1]],this.onview())})}draw(e,t,s,i,o){
+let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,s,i,o))}paint(e,t,s,i,o,a,r,l){let c=s/i.length,
 u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,d)=>{e.save(),e.beginPath(),
-e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Cs(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Fn(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
 p,d),i.length>1&&(p.mark("AB"[d],me(d,r.dark)),e.fillStyle=me(d,r.dark),e.font=`700 17px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
-d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Zn(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=s[4*a+i]*e[4*n+a];t[4*n+i]=o}return t}function Za(s,e,t,n){
-let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Xa(s,e){let t=Ke(Xn(s,e)),n=Ke(Ds([0,1,0],t)),
-i=Ds(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Yn(n,s),-Yn(i,s),-Yn(t,s),1])}var Xn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
-Yn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],Ds=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function Ke(s){let e=Math.hypot(...s)||1;return[
-s[0]/e,s[1]/e,s[2]/e]}function $s(s,e,t,n){let i=Ke(e),o=Ke(Ds(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=Ds(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
-map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function Qn(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ut(s,e,t){let n=s.createProgram(),i=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
-l),!s.getShaderParameter(l,s.COMPILE_STATUS))throw new Error(String(s.getShaderInfoLog(l)));s.attachShader(n,l)}if(s.linkProgram(n),!s.getProgramParameter(n,s.LINK_STATUS))
-throw new Error(String(s.getProgramInfoLog(n)));let o={program:n,uniforms:{},attributes:{}};for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_UNIFORMS);a++){let{name:r}=s.
-getActiveUniform(n,a);o.uniforms[r]=s.getUniformLocation(n,r)}for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_ATTRIBUTES);a++){let{name:r}=s.getActiveAttrib(n,a);
-o.attributes[r]=s.getAttribLocation(n,r)}return o}function Ve(s,e,t,n){let i=s.createBuffer();s.bindBuffer(s.ARRAY_BUFFER,i),s.bufferData(s.ARRAY_BUFFER,new Float32Array(
-e),s.STATIC_DRAW);let o=n?s.createBuffer():null;n&&(s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,o),s.bufferData(s.ELEMENT_ARRAY_BUFFER,new Uint16Array(n),s.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:i,elements:o,parts:t,stride:a,count:n?n.length:4*e.length/a}}function dt(s,e,t){s.bindBuffer(s.ARRAY_BUFFER,
-t.vertices);let n=0;for(let[i,o]of Object.entries(t.parts)){let a=e.attributes[i];a!==void 0&&(s.enableVertexAttribArray(a),s.vertexAttribPointer(a,o,s.FLOAT,!1,
-t.stride,n)),n+=4*o}t.elements&&s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,t.elements)}function ei(s,e){let t=[];for(let n=0;n<s;n++)for(let i=0;i<e;i++){let o=n*(e+1)+
-i,a=o+e+1;t.push(o,a,o+1,a,a+1,o+1)}return t}function Qa(s,e=120,t=14){let n=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++)n.push(2*Math.PI*i/e,2*Math.PI*o/t);return Ve(
-s,n,{bend:2},ei(e,t))}function er(s,e=28,t=18){let n=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++){let[a,r]=[2*Math.PI*i/e,Math.PI*o/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];n.push(...l,...l)}return Ve(s,n,{position:3,normal:3},ei(e,t))}function ti(s,e,t=20){let n=[];for(let i=0;i<=t;i++){let o=2*
-Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];n.push(Math.cos(o),0,Math.sin(o),...a,e*Math.cos(o),1,e*Math.sin(o),...a)}return Ve(s,n,{position:3,normal:3},ei(t,1))}var ir=`
+d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Zs(n,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=n[4*a+i]*e[4*s+a];t[4*s+i]=o}return t}function Za(n,e,t,s){
+let i=1/Math.tan(n/2),o=1/(t-s);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(s+t)*o,-1,0,0,2*s*t*o,0])}function Qa(n,e){let t=Ke(Qs(n,e)),s=Ke(jn([0,1,0],t)),
+i=jn(t,s);return new Float32Array([s[0],i[0],t[0],0,s[1],i[1],t[1],0,s[2],i[2],t[2],0,-Ys(s,n),-Ys(i,n),-Ys(t,n),1])}var Qs=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],
+Ys=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],jn=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]];function Ke(n){let e=Math.hypot(...n)||1;return[
+n[0]/e,n[1]/e,n[2]/e]}function Hn(n,e,t,s){let i=Ke(e),o=Ke(jn(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=jn(o,i);return new Float32Array([...o.map(r=>r*s),0,...i.
+map(r=>r*t),0,...a.map(r=>r*s),0,...n,1])}function Xs(n){let[e,t]=[Math.cos(n),Math.sin(n)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(n){let e=Number.parseInt(n.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ut(n,e,t){let s=n.createProgram(),i=[[n.VERTEX_SHADER,e],[n.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=n.createShader(a);if(n.shaderSource(l,r),n.compileShader(
+l),!n.getShaderParameter(l,n.COMPILE_STATUS))throw new Error(String(n.getShaderInfoLog(l)));n.attachShader(s,l)}if(n.linkProgram(s),!n.getProgramParameter(s,n.LINK_STATUS))
+throw new Error(String(n.getProgramInfoLog(s)));let o={program:s,uniforms:{},attributes:{}};for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_UNIFORMS);a++){let{name:r}=n.
+getActiveUniform(s,a);o.uniforms[r]=n.getUniformLocation(s,r)}for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_ATTRIBUTES);a++){let{name:r}=n.getActiveAttrib(s,a);
+o.attributes[r]=n.getAttribLocation(s,r)}return o}function Ve(n,e,t,s){let i=n.createBuffer();n.bindBuffer(n.ARRAY_BUFFER,i),n.bufferData(n.ARRAY_BUFFER,new Float32Array(
+e),n.STATIC_DRAW);let o=s?n.createBuffer():null;s&&(n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,o),n.bufferData(n.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),n.STATIC_DRAW));
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:i,elements:o,parts:t,stride:a,count:s?s.length:4*e.length/a}}function dt(n,e,t){n.bindBuffer(n.ARRAY_BUFFER,
+t.vertices);let s=0;for(let[i,o]of Object.entries(t.parts)){let a=e.attributes[i];a!==void 0&&(n.enableVertexAttribArray(a),n.vertexAttribPointer(a,o,n.FLOAT,!1,
+t.stride,s)),s+=4*o}t.elements&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.elements)}function ei(n,e){let t=[];for(let s=0;s<n;s++)for(let i=0;i<e;i++){let o=s*(e+1)+
+i,a=o+e+1;t.push(o,a,o+1,a,a+1,o+1)}return t}function Xa(n,e=120,t=14){let s=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++)s.push(2*Math.PI*i/e,2*Math.PI*o/t);return Ve(
+n,s,{bend:2},ei(e,t))}function er(n,e=28,t=18){let s=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++){let[a,r]=[2*Math.PI*i/e,Math.PI*o/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ve(n,s,{position:3,normal:3},ei(e,t))}function ti(n,e,t=20){let s=[];for(let i=0;i<=t;i++){let o=2*
+Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];s.push(Math.cos(o),0,Math.sin(o),...a,e*Math.cos(o),1,e*Math.sin(o),...a)}return Ve(n,s,{position:3,normal:3},ei(t,1))}var ir=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
@@ -2096,7 +2095,7 @@ Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];n.push(Math.cos(o),0,Math.sin(o),...
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
      gl_FragColor = shadow > 0.0 ? ${ar} : vec4(shaded(color, n), 1.0);
-   }`],sr=[`attribute vec3 position, normal;
+   }`],nr=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
    ${or}
@@ -2106,7 +2105,7 @@ Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];n.push(Math.cos(o),0,Math.sin(o),...
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
    ${ir}
-   void main() { gl_FragColor = shadow > 0.0 ? ${ar} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],nr=[`attribute vec3 position, next, tint; attribute \
+   void main() { gl_FragColor = shadow > 0.0 ? ${ar} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],sr=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -2121,28 +2120,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fs=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
-"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
-e,this.sun=Ke(n),this.dark=i,this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=ut(a,tr[0],tr[1]),this.body=ut(a,sr[0],sr[1]),this.line=ut(a,nr[0],nr[1]),this.torus=Qa(
-a),this.sphere=er(a),this.cylinder=ti(a,1),this.cone=ti(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
-l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
-a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=Qn(0),
-this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:n,slope:i,angle:o,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),l.clearColor(
-e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let u=Za(o,c.width/c.height,a,r);this.view=Zn(Zn(u,
-Xa(t,n)),Qn(i)),this.eye=Ke(Xn(t,n))}use(e,t){let{gl:n}=this;n.useProgram(e.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
-o,a]of Object.entries(i)){let r=e.uniforms[o];r!==void 0&&(typeof a=="number"?n.uniform1f(r,a):a.length===16?n.uniformMatrix4fv(r,!1,a):n[`uniform${a.length}fv`](
-r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
-t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
-t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,n,{shadow:i=!1,lit:o=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:n,shadow:i?
-this.dark:0,lit:Number(o)}),dt(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,$s(e,[0,1,0],t,t),n,{shadow:i})}ring({
-center:e,radius:t,tube:n,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:u}=this;this.use(this.rim,{center:e,size:[t,n,i,o],motion:[...a,r],most:this.
-fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),dt(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,u.UNSIGNED_SHORT,0)}rod(e,t,n,i,o,a=!1){
-this.solid(this.cylinder,$s(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
-n-a,.029*i,o),this.solid(this.cone,$s(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
-r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ve(this.gl,i,{position:3,next:3,
-tint:3,side:1})}drawTrace(e,t,{width:n,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:n,distance:i,
-shift:o,depth:a}),dt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
-l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var jc=[.35,.85,.4],Dc=.18,Nt={azimuth:.5,height:.22,distance:5.2},rr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],$n=class{constructor(e,t,s,i,{keep:o=!1}={}){this.canvas=e;
+this.dark=i;this.eye=[0,0,1];this.fastest=1;let a=e.getContext("webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser dr\
+aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Ke(s),this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=ut(a,tr[0],tr[1]),this.body=ut(a,nr[0],nr[1]),this.
+line=ut(a,sr[0],sr[1]),this.torus=Xa(a),this.sphere=er(a),this.cylinder=ti(a,1),this.cone=ti(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
+colors);let r=new Uint8Array(t.flatMap(l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,
+r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(
+a.TEXTURE_2D,l,a.LINEAR);this.view=Xs(0)}begin({background:e,eye:t,target:s,slope:i,angle:o,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
+l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let u=Za(o,c.width/c.height,a,r);this.
+view=Zs(Zs(u,Qa(t,s)),Xs(i)),this.eye=Ke(Qs(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
+...t};for(let[o,a]of Object.entries(i)){let r=e.uniforms[o];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.
+length}fv`](r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,
+t.ONE_MINUS_SRC_ALPHA,t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),
+e(),t.depthMask(!0),t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:i=!1,lit:o=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,
+color:s,shadow:i?this.dark:0,lit:Number(o)}),dt(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,i){this.solid(this.sphere,Hn(e,
+[0,1,0],t,t),s,{shadow:i})}ring({center:e,radius:t,tube:s,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:u}=this;this.use(this.rim,{center:e,size:[t,
+s,i,o],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),dt(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,
+u.UNSIGNED_SHORT,0)}rod(e,t,s,i,o,a=!1){this.solid(this.cylinder,Hn(e,t,s,i),o,{shadow:a})}arrow(e,t,s,i,o){if(!(s>.02*i))return;let a=Math.min(.18*i,s),r=e.map(
+(l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,s-a,.029*i,o),this.solid(this.cone,Hn(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,s){let i=[];for(let o=0;o<e;o++){let a=t(
+o),r=t(Math.min(o+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...s(o),l)}
+return Ve(this.gl,i,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
+2/l.width,2/l.height],width:s,distance:i,shift:o,depth:a}),dt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let i=this.view,[o,a,r]=[0,1,
+3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*s+i[12+l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Fc=[.35,.85,.4],Dc=.18,zt={azimuth:.5,height:.22,distance:5.2},rr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2150,499 +2149,499 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Fs(e,nt,jc,Dc,{keep:!0}),this.floor=ut(this.space.gl,rr[0],rr[1]),this.corners=Ve(this.
-space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Nt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
-this.turned.distance/e,1.6,60):this.turned={...Nt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Nt.azimuth&&t===Nt.height&&n===
-Nt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.turned,x:e.clientX,
-y:e.clientY};Y(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+(n.clientY-t.y)*.006,
-.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.
-share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,i,o,a,r){let{canvas:l,space:c}=this,u=r??Math.min(globalThis.devicePixelRatio||
-1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*u),1),l.height=Math.max(Math.round(h.height*u),1);let d=e.map(f=>f.at(
-t)),p=e[0].radius;c.fastest=Math.max(...e.map(f=>f.extent.speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,c.begin({background:he(i.paper),...this.camera(e[0],
-d[0],p,n)}),c.ground(()=>this.drawFloor(p,i));let g=f=>{for(let[b,w]of e.entries())f(w,d[b],-2.1*p*b)};c.shadows(()=>g((f,b,w)=>this.drawHoop(f,b,w,n,i,o,!0))),
-g((f,b,w)=>{this.drawHoop(f,b,w,n,i,o,!1),n.traces&&this.drawTraces(f,b,w,i,o,u),n.forces&&this.drawForces(f,b,w,o)})}camera(e,t,n,i){let{azimuth:o,height:a,distance:r}=this.
-turned,{left:l,right:c}=e.extent,u=i.whole?Math.max(r*n,.85*(c-l)+3*n):r*n,[h,d]=[i.whole?.5*(l+c)-this.focus:0,n+.45*(t.height||0)],p=Math.cos(e.slope),g=Math.
-sin(e.slope),f=[h*p+d*g,-h*g+d*p,0],b=[f[0]+u*Math.sin(o)*Math.cos(a),f[1]+u*Math.sin(a),u*Math.cos(o)*Math.cos(a)];return this.reach=12*n+3*u,{eye:b,target:f,slope:e.
-slope,angle:.75,near:.05*n,far:40*n+6*u}}drawFloor(e,t){let{space:n}=this,i=he(t.ground),o=i.map(l=>l*(t.dark?.82:.94)),a=.5*e,r=this.focus%(2*a);n.use(this.floor,
-{reach:this.reach,light:i,dark:o,far:he(t.paper),tile:a,shift:r}),dt(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,n,i,o,a,r){
-let{space:l}=this,c=e.radius,u=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:u,broad:3.2*u,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,
-plain:i.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=f=>h.map((b,w)=>b+f*d[w]);l.ball(p(c-u),.125*c,o.dark?[.9,.91,.94]:[.12,
-.13,.15],r),l.rod(h,d,c-u,.012*c,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(g?a.airborne:a.gravity_center),r)}drawForces(e,t,n,i){if(t.
-mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,n+.2*o],l=u=>_(.55*o*Math.abs(u)/a,0,3.2*o),c=Math.
-sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),o,he(i.friction_force))}linesOf(e,t,n){
-let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
-l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
-h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var $c=["hoop","mode","time","angle","v","R θ̇","gap"],Ws=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new js(this.plane,t),this.deep=
-null,this.outputs=$c.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
-legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Vt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
-ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.element=
-m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
-({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),n(e.airborne,
-"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:i,inks:o}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Bs(this.
-space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
-deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[o.mode]),
-ge(`${o.t.toFixed(3)} s`),U(o.angle),C(S(o.vx,3),"m/s"),C(S(o.omega*i.radius,3),"m/s"),o.height>0?Le(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
+   }`],Bn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new $n(this.canvas,st,Fc,Dc,{keep:!0});this.floor=ut(this.space.gl,rr[0],rr[1]);this.corners=
+Ve(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...zt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
+e.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=ae(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
+turned.distance=_(this.turned.distance/e,1.6,60):this.turned={...zt},this.onview()}from(){let{azimuth:e,height:t,distance:s}=this.turned;return e===zt.azimuth&&
+t===zt.height&&s===zt.distance?void 0:[e,t,s]}look([e,t,s]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(s,1.6,60)}}drag(e){let t={...this.
+turned,x:e.clientX,y:e.clientY};Y(this.canvas,e,s=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+
+(s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,s,i,o,a,r){let{canvas:l,space:c}=this,u=r??Math.min(
+globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*u),1),l.height=Math.max(Math.round(h.height*
+u),1);let d=e.map(f=>f.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(f=>f.extent.speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,c.begin({background:he(i.
+paper),...this.camera(e[0],d[0],p,s)}),c.ground(()=>this.drawFloor(p,i));let g=f=>{for(let[b,w]of e.entries())f(w,d[b],-2.1*p*b)};c.shadows(()=>g((f,b,w)=>this.
+drawHoop(f,b,w,s,i,o,!0))),g((f,b,w)=>{this.drawHoop(f,b,w,s,i,o,!1),s.traces&&this.drawTraces(f,b,w,i,o,u),s.forces&&this.drawForces(f,b,w,o)})}camera(e,t,s,i){
+let{azimuth:o,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,u=i.whole?Math.max(r*s,.85*(c-l)+3*s):r*s,[h,d]=[i.whole?.5*(l+c)-this.focus:0,s+.45*(t.
+height||0)],p=Math.cos(e.slope),g=Math.sin(e.slope),f=[h*p+d*g,-h*g+d*p,0],b=[f[0]+u*Math.sin(o)*Math.cos(a),f[1]+u*Math.sin(a),u*Math.cos(o)*Math.cos(a)];return this.
+reach=12*s+3*u,{eye:b,target:f,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*u}}drawFloor(e,t){let{space:s}=this,i=he(t.ground),o=i.map(l=>l*(t.dark?.82:.94)),a=.5*
+e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:i,dark:o,far:he(t.paper),tile:a,shift:r}),dt(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,
+0,4)}drawHoop(e,t,s,i,o,a,r){let{space:l}=this,c=e.radius,u=.045*c,h=[t.x-this.focus,c+t.height,s];l.ring({center:h,radius:c,tube:u,broad:3.2*u,angle:t.angle,velocity:[
+t.vx,t.vy],omega:t.omega,plain:i.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=f=>h.map((b,w)=>b+f*d[w]);l.ball(p(c-u),.125*
+c,o.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,d,c-u,.012*c,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(g?a.airborne:a.gravity_center),
+r)}drawForces(e,t,s,i){if(t.mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,s+.2*o],l=u=>_(.55*
+o*Math.abs(u)/a,0,3.2*o),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
+o,he(i.friction_force))}linesOf(e,t,s){let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.
+space.trace(e.length,w=>[a[w]+f*Math.sin(l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(s.gravity_center),he(s.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),
+center:u(e.eccentricity*o,f=>c[f]===3?d:h)};return this.lines.set(e,g),g}drawTraces(e,t,s,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+
+2,e.length),u={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var jc=["hoop","mode","time","angle","v","R θ̇","gap"],Wn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1};this.plane=m("canvas",{class:"stage-canvas"});this.space=m("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Dn(this.plane,this.onview);
+this.deep=null;this.outputs=jc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("di\
+v",{class:"legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Vt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",
+{},"rim speed"),this.fastest);let s=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.
+element=m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.
+flatMap(({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),
+s(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:i,inks:o}){let{options:a}=this;this.legend.
+hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${E(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Bn(
+this.space,this.onview),this.deep.draw(e,s.time,a,i,o,s.playing)):this.flat.draw(e,s.time,a,i,o),this.read(e,t,s.time)}sharp(e,t){let{look:s,inks:i}=e.theme;return this.
+deep?.draw(e.films(),e.clock.time,this.options,s,i,!1,t),this.space}read(e,t,s){let i=e[t],o=i.at(s),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[o.mode]),
+ge(`${o.t.toFixed(3)} s`),G(o.angle),q(E(o.vx,3),"m/s"),q(E(o.omega*i.radius,3),"m/s"),o.height>0?Ce(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
 outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[o.
-mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
-options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,
-flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({options:e,zoom:t,pan:n,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Hs=class{film;items;current;signed;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m(
-"ol",{class:"story-list"}),this.heading=m("h2",{},"What happens"),this.signature=m("span",{}),this.compared=m("span",{}),this.fingerprint=m("p",{class:"hint fin\
-gerprint"},this.signature,this.compared),this.live=m("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=m("section",{class:"story","aria-la\
-bel":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,n,i){this.film=e[t],P(this.heading,e.length>1?`W\
-hat happens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((o,a)=>[e.length>1?m("b",{},`${"AB"[a]}: `):"",o.summary,o.status==="e\
-vent_limit"||o.shortened?" (not all events are shown)":"",a+1<e.length?m("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=
-this.film.story.map(o=>m("li",{},m("button",{type:"button",onclick:()=>this.clock.seek(o.t)},m("i",{class:"dot",style:`background:${n.modes[o.mode]}`,"aria-hidd\
-en":"true"}),m("span",{class:"when"},`${S(o.t,4)} s`),m("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(
-...i.flatMap(({same:o,text:a})=>[" ",m("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;
-e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Fc(e)))}say(e){P(this.live,e)}announce(e){this.say(B(e.map(t=>t.summary).join(" ")))}cursor(e){
-let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.
-classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];
-if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.
-list.clientHeight)}}};function Fc(s){if(!s)return[m("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},
-document.createTextNode(s)),t=m("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(s),P(t,"Copied")}catch{getSelection()?.
-selectAllChildren(e)}},[m("span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Us=class{constructor(){
-this.list=m("dl",{}),this.heading=m("h2",{},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?
-`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var lr="hophoop-theme",Bc=["gravity_center","airborne","normal_force","friction_force"],Gs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
-changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=kn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(lr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=kn(this.root),this.inks={...this.colors};for(let e of Bc)
+mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
+options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.three=!1,t(),s}}view(){let{options:e,
+flat:t,deep:s}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:s?.from()}}restore({options:e,zoom:t,pan:s,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
+options,a)}this.flat.look(t,s),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Gn=class{constructor(e){this.clock=e;this.summary=m("p",{class:"summary"});this.doubt=m("p",{class:"hint",hidden:!0});this.list=m("ol",{class:"story-list"});
+this.heading=m("h2",{},"What happens");this.signature=m("span",{});this.compared=m("span",{});this.fingerprint=m("p",{class:"hint fingerprint"},this.signature,this.
+compared);this.live=m("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=m("section",{class:"story","aria-label":"The motion in words"},this.
+heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,s,i){this.film=e[t],P(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"\
+What happens"),this.summary.replaceChildren(...e.flatMap((o,a)=>[e.length>1?m("b",{},`${"AB"[a]}: `):"",o.summary,o.status==="event_limit"||o.shortened?" (not a\
+ll events are shown)":"",a+1<e.length?m("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=this.film.story.map(o=>m("li",{},
+m("button",{type:"button",onclick:()=>this.clock.seek(o.t)},m("i",{class:"dot",style:`background:${s.modes[o.mode]}`,"aria-hidden":"true"}),m("span",{class:"whe\
+n"},`${E(o.t,4)} s`),m("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(...i.flatMap(({same:o,text:a})=>[
+" ",m("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.
+signature.replaceChildren(...Hc(e)))}say(e){P(this.live,e)}announce(e){this.say($(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let o=0;o<
+t.length&&t[o].t<=e+1e-9;o++)s=o;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
+current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let i=this.items[s];if(i){let o=i.offsetTop-this.list.
+offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}};function Hc(n){
+if(!n)return[m("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=m("code",{},document.createTextNode(n)),t=m("butt\
+on",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(n),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[m(
+"span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Un=class{constructor(){this.
+list=m("dl",{});this.heading=m("h2",{},"What theory says");this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What\
+ theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:i})=>[m("dt",{},s),m("dd",{},i)]))}};var lr="hophoop-theme",$c=["gravity_center","airborne","normal_force","friction_force"],Kn=class{constructor(e,t,s,i){this.root=e;this.colors=t;this.hosted=s;this.
+changed=i;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
+this.mark(),this.look=ks(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(lr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=ks(this.root),this.inks={...this.colors};for(let e of $c)
 this.inks[e]=vt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&fe(lr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ks=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
-this.element=m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
-this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
-erleave",()=>this.tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
-let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ge(this.window,e)}zoom(e,t){let[n,i]=this.ends(),o=1e-6*this.clock.duration,
-a=Math.max((i-n)*e,o),r=(t-n)/(i-n);this.window=a<this.clock.duration?Ge([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
-return;let[e,t]=this.ends(),{time:n,duration:i}=this.clock;if(n>=e&&n<=t)return;let o=t-e;this.window=Ge(n>t?[n-.1*o,n+.9*o]:[n-.5*o,n+.5*o],[0,i])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[n,i]=this.ends();return n+_((e.clientX-t.left)/t.width,0,1)*(i-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
-let t=this.clock.playing;this.clock.playing=!1;let n=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));n(e),Y(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),n=this.nearest(t,8),i=n?`${x(Ee[n.kind]??n.kind)} · ${S(n.t,5)} s · ${S(n.angle*180/Math.PI,4)}°`:`${S(t,4)} s`;this.tip.textContent=i,this.
-tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[n,i]=this.ends(),o=t*(i-n)/
+k",this.hosted&&fe(lr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Vn=class{constructor(e){this.clock=e;this.window=null;this.canvas=m("canvas",{class:"timeline-canvas"});this.tip=m("div",{class:"tip",hidden:!0});this.element=
+m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
+addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("pointerleave",()=>this.
+tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
+clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ue(this.window,e)}zoom(e,t){let[s,i]=this.ends(),o=1e-6*this.clock.duration,a=Math.
+max((i-s)*e,o),r=(t-s)/(i-s);this.window=a<this.clock.duration?Ue([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
+let[e,t]=this.ends(),{time:s,duration:i}=this.clock;if(s>=e&&s<=t)return;let o=t-e;this.window=Ue(s>t?[s-.1*o,s+.9*o]:[s-.5*o,s+.5*o],[0,i])}timeAt(e){let t=this.
+canvas.getBoundingClientRect(),[s,i]=this.ends();return s+_((e.clientX-t.left)/t.width,0,1)*(i-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+let t=this.clock.playing;this.clock.playing=!1;let s=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));s(e),Y(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
+let t=this.timeAt(e),s=this.nearest(t,8),i=s?`${x(Me[s.kind]??s.kind)} · ${E(s.t,5)} s · ${E(s.angle*180/Math.PI,4)}°`:`${E(t,4)} s`;this.tip.textContent=i,this.
+tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[s,i]=this.ends(),o=t*(i-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=o&&
-(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:i,width:o,height:a}=V(this.canvas);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/(l-r)*
-o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:v,from:T,wide:M}of Jo(b.phases,c,o)){let A=n.modes[v];i.fillStyle=
-A,i.fillRect(T,y,M,h-2),this.named(i,x(n.mode_names[v]),T,M,y,h-2,A,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),this.marks(
+(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:i,width:o,height:a}=V(this.canvas);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/(l-r)*
+o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:v,from:S,wide:T}of Jo(b.phases,c,o)){let A=s.modes[v];i.fillStyle=
+A,i.fillRect(S,y,T,h-2),this.named(i,x(s.mode_names[v]),S,T,y,h-2,A,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),this.marks(
 i,b,c,y,o,t),e.length>1&&(i.fillStyle=me(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let d=J(l-r,o/60);i.fillStyle=
 t.soft,i.font=`10.5px ${t.font}`;let p=le(r,l,o/60);for(let b of p){let w=c(b);i.textAlign=w<14?"left":w>o-14?"right":"center",i.fillText(oe(b,d)+(b===p[0]?" s":
 ""),w,a-3)}let g=_(c(this.clock.time),6,o-6),f=_(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(f-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(g-6,u-10),i.lineTo(
-g+6,u-10),i.lineTo(f,u-1),i.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=x(t.mode_names[l.at(n).mode]);return e.
+g+6,u-10),i.lineTo(f,u-1),i.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=x(t.mode_names[l.at(s).mode]);return e.
 length>1?`${"AB"[c]} ${u}`:u}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria\
--valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:S(n,4),what:B(r)})))}named(e,t,n,i,o,a,r,l){e.font=`11px ${l.
-font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ro(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,n+.5*i,o+.5*a+1),e.textBaseline="alphab\
-etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
+-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:E(s,4),what:$(r)})))}named(e,t,s,i,o,a,r,l){e.font=`11px ${l.
+font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ro(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*i,o+.5*a+1),e.textBaseline="alphab\
+etic")}marks(e,t,s,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:s(
 c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Vo(r))e.
-fillText(l,_(c,6,o-6),i-4)}};var Wc=1/60,Hc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Uc={three:"In space"},Ie=(s,e,t)=>m(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},s),hr=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Vs=class{titled="";constructor(e,t,n,i,o){
-this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Ie(Z("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
-select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},Et.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
-"1",this.switches=new Map(Hc.map(([a,r,l])=>{let c=`${a==="three"?Uc.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
-r)]})),this.element=m("div",{class:"transport"},m("div",{class:"buttons"},Ie(Z("start"),"To the start (Home)",()=>e.seek(0)),Ie(Z("previous"),"Previous event (S\
-hift ←)",()=>this.jump(-1)),Ie(Z("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Ie(Z("on"),"One frame on (→)",()=>this.nudge(1)),Ie(Z("n\
-ext"),"Next event (Shift →)",()=>this.jump(1))),m("div",{class:"buttons jumps"},Ie(hr("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ie(
-hr("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,m("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
-clock:t,playButton:n}=this;for(let[o,a]of this.switches)a.setAttribute("aria-pressed",String(e[o]));let i=t.playing?"Pause (space)":"Play (space)";this.titled!==
-i&&(this.titled=i,n.replaceChildren(Z(t.playing?"pause":"play")),ot(n,"title",i),ot(n,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Wc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let n=this.films().
-flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:Wo(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
-o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(Ee[a.kind]??a.kind);this.
-tell(B(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:U(a.angle),time:S(a.t,4)})}`))}};var mt=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,ya(e,i);let{colors:r}=n;
-this.known=n.presets,this.sameness=new Os(n.presets),this.address=i?new Xt(this):null,this.clock=new Qt,this.motions=new Ms(t,{shown:l=>this.changed(l),refined:()=>this.
-request(),settled:()=>this.story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.
-notice=new As,this.theme=new Gs(e,r,i,()=>this.show()),this.stage=new Ws(r,()=>{this.request(),this.address?.soon()}),this.transport=new Vs(this.clock,()=>this.
-films(),l=>this.toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Ks(this.clock),this.story=new Hs(this.clock),this.theory=new Us,this.plots=
-new Ns(this.clock,r),this.phase=new Ls(t,this.clock,r),this.map=new Ss(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.
-address?.soon()}),this.controls=new ss(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Is(this),this.singleKeys=new ks(i),this.help=fa(n.version,r,this.
-singleKeys.element),this.hoops=new xs(l=>this.motions.choose(l)),this.header=new vs(n.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.
-travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=va(this,o),this.extras=new ys(this),this.
-requested=!1,this.surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=ie(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],
-this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ba(this,i),this.sizes=new ResizeObserver(
-()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(n=>n.duration)),this.sameness.expect(this.films(),
-t.fingerprints??[]),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.dataset.ready="true"}close(){
-this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),
-this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){
-this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(this.motions.history,this.motions.lanes.
-length>1),this.address?.write(e),this.onmotion(this.film().query)}link(e=this.sameness.expected(this.films())){let{clock:t,stage:n,map:i,extras:o}=this,{on:a,path:r}=o.
-more;return this.motions.link(Eo({time:t.time,...n.view(),more:a?r:void 0,map:i.shown(),fingerprints:e}))}restore({time:e,map:t,options:n,more:i,...o}){n?.three&&
-this.toggle("three"),this.stage.restore({options:n,...o}),t&&this.map.restore(t),i&&this.extras.more.turn(!0,i),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.
-film(),t=this.known.find(n=>n.query===e);this.header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.
-call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){
-return this.motions.travel(e)}show(e=null){let{motions:t,clock:n}=this,i=this.films();if(!i.length)return;let o=i.length>1;this.theme.read(),n.duration=Math.max(
-...i.map(a=>a.duration)),n.time=Math.min(n.time,n.duration),this.root.classList.toggle("two",o),this.header.show(t.history,o),this.hoops.show(i.length,t.active),
-this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(
-performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=
-!1;let e=this.films(),{active:t}=this.motions,{look:n,colors:i}=this.theme;this.plots.draw(e,t,n),this.phase.draw(e,t,n),this.story.draw(e,t,i,this.sameness.of(
-e[t])),this.drawTime(),this.map.mark(this.film(),n),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.
-active,this.clock,this.theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.
-cursor(e),this.phase.cursor(e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(
-this.frame))}frame(e){this.requested=!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:
-0),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.
-film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let n=await this.backend.call("theory",{scenario:e},t);this.theory.draw(n.
-header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(n){let{name:i,message:o}=n;i!=="AbortError"&&this.theory.draw([{label:"–",text:o}])}}toggle(e){
-let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){this.notice.say(n.message)}this.transport.show(t),this.
-address?.soon(),this.request()}};var Gc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function pt(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
-e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+n))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new Gc[r](t.buffer,t.byteOffset+4+n+c,u)}return{header:i,arrays:o}}var si=class extends Error{},ni=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
-start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:n,reject:i}=this.waiting;this.waiting=null,t.error?i(new Error(
-t.error)):n(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
-reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,n){this.number++;let i=new Promise((o,a)=>{this.waiting=
-{resolve:o,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},n),i}},ft=class{constructor(e,t,n,i){this.start=e,this.compiled=t,this.
-size=n,this.limit=i,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new ni(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,i=[]){
-n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new si(`This takes longer than ${this.
-limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),n?.removeEventListener(
-"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Js=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
+fillText(l,_(c,6,o-6),i-4)}};var Bc=1/60,Wc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Gc={three:"In space"},Ie=(n,e,t)=>m(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},n),hr=(n,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${n} `),e),Jn=class{constructor(e,t,s,i,o){this.
+clock=e;this.films=t;this.say=i;this.tell=o;this.titled="";this.playButton=Ie(Z("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
+speeds=m("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},Mt.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.
+value="1",this.switches=new Map(Wc.map(([a,r,l])=>{let c=`${a==="three"?Gc.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>s(
+a)},r)]})),this.element=m("div",{class:"transport"},m("div",{class:"buttons"},Ie(Z("start"),"To the start (Home)",()=>e.seek(0)),Ie(Z("previous"),"Previous even\
+t (Shift ←)",()=>this.jump(-1)),Ie(Z("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Ie(Z("on"),"One frame on (→)",()=>this.nudge(1)),Ie(
+Z("next"),"Next event (Shift →)",()=>this.jump(1))),m("div",{class:"buttons jumps"},Ie(hr("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),
+Ie(hr("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,m("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){
+let{clock:t,playButton:s}=this;for(let[o,a]of this.switches)a.setAttribute("aria-pressed",String(e[o]));let i=t.playing?"Pause (space)":"Play (space)";this.titled!==
+i&&(this.titled=i,s.replaceChildren(Z(t.playing?"pause":"play")),ot(s,"title",i),ot(s,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Bc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
+flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:Bo(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
+o=e>0?s.find(({event:u})=>u.t>i+1e-9):s.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=s[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
+tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(Me[a.kind]??a.kind);this.
+tell($(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:E(a.t,4)})}`))}};var mt=class{constructor(e,t,s,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
+this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=i,this.onmotion=a,ya(e,i);let{colors:r}=s;this.known=s.presets,this.sameness=new On(
+s.presets),this.address=i?new Qt(this):null,this.clock=new Xt,this.motions=new An(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.
+announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Ln,this.theme=new Kn(e,
+r,i,()=>this.show()),this.stage=new Wn(r,()=>{this.request(),this.address?.soon()}),this.transport=new Jn(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Vn(this.clock),this.story=new Gn(this.clock),this.theory=new Un,this.plots=new Nn(this.clock,r),this.phase=
+new zn(t,this.clock,r),this.map=new Mn(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new nn(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new qn(this),this.singleKeys=new _n(i),this.help=fa(s.version,r,this.singleKeys.element),
+this.hoops=new kn(l=>this.motions.choose(l)),this.header=new xn(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=va(this,o),this.extras=new vn(this),this.later=ie(
+()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ba(
+this,i),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),
+this.sameness.expect(this.films(),t.fingerprints??[]),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),
+this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.
+sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){
+this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.
+header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(e=this.sameness.expected(this.films())){
+let{clock:t,stage:s,map:i,extras:o}=this,{on:a,path:r}=o.more;return this.motions.link(Mo({time:t.time,...s.view(),more:a?r:void 0,map:i.shown(),fingerprints:e}))}restore({
+time:e,map:t,options:s,more:i,...o}){s?.three&&this.toggle("three"),this.stage.restore({options:s,...o}),t&&this.map.restore(t),i&&this.extras.more.turn(!0,i),e&&
+this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){
+this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.
+films())}catch(t){this.failed(t)}}travel(e){return this.motions.travel(e)}show(e=null){let{motions:t,clock:s}=this,i=this.films();if(!i.length)return;let o=i.length>
+1;this.theme.read(),s.duration=Math.max(...i.map(a=>a.duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",o),this.header.show(t.history,
+o),this.hoops.show(i.length,t.active),this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(
+()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),
+0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),{active:t}=this.motions,{look:s,colors:i}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),
+this.story.draw(e,t,i,this.sameness.of(e[t])),this.drawTime(),this.map.mark(this.film(),s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){
+this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.
+theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||
+(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,
+this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){
+let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},
+t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(s){let{name:i,message:o}=s;i!=="AbortError"&&this.theory.draw([{label:"\
+–",text:o}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
+this.transport.show(t),this.address?.soon(),this.request()}};var Uc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function pt(n){let e=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),t=new Uint8Array(e.buffer,
+e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(t.subarray(
+4,4+s))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new Uc[r](t.buffer,t.byteOffset+4+s+c,u)}return{header:i,arrays:o}}var ni=class extends Error{},si=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
+start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:i}=this.waiting;this.waiting=null,t.error?i(new Error(
+t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
+reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let i=new Promise((o,a)=>{this.waiting=
+{resolve:o,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),i}},ft=class{constructor(e,t,s,i){this.start=e;this.compiled=t;this.
+size=s;this.limit=i;this.idle=[];this.hired=0;this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
+resolve(new si(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,i=[]){
+s?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new ni(`This takes longer than ${this.
+limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),s?.removeEventListener(
+"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Yn=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
-i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Kc=150,Vc=240,Jc=6e3,[Ub,cr,ur]=[0,1,2],Yc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Kc=150,Vc=240,Jc=6e3,[Gb,cr,ur]=[0,1,2],Yc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ii(s,e,t){let{rows:n,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ii(n,e,t){let{rows:s,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
 min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Kc),Vc),Jc),c=k.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
-for(let b=0;b<i;b++){let w=Math.min(n[b*c+H.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),g=s.states(e,d,!1),f=s.states(e,p,!0);return Zc(d,g,p,f)}function Zc(s,e,t,n){let i=s.length+t.length,o=k.samples.length,a=new Float64Array(i),r=new Float64Array(
-i*o),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=s[h],r.set(e.subarray(h*o,(h+1)*o),l*
-o),l++;let u={t:a};for(let[h,d]of Object.entries(Yc)){let p=new Float64Array(i).fill(-0);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Pn[g]];u[h]=p}return u.mode=
-Xc(r,i,u.omega),u}function Xc(s,e,t){let n=k.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
-Math.sign(t[a])||o;let r=s[a*n+Pn.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var Qc=s=>s/2**32|0,eu=s=>s>>>0;function dr(s,e,t,n){let i=Qc(t),o=eu(t);s.setUint32(e,n?o:i,n),s.setUint32(e+4,n?i:o,n)}function mr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var oi=s=>s?
-`"${s}" `:"";function tu(s,e=""){if(typeof s!="number")throw new TypeError(oi(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
-oi(e)+"expected integer >= 0, got "+s);return s}function ai(s,e,t=""){if(mr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&tu(e,"length");let n=mr(s),i=e!==void 0?` of length ${e}`:"",o=n?`length=${s.length}`:
-`type=${typeof s}`,a=oi(t)+"expected Uint8Array"+i+", got "+o;throw n?new RangeError(a):new TypeError(a)}var su=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},pr=(s,e)=>{
-su(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
-`"${e}.__proto__" is not allowed`)};function ri(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
-ady called")}function fr(s,e){ai(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function li(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function Ys(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ce(s,e){return s<<32-e|
-s>>>e}function nu(s,e,t="opts"){return pr(s,"defaults"),e!==void 0&&pr(e,t),Object.assign(Object.create(null),s,e)}function gr(s,e={}){if(typeof s!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof s);e=nu({},e,"info");let t=(i,o)=>s(o).update(i).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
-n.blockLen,t.canXOF=n.canXOF,t.create=i=>s(i),Object.assign(t,e),Object.freeze(t)}var br=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function wr(s,e,t){return s&e^~s&t}function yr(s,e,t){return s&e^s&t^e&t}var Zs=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,i){
-this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=i,this.buffer=new Uint8Array(e),this.view=Ys(this.buffer)}update(e){ri(this),ai(e);let{view:t,buffer:n,
-blockLen:i}=this,o=e.length,a=!1;for(let r=0;r<o;){let l=Math.min(i-this.pos,o-r);if(l===i){let c=Ys(e);for(;i<=o-r;r+=i)this.process(c,r);a=!0;continue}n.set(r===
+for(let b=0;b<i;b++){let w=Math.min(s[b*c+W.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let d=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
+0).sort(),g=n.states(e,d,!1),f=n.states(e,p,!0);return Zc(d,g,p,f)}function Zc(n,e,t,s){let i=n.length+t.length,o=k.samples.length,a=new Float64Array(i),r=new Float64Array(
+i*o),l=0,c=0;for(let h=0;h<n.length;h++)c<t.length&&t[c]<=n[h]&&(a[l]=t[c],r.set(s.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=n[h],r.set(e.subarray(h*o,(h+1)*o),l*
+o),l++;let u={t:a};for(let[h,d]of Object.entries(Yc)){let p=new Float64Array(i).fill(-0);for(let g of d)for(let f=0;f<i;f++)p[f]+=r[f*o+Ps[g]];u[h]=p}return u.mode=
+Qc(r,i,u.omega),u}function Qc(n,e,t){let s=k.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
+Math.sign(t[a])||o;let r=n[a*s+Ps.mode],l=r===cr?-1:r===ur?1:0;i[a]=l===0?r:l*o<0?cr:ur}return i}var Xc=n=>n/2**32|0,eu=n=>n>>>0;function dr(n,e,t,s){let i=Xc(t),o=eu(t);n.setUint32(e,s?o:i,s),n.setUint32(e+4,s?i:o,s)}function mr(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var oi=n=>n?
+`"${n}" `:"";function tu(n,e=""){if(typeof n!="number")throw new TypeError(oi(e)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
+oi(e)+"expected integer >= 0, got "+n);return n}function ai(n,e,t=""){if(mr(n)&&(e===void 0||n.length===e))return n;e!==void 0&&tu(e,"length");let s=mr(n),i=e!==void 0?` of length ${e}`:"",o=s?`length=${n.length}`:
+`type=${typeof n}`,a=oi(t)+"expected Uint8Array"+i+", got "+o;throw s?new RangeError(a):new TypeError(a)}var nu=(n,e)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof n)},pr=(n,e)=>{
+nu(n,e);let t=Object.getPrototypeOf(n);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
+`"${e}.__proto__" is not allowed`)};function ri(n,e=!0){if(n.destroyed)throw new Error("hash was destroyed");if(e&&n.finished)throw new Error("digest() was alre\
+ady called")}function fr(n,e){ai(n,void 0,"output");let t=e.outputLen;if(!(n.length>=t))throw new RangeError('"output" expected length >= '+t)}function li(...n){for(let e=0;e<n.length;e++)n[e].fill(0)}function Zn(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function ce(n,e){return n<<32-e|
+n>>>e}function su(n,e,t="opts"){return pr(n,"defaults"),e!==void 0&&pr(e,t),Object.assign(Object.create(null),n,e)}function gr(n,e={}){if(typeof n!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof n);e=su({},e,"info");let t=(i,o)=>n(o).update(i).digest(),s=n(void 0);return t.outputLen=s.outputLen,t.blockLen=
+s.blockLen,t.canXOF=s.canXOF,t.create=i=>n(i),Object.assign(t,e),Object.freeze(t)}var br=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function wr(n,e,t){return n&e^~n&t}function yr(n,e,t){return n&e^n&t^e&t}var Qn=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,s,i){
+this.blockLen=e,this.outputLen=t,this.padOffset=s,this.isLE=i,this.buffer=new Uint8Array(e),this.view=Zn(this.buffer)}update(e){ri(this),ai(e);let{view:t,buffer:s,
+blockLen:i}=this,o=e.length,a=!1;for(let r=0;r<o;){let l=Math.min(i-this.pos,o-r);if(l===i){let c=Zn(e);for(;i<=o-r;r+=i)this.process(c,r);a=!0;continue}s.set(r===
 0&&l===o?e:e.subarray(r,r+l),this.pos),this.pos+=l,r+=l,this.pos===i&&(this.process(t,0),this.pos=0,a=!0)}return this.length+=e.length,a&&this.roundClean(),this}digestInto(e){
-ri(this),fr(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:i,isLE:o}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>i-a&&(this.process(n,0),t.fill(
-0)),dr(n,i-8,this.length*8,o),this.process(n,0),this.roundClean();let r=e===t?n:Ys(e),l=this.outputLen,c=l/4,u=this.get();if(l%4||c>u.length)throw new Error("in\
-valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,u[h],o)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let n=e.slice(0,t);return this.destroy(),
-n}_cloneIntoMeta(e){let{buffer:t,length:n,finished:i,destroyed:o,pos:a}=this;return e.destroyed=o,e.finished=i,e.length=n,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
+ri(this),fr(e,this),this.finished=!0;let{buffer:t,view:s,blockLen:i,isLE:o}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>i-a&&(this.process(s,0),t.fill(
+0)),dr(s,i-8,this.length*8,o),this.process(s,0),this.roundClean();let r=e===t?s:Zn(e),l=this.outputLen,c=l/4,u=this.get();if(l%4||c>u.length)throw new Error("in\
+valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,u[h],o)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let s=e.slice(0,t);return this.destroy(),
+s}_cloneIntoMeta(e){let{buffer:t,length:s,finished:i,destroyed:o,pos:a}=this;return e.destroyed=o,e.finished=i,e.length=s,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
 _cloneInto()}},vr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var iu=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
-2361852424,2428436474,2756734187,3204031479,3329325298]),Ce=new Uint32Array(64),hi=class extends Zs{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
-8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:n,D:i,E:o,F:a,G:r,H:l}=this;
-return[e,t,n,i,o,a,r,l]}set(e,t,n,i,o,a,r,l){this.A=e|0,this.B=t|0,this.C=n|0,this.D=i|0,this.E=o|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
-constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)Ce[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=Ce[h-15],p=Ce[h-
-2],g=ce(d,7)^ce(d,18)^d>>>3,f=ce(p,17)^ce(p,19)^p>>>10;Ce[h]=f+Ce[h-7]+g+Ce[h-16]|0}let{A:n,B:i,C:o,D:a,E:r,F:l,G:c,H:u}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
-ce(r,11)^ce(r,25),p=u+d+wr(r,l,c)+iu[h]+Ce[h]|0,f=(ce(n,2)^ce(n,13)^ce(n,22))+yr(n,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=n,n=p+f|0}n=n+this.A|0,i=i+this.B|0,o=o+
-this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,u=u+this.H|0,this.set(n,i,o,a,r,l,c,u)}roundClean(){li(Ce)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),li(this.buffer)}},ci=class extends hi{constructor(){super(32,vr)}};var xr=gr(()=>new ci,br(1));var kr=["t","x","height","angle","vx","vy","omega","slip"],ou=16,au=0x7ff8000000000000n;function _r(s,e){let t=new TextEncoder,n=xr.create(),i=new DataView(new ArrayBuffer(
-8*kr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;n.update(t.encode(k.kinds[s[l+H.kind]])),kr.forEach((c,u)=>{let h=s[l+H[c]];
-Number.isNaN(h)?i.setBigUint64(8*u,au,!0):i.setFloat64(8*u,h+0,!0)}),n.update(o)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,ou)}function Sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=ru(s.subarray(i*k.keys,(i+1)*k.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
-get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function ru(s){let e="";for(let t of s){let n=t;for(let i=0;i<k.letters_a_key&&
-n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===k.more?"+":k.letters[o-1])}}return e}var lu=256,hu=2048,cu=4096,uu=2e5,du=k.statuses.indexOf("buffer"),mu=new Set(k.passing),ui=s=>Number.isFinite(s)?s:null,Xs=class{constructor(e){this.exports=new WebAssembly.
-Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Js(this.exports),this.mostEvents=lu,this.mostSegments=hu,this.mostRows=cu}call(e,...t){let n=this.
-exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=k.events.length;for(;;){let i=t.room("table",8*n*this.
+2361852424,2428436474,2756734187,3204031479,3329325298]),qe=new Uint32Array(64),hi=class extends Qn{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
+8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:s,D:i,E:o,F:a,G:r,H:l}=this;
+return[e,t,s,i,o,a,r,l]}set(e,t,s,i,o,a,r,l){this.A=e|0,this.B=t|0,this.C=s|0,this.D=i|0,this.E=o|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
+constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)qe[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=qe[h-15],p=qe[h-
+2],g=ce(d,7)^ce(d,18)^d>>>3,f=ce(p,17)^ce(p,19)^p>>>10;qe[h]=f+qe[h-7]+g+qe[h-16]|0}let{A:s,B:i,C:o,D:a,E:r,F:l,G:c,H:u}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
+ce(r,11)^ce(r,25),p=u+d+wr(r,l,c)+iu[h]+qe[h]|0,f=(ce(s,2)^ce(s,13)^ce(s,22))+yr(s,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=s,s=p+f|0}s=s+this.A|0,i=i+this.B|0,o=o+
+this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,u=u+this.H|0,this.set(s,i,o,a,r,l,c,u)}roundClean(){li(qe)}destroy(){this.destroyed=!0,this.set(0,0,
+0,0,0,0,0,0),li(this.buffer)}},ci=class extends hi{constructor(){super(32,vr)}};var xr=gr(()=>new ci,br(1));var kr=["t","x","height","angle","vx","vy","omega","slip"],ou=16,au=0x7ff8000000000000n;function _r(n,e){let t=new TextEncoder,s=xr.create(),i=new DataView(new ArrayBuffer(
+8*kr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;s.update(t.encode(k.kinds[n[l+W.kind]])),kr.forEach((c,u)=>{let h=n[l+W[c]];
+Number.isNaN(h)?i.setBigUint64(8*u,au,!0):i.setFloat64(8*u,h+0,!0)}),s.update(o)}return Array.from(s.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,ou)}function Er(n,e){let t=new Map,s=new Float64Array(e);for(let i=0;i<e;i++){let o=ru(n.subarray(i*k.keys,(i+1)*k.keys));if(o===""){s[i]=Number.NaN;continue}let a=t.
+get(o);a===void 0&&(a=t.size,t.set(o,a)),s[i]=a}return{values:s,sequences:[...t.keys()]}}function ru(n){let e="";for(let t of n){let s=t;for(let i=0;i<k.letters_a_key&&
+s;i++){let o=Number(s&7n);s>>=3n,o&&(e+=o===k.more?"+":k.letters[o-1])}}return e}var lu=256,hu=2048,cu=4096,uu=2e5,du=k.statuses.indexOf("buffer"),mu=new Set(k.passing),ui=n=>Number.isFinite(n)?n:null,Xn=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Yn(this.exports),this.mostEvents=lu,this.mostSegments=hu,this.mostRows=cu}call(e,...t){let s=this.
+exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=k.events.length;for(;;){let i=t.room("table",8*s*this.
 mostEvents),o=t.room("heads",8*k.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,k.heads.length).slice(),
-r=a[we.events];if(a[we.status]===du)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(i,r*n).slice();
-return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.put("cell",lt(e)),a=i.room("e\
-vents",k.event_bytes*this.mostEvents),r=i.room("segments",k.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){
-let{memory:o}=this,a=o.put("cell",lt(e)),r=o.put("contact",Nn(t)),l=o.room("events",k.event_bytes*this.mostEvents),c=o.room("rows",k.compliant_segment_bytes*this.
-mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,uu,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return Er(
-this.compute(e))}film(e){let t=this.compute(e);return{motion:Er(t),columns:ii(this,t)}}columns(e,t){return ii(this,this.compute(e),t)}samples(e,t){let n=this.states(
-this.compute(e),t,!1),i=k.samples.length;return Object.fromEntries(k.samples.map((o,a)=>[o,Float64Array.from(t,(r,l)=>n[l*i+a])]))}states(e,t,n){return this.rows(
-"samples",k.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let i=k.margins.length,o=this.rows(
-"margins",i,this.compute(e),t,n);return Object.fromEntries(k.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.
-length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[n.segments,l,i.length,Number(o),c];return n.given.contact?this.call("compli\
-ant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:n}=this,i=this.
-compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.count,larger:a,smaller:c}}side({
-count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cell","events","segments"].map(b=>a.
-room(b,8)),p=n[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(g,0)],
-sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",lt(e)),i=t.room("answers",8*k.thresholds.length),o=e.rolling&&e.angle===0;this.call("thresho\
-lds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,k.thresholds.length),r=c=>{let u=a[k.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["jam_angle","jam_angl\
+r=a[we.events];if(a[we.status]===du)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(i,r*s).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,s){let{memory:i}=this,o=i.put("cell",lt(e)),a=i.room("e\
+vents",k.event_bytes*this.mostEvents),r=i.room("segments",k.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,r,this.mostSegments,t,s)}computeCompliant(e,t,s,i){
+let{memory:o}=this,a=o.put("cell",lt(e)),r=o.put("contact",zs(t)),l=o.room("events",k.event_bytes*this.mostEvents),c=o.room("rows",k.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,uu,c,this.mostRows,s,i)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return Mr(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:Mr(t),columns:ii(this,t)}}columns(e,t){return ii(this,this.compute(e),t)}samples(e,t){let s=this.states(
+this.compute(e),t,!1),i=k.samples.length;return Object.fromEntries(k.samples.map((o,a)=>[o,Float64Array.from(t,(r,l)=>s[l*i+a])]))}states(e,t,s){return this.rows(
+"samples",k.samples.length,e,t,s)}margins(e,t,s=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let i=k.margins.length,o=this.rows(
+"margins",i,this.compute(e),t,s);return Object.fromEntries(k.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*i+r])]))}rows(e,t,s,i,o){let{memory:a}=this,r=i.
+length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[s.segments,l,i.length,Number(o),c];return s.given.contact?this.call("compli\
+ant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:s}=this,i=this.
+compute(e),o=s.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.count,larger:a,smaller:c}}side({
+count:e,segments:t,head:s},i,o){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cell","events","segments"].map(b=>a.
+room(b,8)),p=s[we.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(g,0)],
+sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,s=t.put("cell",lt(e)),i=t.room("answers",8*k.thresholds.length),o=e.rolling&&e.angle===0;this.call("thresho\
+lds",s,o?e.vx:Number.NaN,i);let a=t.floats(i,k.thresholds.length),r=c=>{let u=a[k.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["jam_angle","jam_angl\
 e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
 _speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
-"stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,o],a,r){let{memory:l}=this,
-c=l.put("cell",lt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
-d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.room("numbers",8*e*k.numbers.
-length),l=o.room("words",4*e*k.words.length),c=o.room("keys",8*e*k.keys),{angle:u,stop:h,timed:d}=k.spans[i],p=k.wanted[n];this.call("map_cells",a,e,u??Number.NaN,
-h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return Sr(new BigUint64Array(g,c,e*k.keys),e);let f=new Float64Array(e);if(n in Ln){let b=new Int32Array(
-g,l,e*k.words.length);for(let w=0;w<e;w++)f[w]=b[w*k.words.length+Ln[n]]}else{let b=o.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)f[w]=b[w*k.numbers.length+
-Bo[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){
-let n=this.memory.room("answers",8*k.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){let{memory:n}=this,i=n.
-put("parts",t.flatMap(pu)),o=n.room("answers",8*k.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=n.floats(
-o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The con\
-tact is rigid.");let n=t.put("cell",lt(e)),i=t.put("contact",Nn(e.contact)),o=t.room("answers",8*k.thresholds.length);this.call("compliance",n,i,o);let a=t.floats(
+"stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,i,o],a,r){let{memory:l}=this,
+c=l.put("cell",lt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,s,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
+d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},s,i){let{memory:o}=this,a=o.put("cells",t),r=o.room("numbers",8*e*k.numbers.
+length),l=o.room("words",4*e*k.words.length),c=o.room("keys",8*e*k.keys),{angle:u,stop:h,timed:d}=k.spans[i],p=k.wanted[s];this.call("map_cells",a,e,u??Number.NaN,
+h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(s==="sequence")return Er(new BigUint64Array(g,c,e*k.keys),e);let f=new Float64Array(e);if(s in Cs){let b=new Int32Array(
+g,l,e*k.words.length);for(let w=0;w<e;w++)f[w]=b[w*k.words.length+Cs[s]]}else{let b=o.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)f[w]=b[w*k.numbers.length+
+$o[s]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){
+let s=this.memory.room("answers",8*k.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){let{memory:s}=this,i=s.
+put("parts",t.flatMap(pu)),o=s.room("answers",8*k.thresholds.length),a=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=s.floats(
+o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The con\
+tact is rigid.");let s=t.put("cell",lt(e)),i=t.put("contact",zs(e.contact)),o=t.room("answers",8*k.thresholds.length);this.call("compliance",s,i,o);let a=t.floats(
 o,k.chosen.length),r=l=>a[k.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r(
-"depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function pu(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=k.shapes.indexOf(
-e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,
-s.mass,0,0,s.at]}var fu=["friction","impact_normal","impact_tangential","rolling_resistance"],gu=["kinetic","potential",...fu,"residual"],Tr=["x","height","angl\
-e","vx","vy","omega"];function Er({given:s,head:e,rows:t,count:n,duration:i}){let o=k.events.length,a=Array.from({length:n},(u,h)=>bu(t.subarray(h*o,(h+1)*o))),
-r=a[n-1],l=Object.fromEntries([...gu,...s.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:k.statuses[e[we.status]],sequence:wu(
-a),fingerprint:c===null?_r(t,n):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Tr.map(u=>[u,r[u]]))},energy:l,doubt:c}}function bu(s){let e=k.
-kinds[s[H.kind]],t=s[H.from_mode],n={t:s[H.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[s[H.to_mode]]};for(let i of Tr)n[i]=ui(s[H[i]]);return n.before=Object.
-fromEntries(["vx","vy","omega"].map(i=>[i,ui(s[H[`before_${i}`]])])),n.impulse={normal:s[H.impulse_normal],tangential:s[H.impulse_tangential]},s[H.collision]===
-0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[H.gain]),s[H.stable]>=0&&(n.stable=s[H.stable]===1),n}function wu(s){let e=s.filter((n,i)=>i===s.length-1||!mu.has(
-n.kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var di=1e4,yu="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Mr(s){let e=URL.createObjectURL(
-new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
-s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
-arrayBuffer())}async function zr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var Ot=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Xs(e),this.motions=new ft(t,e,2,di);let i=navigator.hardwareConcurrency||
-2;this.maps=new ft(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${k.module}`,e)),n=()=>Ar(new URL(`hophoop-deri\
-vatives.wasm?${k.derivatives}`,e)),i=new URL(`kernel.js?${k.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
-n):new s(t,Mr(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await zr(e),Mr(t),async()=>zr(await n()))}motion(e,t){return this.motions.
-ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
-ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(o=>new ft(this.start,o,1,di)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(yu)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,i,o){return this.motions.ask("regions",[e,
-t,n,i],o)}async map({count:e,rows:t},n,i,o){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
-a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let g=await this.maps.ask("map",[{count:d,rows:p},n,i],o,[p.buffer]),f=g.sequences?.map(b=>(l.includes(
+"depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function pu(n){let e=n.shape==="rod"?`${n.direction}_rod`:n.shape,t=k.shapes.indexOf(
+e);return n.shape==="ring"?[t,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[t,n.mass,n.radius,0,n.at]:n.shape==="rod"?[t,n.mass,n.length,0,n.at]:[t,
+n.mass,0,0,n.at]}var fu=["friction","impact_normal","impact_tangential","rolling_resistance"],gu=["kinetic","potential",...fu,"residual"],Sr=["x","height","angl\
+e","vx","vy","omega"];function Mr({given:n,head:e,rows:t,count:s,duration:i}){let o=k.events.length,a=Array.from({length:s},(u,h)=>bu(t.subarray(h*o,(h+1)*o))),
+r=a[s-1],l=Object.fromEntries([...gu,...n.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=ui(e[we.doubt_from]);return{status:k.statuses[e[we.status]],sequence:wu(
+a),fingerprint:c===null?_r(t,s):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Sr.map(u=>[u,r[u]]))},energy:l,doubt:c}}function bu(n){let e=k.
+kinds[n[W.kind]],t=n[W.from_mode],s={t:n[W.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[n[W.to_mode]]};for(let i of Sr)s[i]=ui(n[W[i]]);return s.before=Object.
+fromEntries(["vx","vy","omega"].map(i=>[i,ui(n[W[`before_${i}`]])])),s.impulse={normal:n[W.impulse_normal],tangential:n[W.impulse_tangential]},n[W.collision]===
+0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[W.gain]),n[W.stable]>=0&&(s.stable=n[W.stable]===1),s}function wu(n){let e=n.filter((s,i)=>i===n.length-1||!mu.has(
+s.kind));return e.slice(0,-1).map((s,i)=>e[i+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var di=1e4,yu="The part of the page that computes this could not be loaded; choose it again when there is a network.",mi=256;function Tr(n){let e=URL.createObjectURL(
+new Blob([n],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Ar(n){let e=await fetch(n);if(!e.ok)throw new Error(`The kernel i\
+s not there: ${n.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
+arrayBuffer())}async function Lr(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
+var Nt=class n{constructor(e,t,s){this.start=t;this.derivatives=s;this.rates=null;this.mechanics=new Xn(e),this.motions=new ft(t,e,2,di);let i=navigator.hardwareConcurrency||
+2;this.maps=new ft(t,e,Math.max(1,Math.min(i-1,8)),di)}static async load(e){let t=await Ar(new URL(`hophoop.wasm?${k.module}`,e)),s=()=>Ar(new URL(`hophoop-deri\
+vatives.wasm?${k.derivatives}`,e)),i=new URL(`kernel.js?${k.module}`,e);return i.origin===globalThis.location?.origin?new n(t,()=>new Worker(i,{type:"module"}),
+s):new n(t,Tr(await(await fetch(i)).text()),s)}static async unpack(e,t,s){return new n(await Lr(e),Tr(t),async()=>Lr(await s()))}motion(e,t){return this.motions.
+ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.motions.
+ask("samples",[e,t],s)}async changes(e,t,s){return this.rates??=this.derivatives().then(o=>new ft(this.start,o,1,di)),(await this.rates.catch(()=>{throw this.rates=
+null,new Error(yu)})).ask("changes",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,i,o){return this.motions.ask("regions",[e,
+t,s,i],o)}async map({count:e,rows:t},s,i,o){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(mi,e-h),p=new Float64Array(
+a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let g=await this.maps.ask("map",[{count:d,rows:p},s,i],o,[p.buffer]),f=g.sequences?.map(b=>(l.includes(
 b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=f?f[g.values[b]]??Number.NaN:g.values[b]},u=Array.from({length:Math.ceil(e/mi)},(h,d)=>d*mi);return await Promise.
-all(u.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var vu=4,xu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Qs=class{constructor(e){this.base=e,this.shares=
-!0}async call(e,t,n){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:n},o=await this.answered(new URL(`lab/${e}`,
-this.base),i);return pt(await o.arrayBuffer())}async answered(e,t){for(let n=vu;;n--){let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(xu)});
-if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||n<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The\
+all(u.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var vu=4,xu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",es=class{constructor(e){this.base=e;this.shares=
+!0}async call(e,t,s){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},o=await this.answered(new URL(`lab/${e}`,
+this.base),i);return pt(await o.arrayBuffer())}async answered(e,t){for(let s=vu;;s--){let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(xu)});
+if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||s<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The\
  server answered ${i.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(o,10))),t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(
-`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},ku=2e4,_u=3e5,en=class{constructor(e){this.model=e,this.
-shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).slice(2),this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){
-let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(n.timer),this.waiting.delete(e.number),e.error?n.reject(new Error(e.error)):n.resolve(pt(
-t[0])))}call(e,t,n){let i=++this.number;return new Promise((o,a)=>{let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answ\
-er; run the cell again."))},e==="file"?_u:ku);this.waiting.set(i,{resolve:o,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
-i),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:i,call:e,body:t})})}async file(e,t){let{arrays:n}=await this.call("fi\
-le",{query:t,name:e});return new Blob([n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Su,families:Eu,massless:Tu,hops:Mu,rolls:Au,other:zu}=E.classes,{sequence:Ru}=E.words,Rr="sequence";function Pu(s){let e=-1;for(let t of s){e^=t.charCodeAt(
-0);for(let n=0;n<8;n++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function Pr(s,e){if(e!==Rr)return Su[e]?.[s]??zu;let t=[...s].find(p=>"SK".includes(p))??"R",n=[s.
-startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).join(", "),i=s.endsWith("H")?Mu:Eu[t+s.slice(-1)]??Au,o=s.includes("M")?Tu[n]:i,a=[1,3,5].map(
-p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(s.length-1,9)/9,c=Pu(s)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
-#${a.map(p=>{let g=(1-.2*c)*p+.2*c*r,f=Math.min(Math.max((g+(1-g)*u)*(1-h),0),1);return Math.round(255*f).toString(16).padStart(2,"0")}).join("")}`}function Lr(s,e){
-return e!==Rr?s.replaceAll("_"," "):[...s].map(t=>Ru[t]).join(" → ")}function ee({duration:s,hoop:e,plane:t,start:n,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:u,...h}=t,{x:d,height:p,angle:g,vx:f,
-vy:b,omega:w,slip:y}=xe(n,o),{max_events:v,model:T,...M}=i;return{radius:o,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
-angle:g,vx:f,vy:b,omega:w,slip:y,rolling:n.speed!==null,duration:s,max_events:v,contact:T==="rigid"?null:M}}function xe({x:s,height:e,angle:t,speed:n,vx:i,vy:o,
-omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:i,vy:o,omega:l,slip:n===null?i-r*l:0}}function pi(s,e){let[t,n,i]=[0,0,0];for(let o=0;o<s.length;o++)for(let a=0;a<e.length;a++){let r=0;for(;o+r<s.length&&a+r<e.length&&s[o+r]===e[a+r];)r++;r>t&&([
-t,n,i]=[r,o,a])}return t?t+pi(s.slice(0,n),e.slice(0,i))+pi(s.slice(n+t),e.slice(i+t)):0}function Nr(s,e){let t=[...s],n,i=0;for(let o of e){let a=[...o],r=a.length+
-t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*pi(a,t)/r;l>=.6&&(l>i||l===i&&n!==void 0&&o>n)&&([n,i]=[o,l])}return n}var Je=class{constructor(e){this.text=e}};function Ye(s){if(Number.isNaN(s))return"nan";if(!Number.isFinite(s))return s>0?"inf":"-inf";let e=s<0||Object.is(s,-0)?
-"-":"",[t,n]=Math.abs(s).toExponential().split("e"),i=t.replace(".",""),o=Number(n);return o<-4||o>=16?`${e}${t}e${fi(o)}`:e+(o<0?`0.${"0".repeat(-o-1)}${i}`:Ir(
-i,o+1))}function Ir(s,e){let t=s.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var fi=s=>`${s<0?"-":"+"}${String(Math.abs(s)).padStart(2,"0")}`;function Cr(s,e){
-let[t,n]=s.toExponential(e-1).split("e"),i=t.replace(".",""),o=s.toExponential(100).split("e")[0].replace(".","");return o[e]==="5"&&/^0*$/.test(o.slice(e+1))&&
-Number(o[e-1])%2===0?[o.slice(0,e),Number(s.toExponential(100).split("e")[1])]:[i,Number(n)]}function gi(s){return Number.isNaN(s)?"nan":s>0?"inf":"-inf"}var qt=s=>s<
-0||Object.is(s,-0)?"-":"";function Ae(s,e=6){if(!Number.isFinite(s))return gi(s);let t=qt(s);if(s===0)return`${t}0`;let[n,i]=Cr(Math.abs(s),e),o=n.replace(/0+$/,
-"")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${fi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=Ir(n,i+1).split("."),
-l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function Lu(s,e){if(!Number.isFinite(s))return gi(s);let[t,n]=s===0?["0".repeat(e+1),0]:Cr(Math.abs(s),e+1),
-i=t.slice(1);return`${qt(s)}${t[0]}${i&&`.${i}`}e${fi(n)}`}function bi(s,e){if(!Number.isFinite(s))return gi(s);let t=Math.abs(s);if(t>=1e21)return`${qt(s)}${BigInt(
-t)}${e?`.${"0".repeat(e)}`:""}`;let n=t.toFixed(e),i=t.toFixed(100),o=i.slice(i.indexOf(".")+1+e),a=i.slice(0,i.indexOf(".")+(e?1+e:0));return/^50*$/.test(o)&&Number(
-a.at(-1))%2===0?qt(s)+a:qt(s)+n}function j(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,i,o,a)=>{let r=e[n];return r instanceof Je?r.text:i?
-ue(r):a==="g"?Ae(r,o===""?6:Number(o)||1):a==="e"?Lu(r,Number(o)):a==="f"?bi(r,Number(o)):String(r)})}function ue(s,e=!0){return s==null?"None":s===!0?"True":s===
-!1?"False":typeof s=="number"?e?Ye(s):jr(s):typeof s=="string"?Or(s):Array.isArray(s)?`[${s.map(n=>ue(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${Or(
-n)}: ${ue(i,e)}`).join(", ")}}`}function jr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ye(s)}function It(s){return typeof s=="number"?jr(s):
-typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${tn(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
-ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var tn=(s,e)=>s.toString(16).padStart(e,"0"),Nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
-Dr=s=>s===" "||!Nu.test(s);function $r(s){if(s===`
-`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${tn(e,2)}`:e<65536?`\\u${tn(e,4)}`:`\\U${tn(e,8)}`}function Or(s){
-let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:Dr(n)?n:$r(n));return e+t.join("")+e}var Fr=s=>[...s].map(e=>Dr(e)?e:$r(
-e)).join("");function sn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var qr="[\\s\\x1c-\\x1f\\x85]*",Ou=new RegExp(`^${qr}([+-]?)(?:(in\
-f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${qr}$`,"i");function Br(s){let e=Ou.exec(s);if(!e||s.includes(
-"\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:Wr,scenario:Hr}=E,L=class extends Error{constructor(e){super(Fr(e)),this.name="InputError"}},ne=class extends L{},N=(s,e={})=>j(Wr[s],e),de=s=>s!==null&&
-typeof s=="object"&&!Array.isArray(s);function je(s=()=>!1,e=""){return{said:[],above:e,float:s}}function D(s,e,t,n,i){Ze(s,e,t,N(n,i))}function Ze(s,e,t,n){let i=typeof t==
-"bigint"?String(t):ue(t,s.float(e)),o=s.above+e||Wr.whole_scenario;s.said.push(N("finding",{path:o,shown:sn(i),allowed:n}))}function Ct(s,e,t,n,i={}){let{fields:o,
-place:a}=Hr.models[s];if(!de(e))return D(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(jt(a,c,Object.keys(o))),null;
-let r=n.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,n):Object.
-hasOwn(e,c)?l[c]=wi(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=$e(u.default)}return n.said.length===r?{values:l,
-given:new Set(Object.keys(e))}:null}function jt(s,e,t){let n=Nr(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
-{path:`${s}${sn(e)}`,hint:i})}function wi(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return Iu(e,t,n);if(s.kind==="word")return s.options.
-includes(e)||D(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return D(n,t,e,"number");if(i&&!(o>=0))return D(n,
-t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return D(n,t,e,"whole");if(!i&&!Number.isFinite(o))return D(n,t,e,"finite_number");for(let[a,r]of s.limits??
-[])if(!qu(a,o,r))return D(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!De(s.range,o)?D(n,t,e,"range",s.range):o+0}function qu(s,e,t){return s===
-"greater_than"?e>t:s==="greater_than_equal"?e>=t:s==="less_than"?e<t:e<=t}var De=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(i=>$e(i)===n);function Iu(s,e,t){
-return Array.isArray(s)?s.map((n,i)=>Cu(n,`${e}.${i}`,t)):D(t,e,s,"list")}function Cu(s,e,t){let n=yi(s,"shape",Hr.parts,e,t),i=n&&Ct(n,s,e,t);if(!i)return null;
-let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function yi(s,e,t,n,i,o){if(!de(s))return D(i,n,
-s,"table"),null;let a=Object.hasOwn(s,e)?s[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${n}.${e}`})),null;if(typeof a=="stri\
-ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ue(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
-at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:sn(ue(r)),allowed:u};return i.said.push(N("finding",h)),null}function Dt(s){let e=s.
-length-1;return e?N(e===1?"other_problem":"other_problems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var Ur=E.scenario.ends,vi=s=>Object.hasOwn(Ur,s)?Ur[s]:[];function ki(s){let e=s.indexOf(".");return e<0?[s,""]:[s.slice(0,e),s.slice(e+1)]}function $t(s){for(let e of s){
-let[t]=ki(e),n=vi(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Gr=new Set(E.scenario.paths),ju=new Set(
-E.map.words),Vr=/^hoop\.parts\.\d+\.(\w+)$/,Jr=Object.assign(Object.create(null),...Object.values(E.scenario.parts).map(s=>E.scenario.models[s].fields));function Yr(s){
-return Gr.has(s)||(Vr.exec(s)?.[1]??"")in Jr?null:N("no_parameter",{path:s,known:[...Gr].join(", ")})}function Zr(s){let e=Vr.exec(s);return e?Jr[e[1]].kind!=="\
-word":!ju.has(s)}function Kr(s){let[e,t]=ki(s);return(e==="start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}var _i=s=>e=>!s.some(t=>e===t||e.startsWith(
-t.endsWith(".")?t:`${t}.`));function Si(s,e,t,n){let i=[...t.keys()],o=$t(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Je(ue(t.get(d),!1)));throw new L(N("two_ways",{
+`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},ku=2e4,_u=3e5,ts=class{constructor(e){this.model=e;this.
+shares=!1;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){
+let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(s.timer),this.waiting.delete(e.number),e.error?s.reject(new Error(e.error)):s.resolve(pt(
+t[0])))}call(e,t,s){let i=++this.number;return new Promise((o,a)=>{let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answ\
+er; run the cell again."))},e==="file"?_u:ku);this.waiting.set(i,{resolve:o,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
+i),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:i,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("fi\
+le",{query:t,name:e});return new Blob([s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Eu,families:Mu,massless:Su,hops:Tu,rolls:Au,other:Lu}=M.classes,{sequence:Ru}=M.words,Rr="sequence";function Pu(n){let e=-1;for(let t of n){e^=t.charCodeAt(
+0);for(let s=0;s<8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function Pr(n,e){if(e!==Rr)return Eu[e]?.[n]??Lu;let t=[...n].find(p=>"SK".includes(p))??"R",s=[n.
+startsWith("R")&&"rolls",/[SK]/.test(n)&&"slips"].filter(Boolean).join(", "),i=n.endsWith("H")?Tu:Mu[t+n.slice(-1)]??Au,o=n.includes("M")?Su[s]:i,a=[1,3,5].map(
+p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(n.length-1,9)/9,c=Pu(n)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
+#${a.map(p=>{let g=(1-.2*c)*p+.2*c*r,f=Math.min(Math.max((g+(1-g)*u)*(1-h),0),1);return Math.round(255*f).toString(16).padStart(2,"0")}).join("")}`}function Cr(n,e){
+return e!==Rr?n.replaceAll("_"," "):[...n].map(t=>Ru[t]).join(" → ")}function ee({duration:n,hoop:e,plane:t,start:s,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:u,...h}=t,{x:d,height:p,angle:g,vx:f,
+vy:b,omega:w,slip:y}=xe(s,o),{max_events:v,model:S,...T}=i;return{radius:o,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
+angle:g,vx:f,vy:b,omega:w,slip:y,rolling:s.speed!==null,duration:n,max_events:v,contact:S==="rigid"?null:T}}function xe({x:n,height:e,angle:t,speed:s,vx:i,vy:o,
+omega:a},r){let l=s===null?Number(a):s/r;return{x:n,height:e,angle:t,vx:i,vy:o,omega:l,slip:s===null?i-r*l:0}}function pi(n,e){let[t,s,i]=[0,0,0];for(let o=0;o<n.length;o++)for(let a=0;a<e.length;a++){let r=0;for(;o+r<n.length&&a+r<e.length&&n[o+r]===e[a+r];)r++;r>t&&([
+t,s,i]=[r,o,a])}return t?t+pi(n.slice(0,s),e.slice(0,i))+pi(n.slice(s+t),e.slice(i+t)):0}function zr(n,e){let t=[...n],s,i=0;for(let o of e){let a=[...o],r=a.length+
+t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*pi(a,t)/r;l>=.6&&(l>i||l===i&&s!==void 0&&o>s)&&([s,i]=[o,l])}return s}var Je=class{constructor(e){this.text=e}};function Ye(n){if(Number.isNaN(n))return"nan";if(!Number.isFinite(n))return n>0?"inf":"-inf";let e=n<0||Object.is(n,-0)?
+"-":"",[t,s]=Math.abs(n).toExponential().split("e"),i=t.replace(".",""),o=Number(s);return o<-4||o>=16?`${e}${t}e${fi(o)}`:e+(o<0?`0.${"0".repeat(-o-1)}${i}`:Ir(
+i,o+1))}function Ir(n,e){let t=n.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var fi=n=>`${n<0?"-":"+"}${String(Math.abs(n)).padStart(2,"0")}`;function qr(n,e){
+let[t,s]=n.toExponential(e-1).split("e"),i=t.replace(".",""),o=n.toExponential(100).split("e")[0].replace(".","");return o[e]==="5"&&/^0*$/.test(o.slice(e+1))&&
+Number(o[e-1])%2===0?[o.slice(0,e),Number(n.toExponential(100).split("e")[1])]:[i,Number(s)]}function gi(n){return Number.isNaN(n)?"nan":n>0?"inf":"-inf"}var Ot=n=>n<
+0||Object.is(n,-0)?"-":"";function Ae(n,e=6){if(!Number.isFinite(n))return gi(n);let t=Ot(n);if(n===0)return`${t}0`;let[s,i]=qr(Math.abs(n),e),o=s.replace(/0+$/,
+"")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${fi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=Ir(s,i+1).split("."),
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function Cu(n,e){if(!Number.isFinite(n))return gi(n);let[t,s]=n===0?["0".repeat(e+1),0]:qr(Math.abs(n),e+1),
+i=t.slice(1);return`${Ot(n)}${t[0]}${i&&`.${i}`}e${fi(s)}`}function bi(n,e){if(!Number.isFinite(n))return gi(n);let t=Math.abs(n);if(t>=1e21)return`${Ot(n)}${BigInt(
+t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),i=t.toFixed(100),o=i.slice(i.indexOf(".")+1+e),a=i.slice(0,i.indexOf(".")+(e?1+e:0));return/^50*$/.test(o)&&Number(
+a.at(-1))%2===0?Ot(n)+a:Ot(n)+s}function F(n,e){return n.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,i,o,a)=>{let r=e[s];return r instanceof Je?r.text:i?
+ue(r):a==="g"?Ae(r,o===""?6:Number(o)||1):a==="e"?Cu(r,Number(o)):a==="f"?bi(r,Number(o)):String(r)})}function ue(n,e=!0){return n==null?"None":n===!0?"True":n===
+!1?"False":typeof n=="number"?e?Ye(n):Fr(n):typeof n=="string"?Nr(n):Array.isArray(n)?`[${n.map(s=>ue(s,e)).join(", ")}]`:`{${Object.entries(n).map(([s,i])=>`${Nr(
+s)}: ${ue(i,e)}`).join(", ")}}`}function Fr(n){let e=Object.is(n,-0)?"0":String(n);return/^-?\d+$/.test(e)?e:Ye(n)}function It(n){return typeof n=="number"?Fr(n):
+typeof n=="string"?JSON.stringify(n).replace(/[\u007f-\uffff]/g,e=>`\\u${ns(e.charCodeAt(0),4)}`):Array.isArray(n)?`[${n.map(It).join(", ")}]`:n&&typeof n=="obj\
+ect"?`{${Object.entries(n).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(n)}var ns=(n,e)=>n.toString(16).padStart(e,"0"),zu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+Dr=n=>n===" "||!zu.test(n);function jr(n){if(n===`
+`)return"\\n";if(n==="\r")return"\\r";if(n==="	")return"\\t";let e=n.codePointAt(0);return e<256?`\\x${ns(e,2)}`:e<65536?`\\u${ns(e,4)}`:`\\U${ns(e,8)}`}function Nr(n){
+let e=n.includes("'")&&!n.includes('"')?'"':"'",t=[...n].map(s=>s===e||s==="\\"?`\\${s}`:Dr(s)?s:jr(s));return e+t.join("")+e}var Hr=n=>[...n].map(e=>Dr(e)?e:jr(
+e)).join("");function ss(n){let e=[...n];return e.length<=60?n:`${e.slice(0,57).join("")}...`}var Or="[\\s\\x1c-\\x1f\\x85]*",Nu=new RegExp(`^${Or}([+-]?)(?:(in\
+f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${Or}$`,"i");function $r(n){let e=Nu.exec(n);if(!e||n.includes(
+"\uFEFF"))return;let[,t,s,i]=e,o=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:Br,scenario:Wr}=M,C=class extends Error{constructor(e){super(Hr(e)),this.name="InputError"}},se=class extends C{},z=(n,e={})=>F(Br[n],e),de=n=>n!==null&&
+typeof n=="object"&&!Array.isArray(n);function Fe(n=()=>!1,e=""){return{said:[],above:e,float:n}}function D(n,e,t,s,i){Ze(n,e,t,z(s,i))}function Ze(n,e,t,s){let i=typeof t==
+"bigint"?String(t):ue(t,n.float(e)),o=n.above+e||Br.whole_scenario;n.said.push(z("finding",{path:o,shown:ss(i),allowed:s}))}function qt(n,e,t,s,i={}){let{fields:o,
+place:a}=Wr.models[n];if(!de(e))return D(s,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return s.said.push(Ft(a,c,Object.keys(o))),null;
+let r=s.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,s):Object.
+hasOwn(e,c)?l[c]=wi(u,e[c],`${t}.${c}`,s):u.required?s.said.push(z("missing",{path:`${s.above}${t}.${c}`})):l[c]=je(u.default)}return s.said.length===r?{values:l,
+given:new Set(Object.keys(e))}:null}function Ft(n,e,t){let s=zr(e,t),i=s?z("did_you_mean",{close:s}):z("known_are",{known:t.join(", ")});return z("unknown_key",
+{path:`${n}${ss(e)}`,hint:i})}function wi(n,e,t,s){if(e===null&&n.nullable)return null;if(n.kind==="parts")return Iu(e,t,s);if(n.kind==="word")return n.options.
+includes(e)||D(s,t,e,"literal_error",n),e;let i=n.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return D(s,t,e,"number");if(i&&!(o>=0))return D(s,
+t,e,"friction");if(n.kind==="whole"&&!Number.isInteger(o))return D(s,t,e,"whole");if(!i&&!Number.isFinite(o))return D(s,t,e,"finite_number");for(let[a,r]of n.limits??
+[])if(!Ou(a,o,r))return D(s,t,n.kind==="whole"?BigInt(o):e,a,{limit:r});return n.range&&!De(n.range,o)?D(s,t,e,"range",n.range):o+0}function Ou(n,e,t){return n===
+"greater_than"?e>t:n==="greater_than_equal"?e>=t:n==="less_than"?e<t:e<=t}var De=({least:n,most:e,also:t=[]},s)=>n<=s&&s<=e||t.some(i=>je(i)===s);function Iu(n,e,t){
+return Array.isArray(n)?n.map((s,i)=>qu(s,`${e}.${i}`,t)):D(t,e,n,"list")}function qu(n,e,t){let s=yi(n,"shape",Wr.parts,e,t),i=s&&qt(s,n,e,t);if(!i)return null;
+let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(z("ring_radii",{inner:o,outer:a})),i.values}function yi(n,e,t,s,i,o){if(!de(n))return D(i,s,
+n,"table"),null;let a=Object.hasOwn(n,e)?n[e]:o;if(a===void 0||a===null&&o)return i.said.push(z("missing",{path:`${i.above}${s}.${e}`})),null;if(typeof a=="stri\
+ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ue(a,i.float(`${s}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
+at(-1)}`,u=z("literal_error",{expected:c}),h={path:`${i.above}${s}.${e}`,shown:ss(ue(r)),allowed:u};return i.said.push(z("finding",h)),null}function Dt(n){let e=n.
+length-1;return e?z(e===1?"other_problem":"other_problems",{first:n[0].replace(/\.$/,""),count:e}):n[0]}var Gr=M.scenario.ends,vi=n=>Object.hasOwn(Gr,n)?Gr[n]:[];function ki(n){let e=n.indexOf(".");return e<0?[n,""]:[n.slice(0,e),n.slice(e+1)]}function jt(n){for(let e of n){
+let[t]=ki(e),s=vi(e).map(i=>`${t}.${i}`);for(let i of n)if(s.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Ur=new Set(M.scenario.paths),Fu=new Set(
+M.map.words),Vr=/^hoop\.parts\.\d+\.(\w+)$/,Jr=Object.assign(Object.create(null),...Object.values(M.scenario.parts).map(n=>M.scenario.models[n].fields));function Yr(n){
+return Ur.has(n)||(Vr.exec(n)?.[1]??"")in Jr?null:z("no_parameter",{path:n,known:[...Ur].join(", ")})}function Zr(n){let e=Vr.exec(n);return e?Jr[e[1]].kind!=="\
+word":!Fu.has(n)}function Kr(n){let[e,t]=ki(n);return(e==="start"?10:0)+(t===""?0:n==="contact.model"||n==="hoop.parts"?1:2)}var _i=n=>e=>!n.some(t=>e===t||e.startsWith(
+t.endsWith(".")?t:`${t}.`));function Ei(n,e,t,s){let i=[...t.keys()],o=jt(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Je(ue(t.get(d),!1)));throw new C(z("two_ways",{
 one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=_i(i);for(let l of i.sort((c,u)=>Kr(c)-Kr(u))){let c=structuredClone(t.get(l)),[u,h]=ki(l);if(h==="")
-xi(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||xi(e,u,{});let d=e[u];if(!de(d))throw new L(N("no_section_parts",{path:l,section:u}));
-if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=Du(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
-t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];$u(d,h.split("."),c,l)}}return e}function xi(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0})}function Du(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
-eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
-s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=xe(s,t().radius);return{height:a,vx:r,vy:l,
-omega:c}}return{}}function $u(s,e,t,n){let i=s,o=e.pop(),a=l=>new L(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
-if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))xi(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Fu,limits:te}=E,{allowed:Bu,events:Wu,flight_turns:Hu,quantities:Uu}=E.map,Gu=1e-300,I=(s,e={})=>j(Fu[s],e),Ei=s=>I("doubt",{time:Ae(s,4)});function Xe(s){
-let{duration:e,hoop:t,contact:n}=s;if(e>te.duration)throw new ne(I("too_long",{duration:e,most:te.duration}));let i=t.parts?.length??0;if(i>te.parts)throw new ne(
-I("too_many_parts",{parts:i,most:te.parts}));let o=tl(el(s));if(o>te.turns)throw new ne(I("too_many_turns",{duration:e,turns:o,most:te.turns}));if(n.model==="co\
-mpliant"){let a=Ku(s,o);if(a>te.steps)throw new ne(I("too_stiff",{steps:a,most:te.steps}))}return n.max_events<=te.events?s:{...s,contact:{...n,max_events:te.events}}}
-function el({duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:i}){let{height:o,vx:a,vy:r,omega:l}=xe(i,e);return{duration:s,radius:e,gravity:t,slope:n,
-height:o,vx:a,vy:r,omega:l}}function tl({duration:s,radius:e,gravity:t,slope:n,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
-sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Ku({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
-Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function Ti(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new L(I("rigid_maps"));
-let{contact:i,...o}=Xe(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,Wu)}};Vu(a,e,t,Uu[n].span);let r=$t([t.path,e.path]);if(r)throw new L(I("two_ax\
-es",{one:r[0],other:r[1]}));return a}function Vu(s,e,t,n){let i=el(s),o=n==="first_revolution",a=Ft(e).filter(h=>Qr(e.path,h)),r=Ft(t).filter(h=>Qr(t.path,h)),[
-l,c]=[0,0];for(let h of r)for(let d of a){let p=Xr(Xr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Gu),Hu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
-c>te.turns)throw new ne(I("cell_turns",{turns:c,most:te.turns}));if(l<=te.map_turns)return;let u=a.length*r.length;throw new ne(I("map_turns",{cells:u,turns:l,most:te.
-map_turns}))}function Xr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
-s}var Ft=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Qr(s,e){let t=Bu[s.startsWith("plane.mu")?"plane.mu":s];return!t||De(
-t,e)}var{scenario:gt}=E,Ju=["load_fraction","eccentricity","inertia_ratio"],sl=["mu_static","mu_kinetic"],Yu=["height","vx","vy","omega"],Qe=class extends Error{};function W(s,e){
-throw new Qe(N(s,e))}function nn(s,e,t){let n=t.find(i=>i!==e);n&&W("together",{section:s,other:n,way:e})}function nl({values:s,given:e},t){let n={...s},i=Ju.filter(
-u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||W("no_parts"),nn("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,Zu(n.radius,n.parts,
-t))):n.load_fraction!==null||!i.length?(nn("hoop","load_fraction",i),n.load_fraction??=gt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
-n.inertia_ratio=t.ideal(n.load_fraction)):i.length===1&&W("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
-load_fraction:r,eccentricity:l}=n,c=gt.ranges;if(De(c["hoop.mass"],o)||W("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!De(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
-hoop.inertia_ratio"];W(n.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&W("massless_eccentricity",{eccentricity:l}),
-n}function Zu(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+gt.touch));return o>=0&&W("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
-radius:s}),i}function il({values:s,given:e}){let t={...s};t.apart=sl.some(r=>e.has(r)),t.mu!==null?(nn("plane","mu",sl.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
-t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:n,mu_kinetic:i,slope:o}=t;i>n&&W("kinetic_above_static",{mu_kinetic:i,mu_static:n}),Math.abs(
-o)<.5*Math.PI||W("vertical",{slope:o});let a=gt.ranges["plane.slope"];return De(a,o)||W("slope",{slope:o,words:a.words}),t}function ol({values:s,given:e}){let t={
-...s};return t.speed!==null?(nn("start","speed",Yu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&W("no_omega"),t}function al({values:s}){let e=s;
-return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&W("together",{section:"contact",other:"restitution",way:"damping"}),e}function rl(s,e,t){let{
-hoop:n,plane:i,contact:o}=s,a=n.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&W("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
-a&&W("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(n.eccentricity,n.inertia_ratio);c!==void 0&&!(l<c)&&W("resistance",{given:l,most:c}),a&&
-r&&W("massless_compliant"),r&&i.mu_static===1/0&&W("compliant_friction"),r&&e.compliance&&Xu(o,e.compliance(t(s)))}function Xu(s,e){for(let[i,{of:o,...a}]of Object.
-entries(gt.relative)){let r=s[i];if(r===null)continue;let l=e[i];De(a,l)||W("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
-n=$e(gt.most_depth);t>n&&W("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var Qu=1e3;function ll(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>Qu)throw new L(N("unreadable_query",{reason:"Max number of fields excee\
+xi(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||xi(e,u,{});let d=e[u];if(!de(d))throw new C(z("no_section_parts",{path:l,section:u}));
+if(!a.has(u)&&vi(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?s(u,t.get(u),r):n[u],g=Du(p,l,()=>s("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
+t.has(`${u}.${f}`)||(d[f]=b)}for(let p of vi(l))delete d[p];ju(d,h.split("."),c,l)}}return e}function xi(n,e,t){Object.defineProperty(n,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0})}function Du(n,e,t){let{mass:s,eccentricity:i,inertia_ratio:o}=n;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:s,
+eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:s};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
+n.mu_static),mu_kinetic:a(n.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=xe(n,t().radius);return{height:a,vx:r,vy:l,
+omega:c}}return{}}function ju(n,e,t,s){let i=n,o=e.pop(),a=l=>new C(z("not_there",{path:s,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
+if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))xi(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Hu,limits:te}=M,{allowed:$u,events:Bu,flight_turns:Wu,quantities:Gu}=M.map,Uu=1e-300,I=(n,e={})=>F(Hu[n],e),Mi=n=>I("doubt",{time:Ae(n,4)});function Qe(n){
+let{duration:e,hoop:t,contact:s}=n;if(e>te.duration)throw new se(I("too_long",{duration:e,most:te.duration}));let i=t.parts?.length??0;if(i>te.parts)throw new se(
+I("too_many_parts",{parts:i,most:te.parts}));let o=tl(el(n));if(o>te.turns)throw new se(I("too_many_turns",{duration:e,turns:o,most:te.turns}));if(s.model==="co\
+mpliant"){let a=Ku(n,o);if(a>te.steps)throw new se(I("too_stiff",{steps:a,most:te.steps}))}return s.max_events<=te.events?n:{...n,contact:{...s,max_events:te.events}}}
+function el({duration:n,hoop:{radius:e},plane:{gravity:t,slope:s},start:i}){let{height:o,vx:a,vy:r,omega:l}=xe(i,e);return{duration:n,radius:e,gravity:t,slope:s,
+height:o,vx:a,vy:r,omega:l}}function tl({duration:n,radius:e,gravity:t,slope:s,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
+sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(s),1)*n)*n/(2*Math.PI*e)}function Ku({duration:n,hoop:{radius:e,mass:t},plane:{gravity:s},contact:{stiffness:i}},o){let r=10/
+Math.sqrt(e/(s>0?s:1))+(i===null?0:Math.sqrt(i/t));return 10*n*r+40*o}function Si(n,{x:e,y:t,what:s}){if(n.contact.model!=="rigid")throw new C(I("rigid_maps"));
+let{contact:i,...o}=Qe(n),a={...o,contact:{...i,max_events:Math.min(i.max_events,Bu)}};Vu(a,e,t,Gu[s].span);let r=jt([t.path,e.path]);if(r)throw new C(I("two_ax\
+es",{one:r[0],other:r[1]}));return a}function Vu(n,e,t,s){let i=el(n),o=s==="first_revolution",a=Ht(e).filter(h=>Xr(e.path,h)),r=Ht(t).filter(h=>Xr(t.path,h)),[
+l,c]=[0,0];for(let h of r)for(let d of a){let p=Qr(Qr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Uu),Wu):tl(p);l+=f,c=Math.max(c,f)}if(!o&&
+c>te.turns)throw new se(I("cell_turns",{turns:c,most:te.turns}));if(l<=te.map_turns)return;let u=a.length*r.length;throw new se(I("map_turns",{cells:u,turns:l,most:te.
+map_turns}))}function Qr(n,e,t){if(e==="start.speed")return{...n,vx:t,vy:0,omega:0};let s=e.slice(e.lastIndexOf(".")+1);return s in n&&s!=="height"?{...n,[s]:t}:
+n}var Ht=({from:n,to:e,cells:t})=>Array.from({length:t},(s,i)=>n+(i+.5)*((e-n)/t));function Xr(n,e){let t=$u[n.startsWith("plane.mu")?"plane.mu":n];return!t||De(
+t,e)}var{scenario:gt}=M,Ju=["load_fraction","eccentricity","inertia_ratio"],nl=["mu_static","mu_kinetic"],Yu=["height","vx","vy","omega"],Xe=class extends Error{};function B(n,e){
+throw new Xe(z(n,e))}function is(n,e,t){let s=t.find(i=>i!==e);s&&B("together",{section:n,other:s,way:e})}function sl({values:n,given:e},t){let s={...n},i=Ju.filter(
+u=>e.has(u)&&n[u]!==null);s.parts!==null?(s.parts.length||B("no_parts"),is("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(s,Zu(s.radius,s.parts,
+t))):s.load_fraction!==null||!i.length?(is("hoop","load_fraction",i),s.load_fraction??=gt.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
+s.inertia_ratio=t.ideal(s.load_fraction)):i.length===1&&B("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
+load_fraction:r,eccentricity:l}=s,c=gt.ranges;if(De(c["hoop.mass"],o)||B("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!De(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
+hoop.inertia_ratio"];B(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&B("massless_eccentricity",{eccentricity:l}),
+s}function Zu(n,e,t){let{reaches:s,...i}=t.combine(n,e),o=s.findIndex(a=>a>n*(1+gt.touch));return o>=0&&B("beyond_the_rim",{index:o,shape:e[o].shape,reach:s[o],
+radius:n}),i}function il({values:n,given:e}){let t={...n};t.apart=nl.some(r=>e.has(r)),t.mu!==null?(is("plane","mu",nl.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:i,slope:o}=t;i>s&&B("kinetic_above_static",{mu_kinetic:i,mu_static:s}),Math.abs(
+o)<.5*Math.PI||B("vertical",{slope:o});let a=gt.ranges["plane.slope"];return De(a,o)||B("slope",{slope:o,words:a.words}),t}function ol({values:n,given:e}){let t={
+...n};return t.speed!==null?(is("start","speed",Yu.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&B("no_omega"),t}function al({values:n}){let e=n;
+return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&B("together",{section:"contact",other:"restitution",way:"damping"}),e}function rl(n,e,t){let{
+hoop:s,plane:i,contact:o}=n,a=s.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&B("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
+a&&B("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);c!==void 0&&!(l<c)&&B("resistance",{given:l,most:c}),a&&
+r&&B("massless_compliant"),r&&i.mu_static===1/0&&B("compliant_friction"),r&&e.compliance&&Qu(o,e.compliance(t(n)))}function Qu(n,e){for(let[i,{of:o,...a}]of Object.
+entries(gt.relative)){let r=n[i];if(r===null)continue;let l=e[i];De(a,l)||B("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
+s=je(gt.most_depth);t>s&&B("too_soft",{stiffness:n.stiffness,depth:t,most:s})}var Xu=1e3;function ll(n){let e=n.startsWith("?")?n.slice(1):n;if(e&&e.split("&").length>Xu)throw new C(z("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
-Map))throw new L(N("value_above",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new L(N("given_twice",{path:o}));c.set(l,Br(a)??a)}let n=t.get(
-"hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",ed(i)),Mi(t)}function ed(s){let e=Array.from({length:s.size},(n,i)=>String(i)),
-t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new L(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function Mi(s){return Array.isArray(s)?s.
-map(Mi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,Mi(t)])):s}function hl(s){return cl(s,"").map(([e,t])=>`${e}=${td(e,t)}`).join("&")}function cl(s,e){
-return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>cl(n,e?`${e}.${t}`:t))}function td(s,e){return on(s,e).replace("e+","e").replace(
-/\.0$/,"")}function on(s,e){return typeof e=="string"?e:sd.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ye(e)}var sd=new Set(Object.values(E.scenario.models).flatMap(
-({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:ke}=E,ul=ke.left_out,nd={rigid:"Rigid",compliant:"Compliant"};function Ai(s,e,t=je()){let n=zi(s,e,t);if(!n)throw new L(Dt(t.said));return n}function zi(s,e,t){
-let{fields:n,place:i}=ke.models.Scenario;if(!de(s))return D(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
-jt(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:ke.default[r];return[r,Ri(r,l,e,t)]}));return t.said.
-length?null:ml(t,()=>Pi(a,e))}function Ri(s,e,t,n){if(s==="hoop")return an("Hoop",e,s,n,o=>nl(o,t));if(s==="plane")return an("Plane",e,s,n,il);if(s==="start")return an(
-"Start",e,s,n,ol);if(s!=="contact")return wi(ke.models.Scenario.fields[s],e,s,n);let i=yi(e,"model",nd,s,n,"rigid");return i&&an(i,e,s,n,al)}function Pi(s,e){return rl(
-s,e,ee),s}function an(s,e,t,n,i){let o=Ct(s,e,t,n);return o&&ml(n,()=>i(o))}function ml(s,e){try{return e()}catch(t){if(!(t instanceof Qe))throw t;return s.said.
-push(t.message),null}}function Li(s,e){return Ai(ll(s),e,je(()=>!0))}function rn(s,e,t){let n=Si(s,ze(s),e,(i,o,a)=>pl(i,o,t,a));return Ai(n,t,je(_i([...e.keys()])))}
-function ln(s,e,t){let n=je();try{let i=Si(s,ze(s),e,(r,l,c)=>pl(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ri(r,i[r],t,n)]);return n.
-said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof L)return null;throw i}}function pl(s,e,t,n){let i=je(n),o=Ri(s,e,t,i);if(i.said.length)throw new L(
-Dt(i.said));return o}var id=s=>s===1/0?"inf":s,Bt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,id(s[t])])),Ni=s=>Object.keys(ke.models[s].fields);
-function ze({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:od(e),plane:ad(t),start:rd(n),contact:Bt(i,Ni(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function od(s){if(s.parts){let t=s.parts.map(n=>Bt(n,Ni(ke.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Bt(s,["radius","mass",...e])}function ad(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"],t=s;return e.push(...Object.
-keys(ul).filter(n=>t[n]===ul[n])),Bt(s,Ni("Plane").filter(n=>!e.includes(n)))}function rd(s){return Bt(s,s.speed===null?["x","height","angle","vx","vy","omega"]:
-["x","angle","speed"])}function Oi(s,e){let{Hoop:t,Start:n}=ke.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
-default,load_fraction:a.default}}return s==="plane"?ke.default.plane:s==="start"?{...dl(n),speed:void 0}:dl(ke.models[e==="compliant"?"Compliant":"Rigid"])}var dl=({
-fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function Ht(s){let e={};for(let[t,n]of Object.entries(ze(s))){let i=ke.default[t];
-if(Wt(n,i))continue;if(!de(n)){e[t]=n;continue}let o=Oi(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Wt(o[r],l));e[t]=a.length?Object.fromEntries(
-a):n}return hl(e)}function Wt(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
-Object.keys(e).length&&t.every(n=>Wt(s[n],e[n]))}var ld=8,{cell:qi,laws:hd,quantities:fl}=E.map;async function Ii(s,{x:e,y:t},n,i){let o=Ft(e),a=Ft(t),r=cd(s,e.path,t.path)?ud(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
-[[t.path,a[p]],[e.path,o[d]]]);return ln(s,g,n)},l=o.length*a.length,c=new Float64Array(qi.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
-now()-h>ld&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&md(Object.assign(u,g),n);
-if(!f)continue;let b=d*o.length+p;for(let w=0;w<qi.length;w++)c[w*l+b]=dd[w](f)}}return{count:l,rows:c}}function cd({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
-if(n[0]===n[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(n.includes("hoop")&&i&&s.speed!==null)}function ud(s,{x:e,y:t},[n,
-i],o){let a=n.map(l=>ln(s,new Map([[e.path,l]]),o)),r=i.map(l=>ln(s,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var dd=qi.map(s=>s==="l\
-aw"?({impact_law:e})=>hd[e]:s==="strike"?({painleve:e})=>+(e==="impact"):s==="allowed"?()=>1:e=>Number(e[s]));function md(s,e){try{return ee(Pi(s,e))}catch(t){if(!(t instanceof
-Qe))throw t;return null}}var Ci=s=>fl[s].span;function ji({x:s,y:e,what:t},n){let{label:i,unit:o,words:a}=fl[t],{values:r,names:l}=pd(n,o===""?a:null),c=o===""?
-l.map(u=>({name:u,text:Lr(u,t),color:Pr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function pd({values:s,sequences:e},t){
-if(!t)return{values:s,names:[]};let n=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=
-0?i?.[a]??a:Number.NaN),names:n}}var{scenario:cn}=E,fd=30;function gl(s,e){for(let t of cn.sections[s]??["Scenario"]){let n=cn.models[t].fields[e];if(n)return n.unit}return""}function wl(s,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):on(s,e)}function bl(s,e,t){let n=`${s} = ${wl(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(fd)} # ${t}`}function un(s){
-let{duration:e,...t}=ze(s),n=[bl("duration",e,gl("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
-isArray(r))n.push(bl(a,r,gl(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${wl(u,h)}`);n.push(`  { ${c.join(", ")}\
- },`)}n.push("]")}}return`${n.join(`
+Map))throw new C(z("value_above",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new C(z("given_twice",{path:o}));c.set(l,$r(a)??a)}let s=t.get(
+"hoop"),i=s instanceof Map&&s.get("parts");return i instanceof Map&&s.set("parts",ed(i)),Ti(t)}function ed(n){let e=Array.from({length:n.size},(s,i)=>String(i)),
+t=new Set(e);for(let s of n.keys())if(!t.has(s))throw new C(z("parts_out_of_order",{name:s}));return e.map(s=>n.get(s))}function Ti(n){return Array.isArray(n)?n.
+map(Ti):n instanceof Map?Object.fromEntries([...n].map(([e,t])=>[e,Ti(t)])):n}function hl(n){return cl(n,"").map(([e,t])=>`${e}=${td(e,t)}`).join("&")}function cl(n,e){
+return n===null||typeof n!="object"?[[e,n]]:Object.entries(n).flatMap(([t,s])=>cl(s,e?`${e}.${t}`:t))}function td(n,e){return os(n,e).replace("e+","e").replace(
+/\.0$/,"")}function os(n,e){return typeof e=="string"?e:nd.has(n.slice(n.lastIndexOf(".")+1))?String(e):Ye(e)}var nd=new Set(Object.values(M.scenario.models).flatMap(
+({fields:n})=>Object.keys(n).filter(e=>n[e].kind==="whole")));var{scenario:ke}=M,ul=ke.left_out,sd={rigid:"Rigid",compliant:"Compliant"};function Ai(n,e,t=Fe()){let s=Li(n,e,t);if(!s)throw new C(Dt(t.said));return s}function Li(n,e,t){
+let{fields:s,place:i}=ke.models.Scenario;if(!de(n))return D(t,"",n,"table"),null;let o=Object.keys(n).find(r=>!Object.hasOwn(s,r));if(o!==void 0)return t.said.push(
+Ft(i,o,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(n,r)?n[r]:ke.default[r];return[r,Ri(r,l,e,t)]}));return t.said.
+length?null:ml(t,()=>Pi(a,e))}function Ri(n,e,t,s){if(n==="hoop")return as("Hoop",e,n,s,o=>sl(o,t));if(n==="plane")return as("Plane",e,n,s,il);if(n==="start")return as(
+"Start",e,n,s,ol);if(n!=="contact")return wi(ke.models.Scenario.fields[n],e,n,s);let i=yi(e,"model",sd,n,s,"rigid");return i&&as(i,e,n,s,al)}function Pi(n,e){return rl(
+n,e,ee),n}function as(n,e,t,s,i){let o=qt(n,e,t,s);return o&&ml(s,()=>i(o))}function ml(n,e){try{return e()}catch(t){if(!(t instanceof Xe))throw t;return n.said.
+push(t.message),null}}function Ci(n,e){return Ai(ll(n),e,Fe(()=>!0))}function rs(n,e,t){let s=Ei(n,Le(n),e,(i,o,a)=>pl(i,o,t,a));return Ai(s,t,Fe(_i([...e.keys()])))}
+function ls(n,e,t){let s=Fe();try{let i=Ei(n,Le(n),e,(r,l,c)=>pl(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ri(r,i[r],t,s)]);return s.
+said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof C)return null;throw i}}function pl(n,e,t,s){let i=Fe(s),o=Ri(n,e,t,i);if(i.said.length)throw new C(
+Dt(i.said));return o}var id=n=>n===1/0?"inf":n,$t=(n,e)=>Object.fromEntries(e.filter(t=>n[t]!==null).map(t=>[t,id(n[t])])),zi=n=>Object.keys(ke.models[n].fields);
+function Le({duration:n,hoop:e,plane:t,start:s,contact:i}){return{duration:n,hoop:od(e),plane:ad(t),start:rd(s),contact:$t(i,zi(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function od(n){if(n.parts){let t=n.parts.map(s=>$t(s,zi(ke.parts[s.shape])));return{radius:n.radius,parts:t}}let e=n.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return $t(n,["radius","mass",...e])}function ad(n){let e=n.apart?["mu"]:["mu_static","mu_kinetic"],t=n;return e.push(...Object.
+keys(ul).filter(s=>t[s]===ul[s])),$t(n,zi("Plane").filter(s=>!e.includes(s)))}function rd(n){return $t(n,n.speed===null?["x","height","angle","vx","vy","omega"]:
+["x","angle","speed"])}function Ni(n,e){let{Hoop:t,Start:s}=ke.models;if(n==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
+default,load_fraction:a.default}}return n==="plane"?ke.default.plane:n==="start"?{...dl(s),speed:void 0}:dl(ke.models[e==="compliant"?"Compliant":"Rigid"])}var dl=({
+fields:n})=>Object.fromEntries(Object.entries(n).map(([e,t])=>[e,t.default??void 0]));function Wt(n){let e={};for(let[t,s]of Object.entries(Le(n))){let i=ke.default[t];
+if(Bt(s,i))continue;if(!de(s)){e[t]=s;continue}let o=Ni(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Bt(o[r],l));e[t]=a.length?Object.fromEntries(
+a):s}return hl(e)}function Bt(n,e){if(n===e)return!0;if(n===null||e===null||typeof n!="object"||typeof e!="object")return!1;let t=Object.keys(n);return t.length===
+Object.keys(e).length&&t.every(s=>Bt(n[s],e[s]))}var ld=8,{cell:Oi,laws:hd,quantities:fl}=M.map;async function Ii(n,{x:e,y:t},s,i){let o=Ht(e),a=Ht(t),r=cd(n,e.path,t.path)?ud(n,{x:e,y:t},[o,a],s):(d,p)=>{let g=new Map(
+[[t.path,a[p]],[e.path,o[d]]]);return ls(n,g,s)},l=o.length*a.length,c=new Float64Array(Oi.length*l),u={...n},h=performance.now();for(let d=0;d<a.length;d++){performance.
+now()-h>ld&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&md(Object.assign(u,g),s);
+if(!f)continue;let b=d*o.length+p;for(let w=0;w<Oi.length;w++)c[w*l+b]=dd[w](f)}}return{count:l,rows:c}}function cd({start:n},e,t){let s=[e,t].map(o=>o.split(".")[0]);
+if(s[0]===s[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(s.includes("hoop")&&i&&n.speed!==null)}function ud(n,{x:e,y:t},[s,
+i],o){let a=s.map(l=>ls(n,new Map([[e.path,l]]),o)),r=i.map(l=>ls(n,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var dd=Oi.map(n=>n==="l\
+aw"?({impact_law:e})=>hd[e]:n==="strike"?({painleve:e})=>+(e==="impact"):n==="allowed"?()=>1:e=>Number(e[n]));function md(n,e){try{return ee(Pi(n,e))}catch(t){if(!(t instanceof
+Xe))throw t;return null}}var qi=n=>fl[n].span;function Fi({x:n,y:e,what:t},s){let{label:i,unit:o,words:a}=fl[t],{values:r,names:l}=pd(s,o===""?a:null),c=o===""?
+l.map(u=>({name:u,text:Cr(u,t),color:Pr(u,t)})):null;return{header:{x:n,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function pd({values:n,sequences:e},t){
+if(!t)return{values:n,names:[]};let s=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(n,a=>a>=
+0?i?.[a]??a:Number.NaN),names:s}}var{scenario:cs}=M,fd=30;function gl(n,e){for(let t of cs.sections[n]??["Scenario"]){let s=cs.models[t].fields[e];if(s)return s.unit}return""}function wl(n,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):os(n,e)}function bl(n,e,t){let s=`${n} = ${wl(n,e)}`;return t===""||t==="1"?s:`${s.padEnd(fd)} # ${t}`}function us(n){
+let{duration:e,...t}=Le(n),s=[bl("duration",e,gl("","duration"))];for(let[i,o]of Object.entries(t)){s.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
+isArray(r))s.push(bl(a,r,gl(i,a)));else{s.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${wl(u,h)}`);s.push(`  { ${c.join(", ")}\
+ },`)}s.push("]")}}return`${s.join(`
 `)}
-`}var gd={hoop:"Hoop",plane:"Plane",start:"Start"},bd=["load_fraction","mu"];function Di(s){let e=ze(s),t=Wt(e.contact,cn.default.contact)?"":`    contact=${hn(
+`}var gd={hoop:"Hoop",plane:"Plane",start:"Start"},bd=["load_fraction","mu"];function Di(n){let e=Le(n),t=Bt(e.contact,cs.default.contact)?"":`    contact=${hs(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
 `,`motion = hh.simulate(
-`,`    ${hn("hoop",e.hoop)},
-`,`    ${hn("plane",e.plane)},
-`,`    ${hn("start",e.start)},
-`,`    duration=${$i("duration",e.duration)},
+`,`    ${hs("hoop",e.hoop)},
+`,`    ${hs("plane",e.plane)},
+`,`    ${hs("start",e.start)},
+`,`    duration=${ji("duration",e.duration)},
 `,t,`)
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function hn(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":gd[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Oi(
-s,t.model),a=Object.entries(t).filter(([r,l])=>bd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${$i(r,l)}`);return e&&a.push(`parts=[${e.map(wd).join(", ")}]`),`hh\
-.${i}(${a.join(", ")})`}function wd({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${$i(n,i)}`);return`hh.${cn.parts[s]}(${t.join(", ")})`}function $i(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ue(e):on(s,e)}var{letters:vl,modes:Bi,verbs:Wi,events:yd,statuses:vd,story:et,summary:bt}=E.words,xd=400,[,Fi,yl,kd,_d]=Bi,Sd="⁰¹²³⁴⁵⁶⁷⁸⁹";function xl(s,e){let{
-omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Hi=s=>[...s.keys()].filter(e=>xl(s,e)),Ui=(s,e)=>.5*(s[e].t+s[e+1].t);function Gi(s,e=xd){
-let t=[],n=0,i=_l(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Td(s,o,a):j(et.more_bounces,{count:r});if(l){if(t.
-length>=e){n++;continue}t.push({t:a.t,event:o,mode:vl[Bi.indexOf(dn(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:j(et.left_out,{count:n})}),t}var kl=s=>s.
-kind==="impact"&&s.to==="H"&&s.collision!==!1;function _l(s,e=3,t=6){let n=new Map,i=[];for(let o=0;o<=s.length;o++){let a=s[o];if(a&&(kl(a)||i.length&&a.kind===
-"apex")){i.push(o);continue}let r=i.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}i=[]}
-return n}function Ki(s,e=6){let t=[],n=0,i=_l(s.events,1);for(let[l,c]of s.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(j(bt.more_bounces,{count:u}));
-continue}if(c.kind==="start"||!t.length){t.push(Wi[dn(s,l)]);continue}let h=Ed(s,l,c);h&&(n++,n<=e&&t.push(j(bt.change,{phrase:h,where:st(c.angle)})))}let o=n>e?
-j(bt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:vd[s.status]};return j(bt.
-sentence,r).trim()}function Ed(s,e,t){if(t.collision===!1)return bt.without_collision;if(kl(t))return bt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
-Sl(t))return Wi[dn(s,e)];let{verb:n,summed_up:i}=yd[t.kind];return i?n:""}function Td(s,e,t){let n=dn(s,e),i={where:st(t.angle),verb:Wi[n],kind:t.kind.replaceAll(
-"_"," ")},o=Md(s.events,e,n,i);return j(et[o]??et.other,i)}function Md(s,e,t,n){let i=s[e],{kind:o}=i;return o==="start"&&(n.speed=tt(i.vx),n.started=j(t===kd?et.
-started_flight:t===_d?et.started_skim:et.started,n)),o==="slip_start"&&t===Fi?"slip_start_spin":o==="takeoff"?Ad(s,e,n):o==="impact"?(n.speed=tt(i.before.vy===null?
-null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&Sl(i)?"turn_in_slip":(o==="apex"&&(n.gap=El(i.
-height)),o==="kane_gain"&&(n.gain=tt(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Ad(s,e,t){let{t:n}=s[e],i=0;for(let o=e;o<s.length;o++)if(i=
-Math.max(i,s[o].height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=El(i),t.
-time=tt(s[o].t-n),"takeoff_and_landing"}return"takeoff"}function dn(s,e){let t=s.events[e];return zd(t.to,xl(s.events,e)?s.omega(e):t.omega)}function zd(s,e){return s===
-"S"?e>0?Fi:yl:s==="K"?e<0?Fi:yl:Bi[vl.indexOf(s)]}var Sl=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),st=s=>`${bi(s*(180/Math.PI),1)}°`.replaceAll("-","−");function El(s){
-return s>=.995?`${tt(s)} m`:s>=.00995?`${tt(s*100)} cm`:`${tt(s*1e3)} mm`}function tt(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Ae(s,3).split("e"),n=t===
-void 0?"":`·10${Rd(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var Rd=s=>[...String(s)].map(e=>e==="-"?"⁻":Sd[Number(e)]).join("");var Tl=2e3,Pd=s=>s===1/0?"inf":s;function mn(s,{status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}){let{schema:r,setup:l}=E;return{schema:r,version:l.
-version,scenario:ze(s),status:e,sequence:t,fingerprint:n,events:i,final:o,energy:a}}function Vi(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{
-...mn(s,e),events:e.events.slice(0,Tl),query:Ht(s),duration:e.duration,values:Ld(s),automatic:Nd(s,n),massless:s.hoop.inertia_ratio===0,summary:Ki(i),story:Gi(i),
-ending:E.words.statuses[e.status],shortened:e.events.length>Tl}}function Ld(s){let{speed:e}=s.start,t={...s,start:{...xe(s.start,s.hoop.radius),speed:e}},n=i=>{
-let[o,a]=i.split(".");return Pd(t[o][a])};return Object.fromEntries(E.shown.map(i=>[i,n(i)]))}function Nd(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};
-let{stiffness:t,slip_speed:n}=e.compliance(ee(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:Od,variables:Ji}=E.table,{letters:qd}=E.words,Yi=(s,e)=>JSON.stringify(mn(s,e),null,1);function Zi(s){let e=Math.min(Math.max(Math.floor(s*Od)+1,2),E.limits.
-samples),t=s/(e-1);return Float64Array.from({length:e},(n,i)=>i===e-1?s:i*t)}function Xi(s,e){let t=Object.keys(Ji),n=t.map(l=>Ji[l]==="1"?l:`${l} [${Ji[l]}]`),
-{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let u=t.map(h=>h==="mode"?qd[a.
+`].join("")}function hs(n,{parts:e,...t}){let s=n==="start"&&"speed"in t,i=s?"Start.rolling":gd[n]??(t.model==="rigid"?"Rigid":"Compliant"),o=s?{angle:0,x:0}:Ni(
+n,t.model),a=Object.entries(t).filter(([r,l])=>bd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${ji(r,l)}`);return e&&a.push(`parts=[${e.map(wd).join(", ")}]`),`hh\
+.${i}(${a.join(", ")})`}function wd({shape:n,...e}){let t=Object.entries(e).map(([s,i])=>`${s}=${ji(s,i)}`);return`hh.${cs.parts[n]}(${t.join(", ")})`}function ji(n,e){
+return e==="inf"?'float("inf")':typeof e=="string"?ue(e):os(n,e)}var{letters:vl,modes:$i,verbs:Bi,events:yd,statuses:vd,story:et,summary:bt}=M.words,xd=400,[,Hi,yl,kd,_d]=$i,Ed="⁰¹²³⁴⁵⁶⁷⁸⁹";function xl(n,e){let{
+omega:t,to:s}=n[e];return t===0&&(s==="S"||s==="K")&&e+1<n.length}var Wi=n=>[...n.keys()].filter(e=>xl(n,e)),Gi=(n,e)=>.5*(n[e].t+n[e+1].t);function Ui(n,e=xd){
+let t=[],s=0,i=_l(n.events);for(let[o,a]of n.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Sd(n,o,a):F(et.more_bounces,{count:r});if(l){if(t.
+length>=e){s++;continue}t.push({t:a.t,event:o,mode:vl[$i.indexOf(ds(n,o))],text:l})}}return s&&t.push({...t[t.length-1],text:F(et.left_out,{count:s})}),t}var kl=n=>n.
+kind==="impact"&&n.to==="H"&&n.collision!==!1;function _l(n,e=3,t=6){let s=new Map,i=[];for(let o=0;o<=n.length;o++){let a=n[o];if(a&&(kl(a)||i.length&&a.kind===
+"apex")){i.push(o);continue}let r=i.filter(l=>n[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))s.set(l,0);s.set(r[e],r.length-e)}i=[]}
+return s}function Ki(n,e=6){let t=[],s=0,i=_l(n.events,1);for(let[l,c]of n.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(F(bt.more_bounces,{count:u}));
+continue}if(c.kind==="start"||!t.length){t.push(Bi[ds(n,l)]);continue}let h=Md(n,l,c);h&&(s++,s<=e&&t.push(F(bt.change,{phrase:h,where:nt(c.angle)})))}let o=s>e?
+F(bt.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:vd[n.status]};return F(bt.
+sentence,r).trim()}function Md(n,e,t){if(t.collision===!1)return bt.without_collision;if(kl(t))return bt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+El(t))return Bi[ds(n,e)];let{verb:s,summed_up:i}=yd[t.kind];return i?s:""}function Sd(n,e,t){let s=ds(n,e),i={where:nt(t.angle),verb:Bi[s],kind:t.kind.replaceAll(
+"_"," ")},o=Td(n.events,e,s,i);return F(et[o]??et.other,i)}function Td(n,e,t,s){let i=n[e],{kind:o}=i;return o==="start"&&(s.speed=tt(i.vx),s.started=F(t===kd?et.
+started_flight:t===_d?et.started_skim:et.started,s)),o==="slip_start"&&t===Hi?"slip_start_spin":o==="takeoff"?Ad(n,e,s):o==="impact"?(s.speed=tt(i.before.vy===null?
+null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&El(i)?"turn_in_slip":(o==="apex"&&(s.gap=Ml(i.
+height)),o==="kane_gain"&&(s.gain=tt(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Ad(n,e,t){let{t:s}=n[e],i=0;for(let o=e;o<n.length;o++)if(i=
+Math.max(i,n[o].height),!(o===e||n[o].kind!=="impact")){for(let a=o+1;a<n.length&&n[a].t<=n[o].t;a++)i=Math.max(i,n[a].height);if(!i)break;return t.top=Ml(i),t.
+time=tt(n[o].t-s),"takeoff_and_landing"}return"takeoff"}function ds(n,e){let t=n.events[e];return Ld(t.to,xl(n.events,e)?n.omega(e):t.omega)}function Ld(n,e){return n===
+"S"?e>0?Hi:yl:n==="K"?e<0?Hi:yl:$i[vl.indexOf(n)]}var El=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),nt=n=>`${bi(n*(180/Math.PI),1)}°`.replaceAll("-","−");function Ml(n){
+return n>=.995?`${tt(n)} m`:n>=.00995?`${tt(n*100)} cm`:`${tt(n*1e3)} mm`}function tt(n){if(n===null||Number.isNaN(n))return"?";let[e,t]=Ae(n,3).split("e"),s=t===
+void 0?"":`·10${Rd(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var Rd=n=>[...String(n)].map(e=>e==="-"?"⁻":Ed[Number(e)]).join("");var Sl=2e3,Pd=n=>n===1/0?"inf":n;function ms(n,{status:e,sequence:t,fingerprint:s,events:i,final:o,energy:a}){let{schema:r,setup:l}=M;return{schema:r,version:l.
+version,scenario:Le(n),status:e,sequence:t,fingerprint:s,events:i,final:o,energy:a}}function Vi(n,e,t,s){let i={events:e.events,status:e.status,omega:t};return{
+...ms(n,e),events:e.events.slice(0,Sl),query:Wt(n),duration:e.duration,values:Cd(n),automatic:zd(n,s),massless:n.hoop.inertia_ratio===0,summary:Ki(i),story:Ui(i),
+ending:M.words.statuses[e.status],shortened:e.events.length>Sl}}function Cd(n){let{speed:e}=n.start,t={...n,start:{...xe(n.start,n.hoop.radius),speed:e}},s=i=>{
+let[o,a]=i.split(".");return Pd(t[o][a])};return Object.fromEntries(M.shown.map(i=>[i,s(i)]))}function zd(n,e){if(n.contact.model==="rigid"||!e.compliance)return{};
+let{stiffness:t,slip_speed:s}=e.compliance(ee(n)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":n.plane.restitution}}var{rate:Nd,variables:Ji}=M.table,{letters:Od}=M.words,Yi=(n,e)=>JSON.stringify(ms(n,e),null,1);function Zi(n){let e=Math.min(Math.max(Math.floor(n*Nd)+1,2),M.limits.
+samples),t=n/(e-1);return Float64Array.from({length:e},(s,i)=>i===e-1?n:i*t)}function Qi(n,e){let t=Object.keys(Ji),s=t.map(l=>Ji[l]==="1"?l:`${l} [${Ji[l]}]`),
+{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let u=t.map(h=>h==="mode"?Od[a.
 mode[l]]:Ye(a[h][l]));r.push([Ye(c),...u].join(","))}return`${r.join(`\r
 `)}\r
-`}var Id=["hoop.eccentricity","plane.slope"],Cd={...Object.fromEntries(Object.entries(E.map.rates).map(([s,e])=>[s,()=>({[e]:1})])),"hoop.radius":jd,"hoop.mass":({
-hoop:s})=>s.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:s}})=>s===null?null:{eccentricity:1,inertia_ratio:-2*s},"plane.mu":({plane:{mu:s}})=>s===
-null||s===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:s})=>s.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:s})=>s.mu_kinetic===
-1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:s})=>s.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:s,start:e})=>e.speed===null?
-null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius})};function jd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},
-start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(s*s),e?{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Qi(s,e){let t=Cd[e]?.(
-s),{smaller:n,larger:i}=Dd(s,e);if(!t||!(n||i))return null;let o=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))o[$o[a]]=r;return{rates:o,smaller:n,
-larger:i}}function Dd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,i=$d(s,e),{least:o,most:a,also:r=[]}=E.map.allowed[e],l=t!==n,c=s.hoop.inertia_ratio===0&&Id.includes(
-e);return{smaller:!c&&i>Math.min(o,...r.map($e))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function $d(s,e){return e==="start.ome\
-ga"?xe(s.start,s.hoop.radius).omega:e.split(".").reduce((t,n)=>t[n],s)}var{calls:Fd,regions:Al,map:Bd}=E,Wd={samples:{window:{read:Hd}},regions:{window:{read:Ud,usual:Al.usual}},map:{x:{read:Ml},y:{read:Ml},what:{read:Kd,usual:"seq\
-uence"}}};function zl(s,e){let t=Fd[s],n=Object.keys(e).find(i=>!t.includes(i));return n===void 0?null:jt("",n,t)}function Rl(s,e,t){let n={};for(let[i,{read:o,
-usual:a}]of Object.entries(Wd[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):n[i]=a;return n}function Pl(s,e,t,n,i){if(!Array.
-isArray(s)||s.length!==n)return Ze(t,e,s,i);let o=t.said.length;return s.forEach((a,r)=>{typeof a!="number"?D(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||D(t,
-`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function Hd(s,e,t){let n=Pl(s,e,t,2,I("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Ze(t,e,s,I("times")),
-n}function Ud(s,e,t){let n=Pl(s,e,t,4,I("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<Al.widest);return i<o&&a<r&&l||Ze(t,e,s,I("window")),
-n}function Ml(s,e,t){return Ct("Axis",s,e,t,{number_path:Gd})?.values??null}function Gd(s,e,t){if(typeof s!="string")return D(t,e,s,"word");let n=Yr(s);return n?
-t.said.push(n):Zr(s)||Ze(t,e,s,I("number_path")),s}function Kd(s,e,t){if(typeof s!="string")return D(t,e,s,"word");let n=Object.keys(Bd.quantities);return n.includes(
-s)||Ze(t,e,s,I("one_of",{known:n.join(", ")})),s}var{limits:pn}=E;function fn(s,e,t){let n=zl(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=je(),l=null;i!==void 0&&!de(i)?D(r,"scenario",
-i,"table"):i!==void 0&&(l=zi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&D(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!Jd(
-h)).map(Yd)):D(r,"changes",a,"list");let c=Rl(s,e,r);if(r.said.length)throw new L(Dt(r.said));Vd(a.length,c),(o!==null||!l)&&(l=Li(o??"",t));let u=new Map;for(let[
-h,d]of a)$t([...u.keys(),h])&&(l=rn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?rn(l,u,t):l}}var gn=(s,e)=>fn("film",s,e).checked;function Vd(s,{x:e,
-y:t}){if(s>pn.changes)throw new ne(I("too_many_changes",{pairs:s,most:pn.changes}));if(!e)return;if(e.path===t.path)throw new L(I("equal_axes",{path:e.path}));let n=e.
-cells*t.cells;if(n>pn.cells)throw new ne(I("too_many_cells",{cells:n,most:pn.cells}))}var Jd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",Yd=s=>I("n\
-ot_a_pair",{change:new Je(It(s).slice(0,60))});var{theory:K}=E.words;function to({hoop:s,plane:e},t){let n=[],i=(r,l,c,u)=>{l!==null&&n.push({key:r,label:K[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
-o=()=>i("painleve",t.painleve_friction,"1",r=>Xd(r,t,e));if(e.gravity<=0)return o(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?K.loss_by_friction:
-K.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>j(r,{where:st(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:u,
+`}var Id=["hoop.eccentricity","plane.slope"],qd={...Object.fromEntries(Object.entries(M.map.rates).map(([n,e])=>[n,()=>({[e]:1})])),"hoop.radius":Fd,"hoop.mass":({
+hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
+null||n===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:n})=>n.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:n})=>n.mu_kinetic===
+1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:n})=>n.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:n,start:e})=>e.speed===null?
+null:{omega:1/n.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:n})=>({omega:1,slip:-n.radius})};function Fd({hoop:{radius:n,parts:e,eccentricity:t,inertia_ratio:s},
+start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(n*n),e?{...a,eccentricity:-t/n,inertia_ratio:-2*s/n}:a}function Xi(n,e){let t=qd[e]?.(
+n),{smaller:s,larger:i}=Dd(n,e);if(!t||!(s||i))return null;let o=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))o[jo[a]]=r;return{rates:o,smaller:s,
+larger:i}}function Dd(n,e){let{mu_static:t,mu_kinetic:s}=n.plane,i=jd(n,e),{least:o,most:a,also:r=[]}=M.map.allowed[e],l=t!==s,c=n.hoop.inertia_ratio===0&&Id.includes(
+e);return{smaller:!c&&i>Math.min(o,...r.map(je))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function jd(n,e){return e==="start.ome\
+ga"?xe(n.start,n.hoop.radius).omega:e.split(".").reduce((t,s)=>t[s],n)}var{calls:Hd,regions:Al,map:$d}=M,Bd={samples:{window:{read:Wd}},regions:{window:{read:Gd,usual:Al.usual}},map:{x:{read:Tl},y:{read:Tl},what:{read:Kd,usual:"seq\
+uence"}}};function Ll(n,e){let t=Hd[n],s=Object.keys(e).find(i=>!t.includes(i));return s===void 0?null:Ft("",s,t)}function Rl(n,e,t){let s={};for(let[i,{read:o,
+usual:a}]of Object.entries(Bd[n]??{}))Object.hasOwn(e,i)?s[i]=o(e[i],i,t):a===void 0?t.said.push(z("missing",{path:i})):s[i]=a;return s}function Pl(n,e,t,s,i){if(!Array.
+isArray(n)||n.length!==s)return Ze(t,e,n,i);let o=t.said.length;return n.forEach((a,r)=>{typeof a!="number"?D(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||D(t,
+`${e}.${r}`,a,"finite_number")}),t.said.length===o?n:null}function Wd(n,e,t){let s=Pl(n,e,t,2,I("times"));return s&&!(s[0]>=0&&s[0]<s[1])&&Ze(t,e,n,I("times")),
+s}function Gd(n,e,t){let s=Pl(n,e,t,4,I("window"));if(!s)return null;let[i,o,a,r]=s,l=s.every(c=>Math.abs(c)<Al.widest);return i<o&&a<r&&l||Ze(t,e,n,I("window")),
+s}function Tl(n,e,t){return qt("Axis",n,e,t,{number_path:Ud})?.values??null}function Ud(n,e,t){if(typeof n!="string")return D(t,e,n,"word");let s=Yr(n);return s?
+t.said.push(s):Zr(n)||Ze(t,e,n,I("number_path")),n}function Kd(n,e,t){if(typeof n!="string")return D(t,e,n,"word");let s=Object.keys($d.quantities);return s.includes(
+n)||Ze(t,e,n,I("one_of",{known:s.join(", ")})),n}var{limits:ps}=M;function fs(n,e,t){let s=Ll(n,e);if(s)throw new C(s);let{scenario:i,query:o=null,changes:a=[]}=e,r=Fe(),l=null;i!==void 0&&!de(i)?D(r,"scenario",
+i,"table"):i!==void 0&&(l=Li(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&D(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!Jd(
+h)).map(Yd)):D(r,"changes",a,"list");let c=Rl(n,e,r);if(r.said.length)throw new C(Dt(r.said));Vd(a.length,c),(o!==null||!l)&&(l=Ci(o??"",t));let u=new Map;for(let[
+h,d]of a)jt([...u.keys(),h])&&(l=rs(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?rs(l,u,t):l}}var gs=(n,e)=>fs("film",n,e).checked;function Vd(n,{x:e,
+y:t}){if(n>ps.changes)throw new se(I("too_many_changes",{pairs:n,most:ps.changes}));if(!e)return;if(e.path===t.path)throw new C(I("equal_axes",{path:e.path}));let s=e.
+cells*t.cells;if(s>ps.cells)throw new se(I("too_many_cells",{cells:s,most:ps.cells}))}var Jd=n=>Array.isArray(n)&&n.length===2&&typeof n[0]=="string",Yd=n=>I("n\
+ot_a_pair",{change:new Je(It(n).slice(0,60))});var{theory:K}=M.words;function to({hoop:n,plane:e},t){let s=[],i=(r,l,c,u)=>{l!==null&&s.push({key:r,label:K[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
+o=()=>i("painleve",t.painleve_friction,"1",r=>Qd(r,t,e));if(e.gravity<=0)return o(),s;if(n.inertia_ratio===0){let r=t.massless_loss_by_friction?K.loss_by_friction:
+K.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>F(r,{where:nt(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:u,
 any_speed:h}=K;i("first_slip",t.first_slip_speed,"m/s",d=>eo(d,r,u)),i("first_hop",t.first_hop_speed,"m/s",d=>eo(d,l,u)),i("immediate_hop",t.immediate_hop_speed,
-"m/s",d=>eo(d,c,h))}else n.push({key:"uphill",label:K.uphill,value:null,unit:"",text:K.no_threshold});i("needed_friction",t.needed_friction,"1",r=>Zd(r,e)),o();
-let a=t.jam_angles.map(st).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>j(K.jam_at,{places:a})),s.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>j(
-K.rest_at,{where:st(r)})),n}function eo(s,e,t){return s<E.words.least_speed?j(t,{would:e}):Number.isFinite(s)?j(K.above,{would:e,speed:Ae(s,4)}):K.no_speed}function Zd(s,{
-mu_static:e}){return Number.isFinite(s)?j(s<=e?K.friction_enough:K.friction_short,{mu:Ae(s,3)}):K.no_friction}function Xd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return K.never;let n=s<=t?K.paradox_here:K.paradox_not_here;return j(n,{mu:Ae(s,3),where:st(e)})}var em=360,tm=240,so={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},sm=["motion.nc","motion.mp4","mo\
-tion.gif"],Ut=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
-keys(so),...i?sm:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:E.setup,arrays:{}};let{checked:i,...o}=fn(e,t,this.mechanics);if(e==="fi\
-lm")return this.film(i,n);if(e==="samples"){let a=ee(Xe(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{
-header:{python:Di(i),toml:un(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(ee(i),n);return{header:{thresholds:to(i,a)},arrays:{}}}if(e==="r\
-egions"){let{window:a}=o,r=ee(i),l=await this.kernel.regions(r,a,em,tm,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(
-`The page does not answer ${e}.`)}async film(e,t){let n=ee(Xe(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(
-n,t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:Ht(e)},t);let r=await this.turning(n,i,t),
-l=Vi(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:Ei(a)},arrays:o}}async turning(e,{events:t},n){let i=Hi(t);if(!i.length)return()=>0;let o=Float64Array.
-from(i,r=>Ui(t,r)),{omega:a}=await this.kernel.samples(e,o,n);return r=>a[i.indexOf(r)]}async changes(e,t,n){if(!this.kernel.changes)throw new TypeError("This k\
-ernel has no derivatives.");let i=Xe(gn({scenario:e},this.mechanics)),o=ee(i);if(o.contact)throw new L(I("compliant_changes"));let a=Qi(i,t);if(!a)return null;let{
-rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,n);return{count:u.count,smaller:l?u.smaller:null,larger:c?u.larger:null}}async map(e,{x:t,y:n,what:i},o){
-let a=Ci(i),r=Ti(e,{x:t,y:n,what:i}),l=await Ii(r,{x:t,y:n},this.mechanics,o);return ji({x:t,y:n,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){if(!(e in
-so)){if(this.server)return this.server.file(e,t);throw new L(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:so[e]})}async fileText(e,t){
-let n=gn({query:t},this.mechanics);if(e==="motion.toml")return un(n);let i=Xe(n),o=ee(i),a=await this.kernel.motion(o);if(a.doubt!==null&&this.server)return(await this.
-server.file(e,t)).text();if(e==="motion.json")return Yi(i,a);let r=Zi(a.duration);return Xi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(
-e?`?${e}`:"",this.base)}${t}`}};async function no(s,e,t){let n=e&&new Qs(e);try{let i=await Ot.load(s);return new Ut(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function Ll(s){
-navigator.serviceWorker?.register(s).catch(()=>{})}async function Nl(s){let e=new en(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Ot.
-unpack(s.get("module"),s.get("worker"),t);return new Ut(n,n.mechanics,{server:e})}catch{return e}}var nm=new URL("./",import.meta.url);async function im(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),n,i;try{n=await no(nm,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&Ll(t.getAttribute("content")??"");let o=new mt(
-s,n,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=To(location.hash);try{await o.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function pv(s,e,t,n){let i=await no(
-e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new mt(s,i,o,{panels:n});return await a.open([t]),a}async function om({model:s,el:e}){let t=document.
-createElement("div");e.append(t);let n=await Nl(s),i=new mt(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
-i.motions.set([pt(s.get("film"))]),i.begin();let o=()=>i.motions.replace(pt(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var Ol=document.getElementById("hophoop-lab");Ol&&im(Ol);var fv={render:om};export{ih as adopt,Pe as current,fv as default,Rn as languageMenu,pv as mount,Yt as repeat,x as t,it as untranslated};
+"m/s",d=>eo(d,c,h))}else s.push({key:"uphill",label:K.uphill,value:null,unit:"",text:K.no_threshold});i("needed_friction",t.needed_friction,"1",r=>Zd(r,e)),o();
+let a=t.jam_angles.map(nt).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>F(K.jam_at,{places:a})),n.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>F(
+K.rest_at,{where:nt(r)})),s}function eo(n,e,t){return n<M.words.least_speed?F(t,{would:e}):Number.isFinite(n)?F(K.above,{would:e,speed:Ae(n,4)}):K.no_speed}function Zd(n,{
+mu_static:e}){return Number.isFinite(n)?F(n<=e?K.friction_enough:K.friction_short,{mu:Ae(n,3)}):K.no_friction}function Qd(n,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return K.never;let s=n<=t?K.paradox_here:K.paradox_not_here;return F(s,{mu:Ae(n,3),where:nt(e)})}var em=360,tm=240,no={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},nm=["motion.nc","motion.mp4","mo\
+tion.gif"],Gt=class{constructor(e,t,{base:s=null,server:i=null}={}){this.kernel=e;this.mechanics=t;this.base=s,this.server=i,this.shares=s!==null,this.files=[...Object.
+keys(no),...i?nm:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:M.setup,arrays:{}};let{checked:i,...o}=fs(e,t,this.mechanics);if(e==="fi\
+lm")return this.film(i,s);if(e==="samples"){let a=ee(Qe(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,s,r)}}if(e==="code")return{
+header:{python:Di(i),toml:us(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(ee(i),s);return{header:{thresholds:to(i,a)},arrays:{}}}if(e==="r\
+egions"){let{window:a}=o,r=ee(i),l=await this.kernel.regions(r,a,em,tm,s);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,s);throw new TypeError(
+`The page does not answer ${e}.`)}async film(e,t){let s=ee(Qe(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.kernel.motion(
+s,t),columns:await this.kernel.columns(s,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:Wt(e)},t);let r=await this.turning(s,i,t),
+l=Vi(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:Mi(a)},arrays:o}}async turning(e,{events:t},s){let i=Wi(t);if(!i.length)return()=>0;let o=Float64Array.
+from(i,r=>Gi(t,r)),{omega:a}=await this.kernel.samples(e,o,s);return r=>a[i.indexOf(r)]}async changes(e,t,s){if(!this.kernel.changes)throw new TypeError("This k\
+ernel has no derivatives.");let i=Qe(gs({scenario:e},this.mechanics)),o=ee(i);if(o.contact)throw new C(I("compliant_changes"));let a=Xi(i,t);if(!a)return null;let{
+rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,s);return{count:u.count,smaller:l?u.smaller:null,larger:c?u.larger:null}}async map(e,{x:t,y:s,what:i},o){
+let a=qi(i),r=Si(e,{x:t,y:s,what:i}),l=await Ii(r,{x:t,y:s},this.mechanics,o);return Fi({x:t,y:s,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){if(!(e in
+no)){if(this.server)return this.server.file(e,t);throw new C(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:no[e]})}async fileText(e,t){
+let s=gs({query:t},this.mechanics);if(e==="motion.toml")return us(s);let i=Qe(s),o=ee(i),a=await this.kernel.motion(o);if(a.doubt!==null&&this.server)return(await this.
+server.file(e,t)).text();if(e==="motion.json")return Yi(i,a);let r=Zi(a.duration);return Qi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(
+e?`?${e}`:"",this.base)}${t}`}};async function so(n,e,t){let s=e&&new es(e);try{let i=await Nt.load(n);return new Gt(i,i.mechanics,{base:t,server:s})}catch(i){if(s)return s;throw i}}function Cl(n){
+navigator.serviceWorker?.register(n).catch(()=>{})}async function zl(n){let e=new ts(n);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,s=await Nt.
+unpack(n.get("module"),n.get("worker"),t);return new Gt(s,s.mechanics,{server:e})}catch{return e}}var sm=new URL("./",import.meta.url);async function im(n){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,i;try{s=await so(sm,t?null:e,e),i=(await s.call("setup",{})).header}catch(l){n.textContent=l.message;return}t&&Cl(t.getAttribute("content")??"");let o=new mt(
+n,s,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=So(location.hash);try{await o.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function pv(n,e,t,s){let i=await so(
+e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new mt(n,i,o,{panels:s});return await a.open([t]),a}async function om({model:n,el:e}){let t=document.
+createElement("div");e.append(t);let s=await zl(n),i=new mt(t,s,n.get("setup"),{panels:n.get("panels"),onmotion:a=>{n.get("query")!==a&&(n.set("query",a),n.save_changes())}});
+i.motions.set([pt(n.get("film"))]),i.begin();let o=()=>i.motions.replace(pt(n.get("film")));return n.on("change:film",o),()=>{n.off("change:film",o),s.close?.(),
+i.close()}}var Nl=document.getElementById("hophoop-lab");Nl&&im(Nl);var fv={render:om};export{ih as adopt,Pe as current,fv as default,Rs as languageMenu,pv as mount,Yt as repeat,x as t,it as untranslated};

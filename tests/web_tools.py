@@ -1,0 +1,36 @@
+"""Sources of web/ for Node, which reads no TypeScript in all of its versions: bundled first by esbuild."""
+
+import functools
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+WEB = Path(__file__).parents[1] / "web"
+BUNDLE = """
+import { build } from "esbuild";
+const options = { bundle: true, format: "esm", platform: "node", write: false };
+const { outputFiles } = await build({ entryPoints: [process.argv[1]], ...options });
+process.stdout.write(outputFiles[0].text);
+"""
+
+needs_node = pytest.mark.skipif(
+    shutil.which("node") is None or not (WEB / "node_modules").is_dir(),
+    reason="no Node with the tools of web/ (npm install --prefix web)",
+)
+
+
+def source(name: str) -> Path:
+    """The file of web/lab with this name, whichever folder it is in."""
+    (path,) = (WEB / "lab").rglob(name)
+    return path
+
+
+@functools.cache
+def bundled(path: Path) -> str:
+    """A module and all that it imports, as one text that Node runs."""
+    command = ["node", "--input-type=module", "--eval", BUNDLE, path]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=WEB, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
