@@ -24,7 +24,7 @@ class Hand {
       if (data.error) reject(new Error(data.error));
       else resolve(data.answer);
     };
-    worker.onerror = (event) => this.fail(new Error(event.message || "The kernel could not be started."));
+    worker.onerror = (event) => this.fail(new Error(event.message || "kernel.not_started"));
     worker.postMessage({ compiled: this.compiled });
     return worker;
   }
@@ -89,7 +89,7 @@ export class Crew {
       () =>
         hand.stop(
           new TooLong({
-            key: "This takes longer than {time} s, and was stopped.",
+            key: "kernel.stopped",
             values: { time: this.limit / 1000 },
           }),
         ),

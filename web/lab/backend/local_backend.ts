@@ -108,7 +108,7 @@ export class LocalBackend implements Backend {
   async file(name: string, query: string) {
     if (!(name in OWN_FILES)) {
       if (this.server) return this.server.file(name, query);
-      throw new model.InputError({ key: "{name} needs Python: run hophoop lab.", values: { name } });
+      throw new model.InputError({ key: "save.needs_python", values: { name } });
     }
     return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
   }
