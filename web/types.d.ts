@@ -41,6 +41,7 @@ interface Look {
   panel: string;
   ground: string;
   font: string;
+  px: number; // of the screen for one at the usual size of letters
   dark: boolean;
 }
 

@@ -163,7 +163,7 @@ def test_everything_has_a_name_for_a_screen_reader(visit):
     page = visit()
     wait_for(page, "lab.theory.list.children.length > 4")
     unnamed = page.evaluate(
-        """() => [...document.querySelectorAll("button, input, select, summary, [role=slider], [role=img]")]
+        """() => [...document.querySelectorAll("button, input, select, summary, [role=slider], [role=figure]")]
           .filter((element) => !(element.getAttribute("aria-label") || element.textContent.trim() ||
                                  element.labels?.length || element.title))
           .map((element) => element.outerHTML.slice(0, 120))"""

@@ -3,6 +3,7 @@
 import { luminance } from "./colors.ts";
 import { name as called, spokenText } from "../words/words.ts";
 
+const LETTERS = 14; // pixels, the usual size of letters
 const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
 
 /** An element with attributes, listeners (`onclick`) and children; what is null or false is left out. */
@@ -41,8 +42,11 @@ export const focused = (element: HTMLElement | null) =>
 /** The 2D context of a canvas, which every browser gives unless the canvas is used otherwise. */
 export const pen = (canvas: HTMLCanvasElement) => canvas.getContext("2d") as CanvasRenderingContext2D;
 
-/** A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels. */
-export function fitted(canvas: HTMLCanvasElement) {
+/**
+ * A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels, or to a unit of so
+ * many.
+ */
+export function fitted(canvas: HTMLCanvasElement, unit = 1) {
   const box = canvas.getBoundingClientRect();
   const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
   const width = Math.max(Math.round(box.width * ratio), 1);
@@ -52,8 +56,9 @@ export function fitted(canvas: HTMLCanvasElement) {
     canvas.height = height;
   }
   const context = pen(canvas);
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  return { context, width: width / ratio, height: height / ratio };
+  const scale = ratio * unit;
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  return { context, width: width / scale, height: height / scale };
 }
 
 /** A colour as #rrggbb, also one that the system names, such as CanvasText. */
@@ -78,6 +83,7 @@ export function theme(element: HTMLElement) {
     panel: read("--panel"),
     ground: read("--ground"),
     font: given("--font"),
+    px: Number.parseFloat(style.fontSize) / LETTERS || 1,
     dark: luminance(read("--paper")) < 0.2,
   };
 }

@@ -172,7 +172,7 @@ export class Controls {
 
   group(title: string, ...children: HTMLElement[]) {
     // on a phone all of it would be a long way to scroll
-    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 760px)").matches;
+    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 47.5em)").matches;
     return h("details", { class: "group", open }, h("summary", {}, title), children);
   }
 

@@ -40,7 +40,7 @@ export class PhasePlane {
       "div",
       {
         class: "plot-body",
-        role: "img",
+        role: "figure",
         tabindex: "0",
         "aria-label": "Plane of angle and angular velocity with the regions of rolling, slip and flight",
       },
@@ -152,8 +152,8 @@ export class PhasePlane {
   /** θ and θ̇ under a pointer. */
   point(event: Point) {
     const box = this.body.getBoundingClientRect();
-    const across = (event.clientX - box.left - LEFT) / this.box.width;
-    const up = 1 - (event.clientY - box.top - TOP) / this.box.height;
+    const across = ((event.clientX - box.left) / this.look.px - LEFT) / this.box.width;
+    const up = 1 - ((event.clientY - box.top) / this.look.px - TOP) / this.box.height;
     return [
       this.range[0] + across * (this.range[1] - this.range[0]),
       this.bottom() + up * (this.top() - this.bottom()),
@@ -208,7 +208,7 @@ export class PhasePlane {
   redraw() {
     if (!this.films) return;
     const { colors, look } = this;
-    const { context, width, height } = fitted(this.canvas);
+    const { context, width, height } = fitted(this.canvas, look.px);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     context.save();
@@ -272,7 +272,7 @@ export class PhasePlane {
 
   cursor(time: number) {
     if (!this.films || !this.box) return;
-    const { context, width, height } = fitted(this.over);
+    const { context, width, height } = fitted(this.over, this.look.px);
     context.clearRect(0, 0, width, height);
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
@@ -299,7 +299,7 @@ export class PhasePlane {
   /** The moment of the motion that passes nearest to where the finger points. */
   seek(event: PointerEvent) {
     const box = this.body.getBoundingClientRect();
-    const [px, py] = [event.clientX - box.left, event.clientY - box.top];
+    const [px, py] = [event.clientX - box.left, event.clientY - box.top].map((at) => at / this.look.px);
     if (this.pinched()) return;
     const film = this.films[this.active];
     const { angle, omega } = film.columns;

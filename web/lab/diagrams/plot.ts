@@ -53,7 +53,7 @@ export class Plot {
     this.keys = h("div", { class: "plot-keys" });
     this.body = h(
       "div",
-      { class: "plot-body", tabindex: "0", role: "img", "aria-label": title },
+      { class: "plot-body", tabindex: "0", role: "figure", "aria-label": title },
       this.canvas,
       this.over,
     );
@@ -100,7 +100,7 @@ export class Plot {
   /** Curves and axes of what was taken; the cursor has its own canvas above. */
   draw(colors: Colors) {
     const { films, active } = this;
-    const { context, width, height } = fitted(this.canvas);
+    const { context, width, height } = fitted(this.canvas, this.look.px);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     const drawn = films.flatMap((film, lane) =>
@@ -237,7 +237,7 @@ export class Plot {
 
   cursor(time: number) {
     if (!this.heights) return; // not drawn yet
-    const { context, width, height } = fitted(this.over);
+    const { context, width, height } = fitted(this.over, this.look.px);
     context.clearRect(0, 0, width, height);
     this.films.forEach((whole, lane) => {
       const film = whole.holding(time);
@@ -277,20 +277,20 @@ export class Plot {
 
   valueAt(event: Point) {
     const box = this.body.getBoundingClientRect();
-    const share = clamp((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0, 1);
+    const share = clamp(((event.clientX - box.left) / this.look.px - LEFT) / this.box.width, 0, 1);
     return this.range[0] + share * (this.range[1] - this.range[0]);
   }
 
   press(event: PointerEvent) {
     if (!this.films) return;
     const box = this.body.getBoundingClientRect();
-    const start = event.clientX - box.left;
+    const start = (event.clientX - box.left) / this.look.px;
     const from = this.valueAt(event);
     let twoFingers = this.pinched();
     const move = (moved: PointerEvent) => {
       twoFingers ||= this.pinched();
       if (twoFingers) return;
-      const now = moved.clientX - box.left;
+      const now = (moved.clientX - box.left) / this.look.px;
       this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
       if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
       this.cursor(this.shared.clock.time);

@@ -234,7 +234,7 @@ export class MotionMap {
   redraw() {
     if (!this.film) return;
     const { look } = this;
-    const { context, width, height } = fitted(this.canvas);
+    const { context, width, height } = fitted(this.canvas, look.px);
     this.axes.fit(width, height);
     context.clearRect(0, 0, width, height);
     context.save();

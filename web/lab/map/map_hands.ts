@@ -31,7 +31,8 @@ export function takeHands(map: MotionMap) {
 
 function placeAt(map: MotionMap, event: Point) {
   const box = map.body.getBoundingClientRect();
-  return map.axes.place(event.clientX - box.left, event.clientY - box.top);
+  const { px } = map.look;
+  return map.axes.place((event.clientX - box.left) / px, (event.clientY - box.top) / px);
 }
 
 function hover(map: MotionMap, event: PointerEvent) {
@@ -58,7 +59,7 @@ function press(map: MotionMap, event: PointerEvent, pinched: () => boolean, drag
     dragged = true;
     drags(true);
     map.tip.hidden = true;
-    map.axes.drag(from, dx, dy);
+    map.axes.drag(from, dx / map.look.px, dy / map.look.px);
     map.redraw();
     map.soon();
   };

@@ -4,17 +4,31 @@ import { clamp } from "../common/numbers.ts";
 
 export const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
 
+/** Whether the visitor wants nothing to move by itself. */
+export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 export class Clock {
   time = 0;
   duration = 1;
   speed = 1;
   playing = false;
-  loop = true;
+  loop = !calm();
+  /** Whether it goes back to the start after this run, and stays there. */
+  once = false;
   last: number | null = null;
   listeners: Set<any> = new Set();
 
   changed() {
     for (const listener of this.listeners) listener(this);
+  }
+
+  /** The film runs by itself, and only where nothing speaks against it; else it goes to where it would end. */
+  run({ to = this.time, once = false } = {}) {
+    if (calm()) this.seek(to);
+    else {
+      this.play(true);
+      this.once = once;
+    }
   }
 
   seek(time: number) {
@@ -24,6 +38,7 @@ export class Clock {
 
   play(playing = !this.playing) {
     this.playing = playing;
+    this.once = false;
     this.last = null;
     if (playing && this.time >= this.duration) this.time = 0;
     this.changed();
@@ -43,9 +58,9 @@ export class Clock {
     this.last = now;
     this.time += passed * this.speed;
     if (this.time >= this.duration) {
-      if (this.loop && this.duration > 0) this.time %= this.duration;
+      if (this.loop && !this.once && this.duration > 0) this.time %= this.duration;
       else {
-        this.time = this.duration;
+        this.time = this.once ? 0 : this.duration;
         this.playing = false;
         this.changed();
       }

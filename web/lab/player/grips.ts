@@ -1,6 +1,7 @@
 // The places where the hoop can be taken, over the picture: load, hoop and plane, by mouse, finger and keys. Each is a
 // slider for the keyboard and for screen readers.
 
+import { calm } from "./clock.ts";
 import { h, once, say } from "../common/dom.ts";
 import { changesFor, keyed, Pull, taken, type Grip, type Held } from "./grab.ts";
 import { clamp, degrees, length, show } from "../common/numbers.ts";
@@ -277,8 +278,7 @@ export class Grips {
     lab.stage.options.ahead = false;
     lab.root.classList.remove("holding");
     if (play) lab.clock.seek(0);
-    // who wants no motion sees the start, and presses play
-    if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) lab.clock.play(true);
+    if (play) lab.clock.run();
     lab.request();
   }
 
@@ -301,7 +301,7 @@ export class Grips {
   /** The picture follows the hoop again. */
   comeBack(home: number[]) {
     const { flat } = this.lab.stage;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const still = calm();
     const step = () => {
       if (this.pull) return;
       const left = flat.shift[0] - home[0];

@@ -60,6 +60,7 @@ function flat(context: CanvasRenderingContext2D, lab: Lab, width: number, height
 /** Mode, time, angle and speed of each hoop, in its part of the picture. */
 function words(context: CanvasRenderingContext2D, lab: Lab, height: number) {
   const { theme, stage, clock } = lab;
+  const { px } = theme.look;
   const films = lab.films();
   context.textBaseline = "top";
   context.textAlign = "left";
@@ -68,12 +69,12 @@ function words(context: CanvasRenderingContext2D, lab: Lab, height: number) {
     const hoop = films.length > 1 ? `${"AB"[i]}: ` : "";
     const mode = t(theme.colors.mode_names[pose.mode]);
     const numbers = `t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`;
-    const top = stage.options.three ? 10 + 20 * i : 10 + (i * height) / films.length;
+    const top = stage.options.three ? 10 + 20 * px * i : 10 + (i * height) / films.length;
     context.fillStyle = theme.colors.modes[pose.mode];
-    context.fillRect(12, top + 2, 11, 11);
+    context.fillRect(12, top + 2 * px, 11 * px, 11 * px);
     context.fillStyle = theme.look.ink;
-    context.font = `13px ${theme.look.font}`;
-    context.fillText(`${hoop}${mode}, ${numbers}`, 30, top);
+    context.font = `${13 * px}px ${theme.look.font}`;
+    context.fillText(`${hoop}${mode}, ${numbers}`, 12 + 18 * px, top);
   }
   context.textBaseline = "alphabetic";
 }

@@ -93,9 +93,9 @@ export class Scene {
     context.moveTo(x0, y0);
     context.lineTo(x1, y1);
     context.stroke();
-    const step = niceStep(width / this.scale, width / 90);
+    const step = niceStep(width / this.scale, width / (90 * look.px));
     context.fillStyle = look.soft;
-    context.font = `11px ${look.font}`;
+    context.font = `${11 * look.px}px ${look.font}`;
     context.textAlign = "center";
     context.lineWidth = 1;
     const low = Math.ceil((this.focus[0] - reach) / step);
@@ -107,7 +107,11 @@ export class Scene {
       context.moveTo(x, y);
       context.lineTo(x - 6 * this.sine, y + 6 * this.cosine);
       context.stroke();
-      context.fillText(`${tickText(k * step, step)} m`, x - 18 * this.sine, y + 8 + 10 * this.cosine);
+      context.fillText(
+        `${tickText(k * step, step)} m`,
+        x - 18 * look.px * this.sine,
+        y + 8 + 10 * look.px * this.cosine,
+      );
     }
   }
 
@@ -162,7 +166,7 @@ export class Scene {
     context.arc(x, y, Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2), 0, 2 * Math.PI);
     context.stroke();
     context.fillStyle = color;
-    context.font = `700 17px ${this.look.font}`;
+    context.font = `700 ${17 * this.look.px}px ${this.look.font}`;
     context.textAlign = "center";
     context.fillText(letter, x - 14, y + 20);
   }
@@ -326,13 +330,13 @@ export class Scene {
       }
       context.stroke();
     }
-    context.font = `600 12px ${look.font}`;
+    context.font = `600 ${12 * look.px}px ${look.font}`;
     const size = context.measureText(label).width;
     context.lineWidth = 3;
     context.strokeStyle = below ? look.ground : look.paper;
     context.textAlign = "left";
     const place = below
-      ? [from[0] - 0.5 * size - 32 * this.sine, from[1] + 32 * this.cosine]
+      ? [from[0] - 0.5 * size - 32 * look.px * this.sine, from[1] + 32 * look.px * this.cosine]
       : [to[0] + 12, clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale)];
     place[0] = clamp(place[0], 4, width - size - 4);
     context.strokeText(label, place[0], place[1]);

@@ -112,7 +112,7 @@ function stroke(
   context.lineCap = "butt";
   const label = known ? mark : "?";
   if (!label) return;
-  context.font = `600 11px ${look.font}`;
+  context.font = `600 ${11 * look.px}px ${look.font}`;
   context.textAlign = "center";
   context.lineWidth = 3;
   context.strokeStyle = look.paper;

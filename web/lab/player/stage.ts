@@ -44,7 +44,7 @@ export class Stage {
     this.order = h("span", { hidden: true }, "A in front, B behind");
     this.element = h(
       "div",
-      { class: "stage", role: "img", "aria-label": "The hoop", tabindex: "0" },
+      { class: "stage", role: "figure", "aria-label": "The hoop", tabindex: "0" },
       this.plane,
       this.space,
       h(

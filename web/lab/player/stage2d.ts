@@ -107,7 +107,7 @@ export class Stage2D {
       if (films.length > 1) {
         scene.mark("AB"[i], hoopInk(i, look.dark));
         context.fillStyle = hoopInk(i, look.dark);
-        context.font = `700 17px ${look.font}`;
+        context.font = `700 ${17 * look.px}px ${look.font}`;
         context.textAlign = "left";
         context.fillText("AB"[i], 12, each - 12);
       }

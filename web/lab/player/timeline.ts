@@ -122,7 +122,7 @@ export class Timeline {
 
   draw(films: Film[], look: Look, colors: Colors) {
     this.films = films;
-    const { context, width, height } = fitted(this.canvas);
+    const { context, width, height } = fitted(this.canvas, look.px);
     this.keep();
     const [begin, end] = this.ends();
     const place = (t: number) => ((t - begin) / (end - begin)) * width;

@@ -7,6 +7,7 @@ import type { Lab } from "./lab.ts";
 /** `hosted`: whether the lab owns the page. */
 export function prepareRoot(root: HTMLElement, hosted: boolean) {
   root.classList.add("hophoop");
+  root.dir = "ltr"; // numbers with their signs and units, also within a page in right-to-left writing
   if (hosted) return;
   root.classList.add("embedded");
   // Jupyter would take the same keys to delete cells and to restart the kernel

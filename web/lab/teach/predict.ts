@@ -94,8 +94,8 @@ export function dial(label: string, onguess: () => void): Guess {
     canvas,
   );
   const draw = () => {
-    const { context } = fitted(canvas);
     const style = getComputedStyle(element);
+    const { context } = fitted(canvas, Number.parseFloat(style.width) / SIZE || 1);
     const ink = style.getPropertyValue("--ink").trim();
     const soft = style.getPropertyValue("--soft").trim();
     const accent = style.getPropertyValue("--accent").trim();
@@ -114,7 +114,7 @@ export function dial(label: string, onguess: () => void): Guess {
     context.font = "11px system-ui, sans-serif";
     context.textAlign = "center";
     for (const mark of [0, 90, 180, 270]) {
-      const [x, y] = onCircle(mark, RADIUS - 17);
+      const [x, y] = onCircle(mark, RADIUS - 28);
       context.fillText(`${mark}°`, x, y + 4);
     }
     const dot = (at: number, color: string, radius: number) => {
@@ -210,11 +210,14 @@ export function sketch(
     handles,
   );
   const box = () => canvas.getBoundingClientRect();
-  const x = (i: number) => LEFT + (i / (POINTS - 1)) * (box().width - LEFT - RIGHT);
-  const y = (value: number) => TOP + (1 - value / most) * (box().height - TOP - BOTTOM);
+  let size = { width: 0, height: 0, px: 1 };
+  const x = (i: number) => LEFT + (i / (POINTS - 1)) * (size.width - LEFT - RIGHT);
+  const y = (value: number) => TOP + (1 - value / most) * (size.height - TOP - BOTTOM);
   const draw = () => {
-    const { context, width, height } = fitted(canvas);
     const style = getComputedStyle(element);
+    const px = Number.parseFloat(style.getPropertyValue("font-size")) / 14 || 1;
+    const { context, width, height } = fitted(canvas, px);
+    size = { width, height, px };
     const read = (name: string) => style.getPropertyValue(name).trim();
     context.clearRect(0, 0, width, height);
     context.strokeStyle = read("--line");
@@ -248,7 +251,7 @@ export function sketch(
     line(values, read("--accent"), [6, 4]);
     if (truth) line(truth, read("--ink"), []);
     handles.forEach((handle, i) => {
-      handle.style.transform = `translate(${x(i)}px, ${y(values[i])}px)`;
+      handle.style.transform = `translate(${px * x(i)}px, ${px * y(values[i])}px)`;
     });
   };
   const put = (i: number, value: number) => {
@@ -263,9 +266,10 @@ export function sketch(
   let last: number | null = null;
   const pull = (event: PointerEvent) => {
     const frame = box();
-    const share = clamp((event.clientX - frame.left - LEFT) / (frame.width - LEFT - RIGHT), 0, 1);
+    const [across, down] = [event.clientX - frame.left, event.clientY - frame.top].map((at) => at / size.px);
+    const share = clamp((across - LEFT) / (size.width - LEFT - RIGHT), 0, 1);
     const i = Math.round(share * (POINTS - 1));
-    const value = most * (1 - (event.clientY - frame.top - TOP) / (frame.height - TOP - BOTTOM));
+    const value = most * (1 - (down - TOP) / (size.height - TOP - BOTTOM));
     // a quick hand passes over points
     const from = last ?? i;
     const before = values[from];

@@ -18,7 +18,10 @@ export class Visit {
   /** Points of the steps that have been guessed. */
   points: Map<string, number> = new Map();
   play: HTMLButtonElement;
+  skip: HTMLButtonElement;
   next: HTMLButtonElement;
+  /** Whether the film was seen running. */
+  running = false;
   /** Where the film stops by itself. */
   stop: number | null = null;
   /** Whether the film repeated before. */
@@ -125,6 +128,12 @@ export class Visit {
       { type: "button", class: "main", disabled: Boolean(this.guess), onclick: () => this.show() },
       "Play",
     );
+    this.running = false;
+    this.skip = h(
+      "button",
+      { type: "button", hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
+      "Skip to the answer",
+    );
     const last = number === STEPS.length - 1;
     const heading = h("h2", { tabindex: "-1" }, step.title);
     this.next = h("button", { type: "button", onclick: () => this.go(number + 1) }, "Next");
@@ -153,6 +162,7 @@ export class Visit {
         { class: "buttons" },
         number > 0 && h("button", { type: "button", onclick: () => this.go(number - 1) }, "Back"),
         this.guess && this.play,
+        this.guess && this.skip,
         last
           ? h("button", { type: "button", class: "main", onclick: () => this.challenge() }, "Challenges")
           : this.next,
@@ -170,18 +180,19 @@ export class Visit {
     if (wait) wait.hidden = true;
   }
 
-  /** The film runs to the moment that answers, then the answer is said. */
+  /** The film runs to the moment that answers, then the answer is said; meanwhile it can be halted, and skipped. */
   show() {
     const { lab, step } = this;
     if (!step || !this.guess) return;
-    this.play.disabled = true;
+    if (this.stop !== null) {
+      lab.clock.play();
+      return;
+    }
     this.stop = step.until?.(lab.films()) ?? lab.clock.duration;
     this.loop ??= lab.clock.loop;
     lab.clock.loop = false;
     lab.clock.seek(0);
-    // who wants no motion goes straight to the moment
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) lab.clock.seek(this.stop);
-    else lab.clock.play(true);
+    lab.clock.run({ to: this.stop });
     this.frame();
   }
 
@@ -194,9 +205,13 @@ export class Visit {
   /** Called with each picture. */
   frame() {
     const { clock } = this.lab;
-    if (this.stop === null || (clock.playing && clock.time < this.stop)) return;
-    const reached = clock.time >= this.stop - 1e-9 || !clock.playing;
-    if (!reached) return;
+    if (this.stop === null) return;
+    this.skip.hidden = false;
+    if (this.running !== clock.playing) {
+      this.running = clock.playing;
+      say(this.play, this.running ? "Pause" : "Play");
+    }
+    if (clock.time < this.stop - 1e-9) return;
     clock.playing = false;
     const at = this.stop;
     this.stop = null;
@@ -211,8 +226,15 @@ export class Visit {
     const { truth, text, values = {} } = step.answer(this.films);
     const points = guess.judge(truth);
     this.points.set(step.key, points);
+    this.play.hidden = this.skip.hidden = true;
     this.said.replaceChildren(
-      h("p", {}, h("b", {}, { key: "{points} of 100 points.", values: { points } }), " ", { key: text, values }),
+      h(
+        "p",
+        {},
+        h("b", {}, points ? { key: "{points} of 100 points.", values: { points } } : "Not so."),
+        " ",
+        { key: text, values },
+      ),
       h("p", {}, step.why ?? ""),
     );
     this.veil();

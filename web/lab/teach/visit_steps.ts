@@ -109,7 +109,7 @@ export const STEPS: Step[] = [
     question: "Where is the load when friction gives way for the first time? Turn the mark.",
     queries: ["start.speed=2.8"],
     guess: (onguess) => dial("Angle of the load where it begins to slip", onguess),
-    until: ([film]) => (first(film, "slip_start")?.t ?? 0) + 0.02,
+    until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
     answer: ([film]) => {
       const slip = first(film, "slip_start") as MotionEvent;
       const force = film.at(slip.t).normal_force / (film.mass * film.gravity);
@@ -130,7 +130,7 @@ export const STEPS: Step[] = [
     question: "Where is the load when the hoop takes off? Turn the mark.",
     queries: [""],
     guess: (onguess) => dial("Angle of the load where it takes off", onguess),
-    until: ([film]) => (first(film, "takeoff")?.t ?? 0) + 0.12,
+    until: ([film]) => first(film, "takeoff")?.t ?? film.duration,
     answer: ([film]) => {
       const start = first(film, "takeoff") as MotionEvent;
       const pose = film.at(start.t - 1e-6);
@@ -160,7 +160,7 @@ export const STEPS: Step[] = [
         ],
         onguess,
       ),
-    until: ([film]) => (first(film, "impact")?.t ?? film.duration) + 0.15,
+    until: ([film]) => first(film, "impact")?.t ?? film.duration,
     answer: ([film]) => {
       const [up, down] = [first(film, "takeoff"), first(film, "impact")];
       const top = film.events.find((event) => event.kind === "apex");
