@@ -14,6 +14,9 @@ ROOT = Path(__file__).parents[1]
 WEB = ROOT / "web"
 BUILT = {
     "lab.js": ROOT / "src/hophoop/lab/static/lab.js",
+    "widget.js": ROOT / "src/hophoop/lab/static/widget.js",
+    "stage3d.js": ROOT / "src/hophoop/lab/static/stage3d.js",
+    "svg.js": ROOT / "src/hophoop/lab/static/svg.js",
     "kernel.js": ROOT / "src/hophoop/lab/static/kernel.js",
     "motion_element.js": ROOT / "src/hophoop/lab/static/motion_element.js",
     "embed.js": ROOT / "src/hophoop/lab/static/embed.js",

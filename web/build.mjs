@@ -13,6 +13,10 @@ const SOURCES = ["kernel", "lab", "model", "scene", "site", "space", "words"];
 const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json"];
 const TARGETS = [
   { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
+  // a notebook's widget is a single file
+  { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/widget.js", format: "esm", apart: false },
+  { entry: "lab/player/stage3d.ts", file: "../src/hophoop/lab/static/stage3d.js", format: "esm" },
+  { entry: "lab/player/svg.ts", file: "../src/hophoop/lab/static/svg.js", format: "esm" },
   { entry: "kernel/worker.ts", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
   { entry: "site/motion_element.ts", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
   { entry: "site/embed.ts", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
@@ -31,13 +35,11 @@ function stamp() {
   return hash.digest("hex").slice(0, 32);
 }
 
-// English is in the script; another language is a file beside it, which the page asks for by the hash of all.
+// English is in the script; another language is a file beside it.
 const LANGUAGES = readdirSync(join(here, "words")).filter((name) => name.endsWith(".json") && name !== "en.json");
-const tables = LANGUAGES.map((name) => [name, JSON.stringify(JSON.parse(readFileSync(join(here, "words", name), "utf8")))]);
-const hash = createHash("sha256").update(tables.join()).digest("hex").slice(0, 12);
 
 const folder = process.argv[2]; // where to write instead, to compare
-for (const { entry, file, format } of TARGETS) {
+for (const { entry, file, format, apart = true } of TARGETS) {
   await build({
     entryPoints: [join(here, entry)],
     outfile: folder ? join(folder, file.split("/").at(-1)) : join(here, file),
@@ -48,10 +50,11 @@ for (const { entry, file, format } of TARGETS) {
     target: "es2022",
     charset: "utf8",
     legalComments: "none",
-    define: { WORDS: JSON.stringify(hash) },
+    define: { STAMP: JSON.stringify(stamp()), APART: String(apart) },
     banner: { js: `/* Built from web/${entry} by esbuild ${version}; sources ${stamp()} */` },
   });
 }
-for (const [name, text] of tables) {
+for (const name of LANGUAGES) {
+  const text = JSON.stringify(JSON.parse(readFileSync(join(here, "words", name), "utf8")));
   writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), `words.${name}`), `${text}\n`);
 }

@@ -3,8 +3,9 @@
 type Film = import("./lab/player/film.ts").Film;
 type Clock = import("./lab/player/clock.ts").Clock;
 
-/** A hash of the tables of all languages, written by the build. */
-declare const WORDS: string;
+/** A hash of all sources, and whether parts of the page are files of their own; written by the build. */
+declare const STAMP: string;
+declare const APART: boolean;
 
 /** A table of a language: a text by its key, or one for each plural. */
 type Words = Record<string, string | { [plural: string]: string; other: string }>;

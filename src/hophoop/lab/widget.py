@@ -65,7 +65,7 @@ def _widget_class() -> Any:
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """A motion with its player and its sliders."""
 
-        _esm = page.script()
+        _esm = page.static_text("widget.js")
         _css = page.style()
         film = traitlets.Bytes().tag(sync=True)
         setup = traitlets.Dict().tag(sync=True)

@@ -2,9 +2,10 @@
 
 import { SPEED_TEXTS } from "../common/colors.ts";
 import { h } from "../common/dom.ts";
+import { fetched, space } from "../common/later.ts";
 import { degrees, length, show, withUnit } from "../common/numbers.ts";
 import { Stage2D } from "./stage2d.ts";
-import { Stage3D } from "./stage3d.ts";
+import type { Stage3D } from "./stage3d.ts";
 import { local, name, t } from "../words/words.ts";
 import type { Shown } from "../shell/address.ts";
 import type { Lab } from "../shell/lab.ts";
@@ -75,8 +76,7 @@ export class Stage {
     this.order.hidden = !(options.three && films.length > 1);
     this.fastest.textContent = `≥ ${show(Math.max(...films.map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
-      this.deep ??= new Stage3D(this.space, this.onview);
-      this.deep.draw(films, clock.time, options, look, inks, clock.playing);
+      this.deep?.draw(films, clock.time, options, look, inks, clock.playing);
     } else this.flat.draw(films, clock.time, options, look, inks);
     this.read(films, active, clock.time);
   }
@@ -115,8 +115,9 @@ export class Stage {
     name(this.element, "aria-label", ["The hoop.", ...films.flatMap((film) => [" ", film.summary])]);
   }
 
-  /** In space or in the plane. `draw`: what fails where the browser cannot. */
-  turn(draw: () => void) {
+  /** In space, which has to come first, or in the plane. `draw`: what fails where the browser cannot. */
+  async turn(draw: () => void) {
+    const part = this.deep ? null : await fetched(space());
     const show = () => {
       this.plane.hidden = this.options.three;
       this.space.hidden = !this.options.three;
@@ -124,6 +125,7 @@ export class Stage {
     this.options.three = !this.options.three;
     show();
     try {
+      if (part) this.deep ??= new part.Stage3D(this.space, this.onview);
       draw();
     } catch (error) {
       this.options.three = false;

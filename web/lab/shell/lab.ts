@@ -216,8 +216,9 @@ export class Lab {
 
   /** `shown`: what a link says of it. */
   restore({ time, map, options, more, ...view }: Shown) {
-    if (options?.three) this.toggle("three");
+    const turned = options?.three ? this.toggle("three") : Promise.resolve();
     this.stage.restore({ options, ...view });
+    turned.then(() => this.stage.restore(view)); // from where it is looked at
     if (map) this.map.restore(map);
     if (more) this.extras.more.turn(true, more);
     if (time) this.clock.seek(time);
@@ -339,12 +340,12 @@ export class Lab {
   }
 
   /** Draw it, or leave it out. */
-  toggle(name: keyof StageOptions) {
+  async toggle(name: keyof StageOptions) {
     const { options } = this.stage;
     if (name !== "three") options[name] = !options[name];
     else {
       try {
-        this.stage.turn(() => this.drawStage());
+        await this.stage.turn(() => this.drawStage());
       } catch (error) {
         this.notice.say(saidOf(error));
       }

@@ -12,7 +12,7 @@ const here = new URL("./", import.meta.url);
 /** The visitor's language, from the files beside the script; English where it is not to be had. */
 function speakFrom(folder: URL) {
   wordsFrom(async (code) => {
-    const response = await fetch(new URL(`words.${code}.json?${WORDS}`, folder));
+    const response = await fetch(new URL(`words.${code}.json?${STAMP}`, folder));
     if (!response.ok) throw new Error(`words.${code}.json: ${response.status}`);
     return response.json();
   });
