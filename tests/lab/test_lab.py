@@ -408,5 +408,6 @@ def test_the_page_asks_for_nothing_from_elsewhere():
 def test_every_file_of_the_page_is_used():
     folder = files.Path(page.__file__).parent / "static"
     assert {path.name for path in folder.iterdir()} == {
-        "index.html", "pick.html", "tables.json", "backdrop.js", "service_worker.js", *site.STATIC, *site.PAGES,
+        "index.html", "pick.html", "tables.json", "backdrop.js", "service_worker.js", "widget.js",
+        *(f"words.{code}.json" for code in site.languages()), *site.STATIC, *site.PAGES,
     }  # fmt: skip

@@ -21,7 +21,18 @@ POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-STATIC = ("lab.js", "stage3d.js", "svg.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg", "licences.txt")
+STATIC = (
+    "lab.js",
+    "stage3d.js",
+    "svg.js",
+    "kernel.js",
+    "motion_element.js",
+    "embed.js",
+    "style.css",
+    "embed.css",
+    "icon.svg",
+    "licences.txt",
+)
 # Files renamed because pages and embedding sites use their names; the others keep their names.
 NAMES = {"style.css": "lab.css", "motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
@@ -65,7 +76,10 @@ def site_files(docs: str = "") -> dict[str, bytes]:
     files : dict
         With relative paths throughout, so that the folder can be at any address.
     """
-    made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in (*STATIC, *(f"words.{code}.json" for code in languages()))}
+    made = {
+        f"static/{NAMES.get(name, name)}": static_bytes(name)
+        for name in (*STATIC, *(f"words.{code}.json" for code in languages()))
+    }
     for name in (MODULE, DERIVATIVES):
         made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
     for name in PAGES:

@@ -256,5 +256,3 @@ def test_it_is_seen_everywhere(visit, where):
         page.evaluate(Path(axe).read_text(encoding="utf-8"))
         found = page.evaluate("async () => (await axe.run(document)).violations.map((one) => [one.id, one.nodes[0].html])")
         assert found == []
-
-
