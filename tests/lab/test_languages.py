@@ -54,7 +54,8 @@ def test_every_language_has_every_text(code):
         english = ENGLISH[key]
         assert isinstance(text, dict) == isinstance(english, dict), key
         for form in forms(text).values():
-            assert (form.strip() == form or key.startswith("list.")) and form, key
+            assert form, key
+            assert form.strip() == form or key.startswith("list."), key
             places = [sorted(PLACE.findall(one)) for one in (form, forms(english).get("other", english))]
             assert places[0] == places[1], key
         assert text != english or isinstance(text, dict) or ALIKE.match(english), key

@@ -45,7 +45,7 @@ def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
         page.keyboard.press("3")
     page.locator(".menu summary").click()
     with page.expect_download() as download:
-        page.get_by_role("button", name="Record a film here (WebM)").click()
+        page.get_by_role("button", name="Record a film in the browser (WebM)").click()
     size, shown = decoded(download.value.path().read_bytes(), "film.webm", tmp_path)
     box = page.locator(".stage").bounding_box()
     assert size == pytest.approx((box["width"], box["height"]), abs=2)

@@ -58,9 +58,9 @@ def said(page, kind):
 
 def link_of(page, address):
     """What the page copies as its link, after the address."""
-    page.locator("summary", has_text="Keep").click()
-    page.get_by_role("button", name="Copy the link").click()
-    page.locator(".toast", has_text="The link is copied.").wait_for()
+    page.locator("summary", has_text="Save").click()
+    page.get_by_role("button", name="Copy link").click()
+    page.locator(".toast", has_text="Link copied.").wait_for()
     return page.evaluate("navigator.clipboard.readText()").removeprefix(address)
 
 

@@ -22,7 +22,7 @@ def address(site_address):
 
 def kept(page, name, path):
     """What an item of the menu saves."""
-    page.locator(".menu summary", has_text="Keep").click()
+    page.locator(".menu summary", has_text="Save").click()
     with page.expect_download() as download:
         page.get_by_role("button", name=name).click()
     download.value.save_as(path)
@@ -66,7 +66,7 @@ def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(vis
     assert picture.width == 3840
     assert difference(picture, on_screen(page)) < 4.0
     assert page.evaluate("hophoopLab.stage.canvas().width") == before
-    page.locator(".menu summary", has_text="Keep").click()
+    page.locator(".menu summary", has_text="Save").click()
     page.get_by_role("button", name="Picture (SVG)").click()
     page.wait_for_selector("text=A picture in space has no lines to keep")
 

@@ -1,4 +1,4 @@
-"""What a little more would do, on the page that computes by itself: its numbers are those of `hh.sensitivity`, to the bit."""
+"""The effect of a small change, on the page that computes by itself: its numbers are those of `hh.sensitivity`, to the bit."""
 
 import math
 import os
@@ -127,7 +127,7 @@ def test_the_step_does_what_was_told(visit):
     top = "lab => lab.film().events.find((event) => event.kind === 'apex').height"
     before = page.evaluate(f"({top})(hophoopLab)")
     told = page.evaluate("hophoopLab.extras.more.changes.hops()[0].height")
-    page.locator(".more").get_by_role("button", name="Do it").click()
+    page.locator(".more").get_by_role("button", name="Apply").click()
     wait_for(page, f"lab.film().values['start.speed'] === 3.11 && {SHOWN}")
     assert page.evaluate(f"({top})(hophoopLab)") - before == pytest.approx(told, rel=0.05)
 

@@ -57,7 +57,7 @@ def test_keys_alone_reach_and_change_everything(visit):
         if reached[-1].startswith("Speedv"):
             page.keyboard.press("End")  # the slider's greatest speed
             wait_for(page, "lab.film().values['start.speed'] > 4")
-    for name in ("Skip to the player", "Motions to start from", "Language", "Friction", "Angle of the load", "Time", "Play"):
+    for name in ("Skip to the player", "Examples", "Language", "Friction", "Angle of the load", "Time", "Play"):
         assert any(text.startswith(name) for text in reached), name
     assert reached[-1].startswith("Map of motions")
     page.keyboard.press("Control+z")
