@@ -1,4 +1,4 @@
-// What Python sends, and the shapes that several files share. The classes are in the files themselves.
+// Shapes that several files share; generated.d.ts has those that Python sends. The classes are in the files themselves.
 
 type Film = import("./lab/player/film.ts").Film;
 type Clock = import("./lab/player/clock.ts").Clock;
@@ -17,22 +17,6 @@ interface Phrase {
 /** What is said: a key, or what needs none such as a number or a symbol; a key with its values; parts; what makes a text. */
 type Said = string | number | Phrase | Said[] | (() => string);
 
-interface Colors {
-  modes: Record<string, string>;
-  mode_names: Record<string, string>;
-  gravity_center: string;
-  airborne: string;
-  center_speed: string;
-  rotation_speed: string;
-  kinetic: string;
-  potential: string;
-  friction_loss: string;
-  impact_loss: string;
-  normal_force: string;
-  friction_force: string;
-  limit: string;
-}
-
 // Colours of the page, as the style sheet has them.
 interface Look {
   ink: string;
@@ -46,64 +30,11 @@ interface Look {
   dark: boolean;
 }
 
-interface Preset {
-  key: string;
-  group: string;
-  title: string;
-  text: string;
-  query: string;
-}
-
-interface SliderInfo {
-  path: string;
-  label: string;
-  symbol: string;
-  unit: string;
-  help: string;
-  least: number;
-  most: number;
-  step: number;
-  logarithmic: boolean;
-  degrees: boolean;
-  allowed?: { least: number; most: number; also: (number | "inf")[] }; // in SI units
-}
-
 // What a number may be: a range, both ends included, and single values besides.
-interface AllowedRange {
+interface NumberRange {
   least: number;
   most: number;
   also: number[];
-}
-
-interface ChoiceInfo {
-  path: string;
-  label: string;
-  options: [string, string][];
-  help: string;
-}
-
-interface AxisInfo {
-  path: string;
-  label: string;
-  unit: string;
-  degrees: boolean;
-  range: [number, number];
-  allowed: [number, number];
-}
-
-interface ControlsInfo {
-  groups: Record<string, SliderInfo[]>;
-  choices: ChoiceInfo[];
-  gravities: [string, number][];
-  map_axes: AxisInfo[];
-}
-
-interface Setup {
-  version: string;
-  controls: ControlsInfo;
-  map_quantities: [string, string][];
-  presets: Preset[];
-  colors: Colors;
 }
 
 interface Part {
@@ -362,24 +293,8 @@ interface SceneData {
 
 type MaybeLater<T> = T | Promise<T>;
 
-// A part of a hoop with every number that its shape has, in SI units.
-type WholePart =
-  | { shape: "ring"; mass: number; inner_radius: number; outer_radius: number }
-  | { shape: "disk"; mass: number; radius: number; at: number }
-  | { shape: "point_mass"; mass: number; at: number }
-  | { shape: "rod"; mass: number; length: number; at: number; direction: "radial" | "tangential" };
-
-// A compliant contact as its scenario gives it; null where a default stands for it.
-interface GivenContact {
-  stiffness: number | null;
-  damping: number | null;
-  restitution: number | null;
-  law: "kelvin-voigt" | "hunt-crossley";
-  friction: "tanh" | "linear" | "bristle";
-  slip_speed: number | null;
-  tangential_stiffness: number | null;
-  rtol: number | null;
-}
+// A compliant contact as its scenario gives it; null where the default is used.
+type GivenContact = Omit<CompliantContact, "model" | "max_events">;
 
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
@@ -523,40 +438,12 @@ interface Computed {
 
 // --- A scenario that has been checked: web/model ---------------------------------------------------------------------
 
-interface CheckedHoop {
-  radius: number;
-  mass: number;
-  load_fraction: number | null; // how it was given: by this, by parts, or by the two numbers that follow from them
-  eccentricity: number;
-  inertia_ratio: number;
-  parts: WholePart[] | null;
-}
-
 interface CheckedPlane {
-  gravity: number;
-  slope: number;
-  rolling_resistance: number;
-  mu: number | null; // where both are one
-  mu_static: number; // may be Infinity, as mu_kinetic
-  mu_kinetic: number;
-  apart: boolean; // given as two
-  restitution: number;
-  impact_law: "stronge" | "newton" | "poisson";
-  painleve: "flight" | "impact";
-}
-
-interface CheckedStart {
-  x: number;
-  height: number;
-  angle: number;
-  speed: number | null; // of a rolling start
-  vx: number;
-  vy: number;
-  omega: number | null;
+  apart: boolean; // static and kinetic friction given as two
 }
 
 interface CheckedContact {
-  model: "rigid" | "compliant";
+  model: (RigidContact | CompliantContact)["model"];
   max_events: number;
   [key: string]: any;
 }

@@ -21,7 +21,7 @@ import hophoop as hh
 import random_scenarios
 from hophoop import theory
 from hophoop._support import errors
-from hophoop.lab import calls, presets, tables, thresholds, words
+from hophoop.lab import calls, presets, tables, thresholds, typescript, words
 from hophoop.lab.python_code import python_code
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
@@ -91,6 +91,10 @@ def compare(seeds: range) -> Counter[str]:
 def test_the_tables_are_what_python_would_write_now():
     written = tables.FILE.read_text(encoding="utf-8")
     assert written == tables.text(), "run `python -m hophoop.lab.tables` and `npm run build` in web/"
+
+
+def test_the_types_are_those_of_the_models_now():
+    assert typescript.FILE.read_text(encoding="utf-8") == typescript.text(), "run `python -m hophoop.lab.tables`"
 
 
 def test_a_thousand_requests_are_read_alike():

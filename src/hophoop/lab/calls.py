@@ -102,7 +102,7 @@ def _samples(request: Request, limits: Limits) -> Reply:
 
 
 def _setup(request: Request, limits: Limits) -> Reply:
-    return Reply(setup())
+    return Reply(dict(setup()))
 
 
 def _code(request: Request, limits: Limits) -> Reply:

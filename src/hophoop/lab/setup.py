@@ -2,16 +2,54 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypedDict
 
 from hophoop._version import __version__
-from hophoop.lab.controls import controls
+from hophoop.lab.controls import ControlsInfo, controls
 from hophoop.lab.motion_map import MAP_QUANTITIES
 from hophoop.lab.presets import presets
 from hophoop.vocabulary import colors, modes
 
 
-def setup() -> dict[str, Any]:
+class PresetInfo(TypedDict):
+    """A motion of the menu."""
+
+    key: str
+    group: str
+    title: str
+    text: str
+    query: str
+
+
+class Colors(TypedDict):
+    """The colours of modes and curves."""
+
+    modes: dict[str, str]
+    mode_names: dict[str, str]
+    gravity_center: str
+    airborne: str
+    center_speed: str
+    rotation_speed: str
+    kinetic: str
+    potential: str
+    friction_loss: str
+    impact_loss: str
+    normal_force: str
+    friction_force: str
+    limit: str
+
+
+class Setup(TypedDict):
+    """The data that the page is built from."""
+
+    version: str
+    controls: ControlsInfo
+    map_quantities: list[tuple[str, str]]
+    presets: list[PresetInfo]
+    colors: Colors
+
+
+def setup() -> Setup:
     """Return the data that the page is built from, ready for JSON.
 
     Returns
@@ -22,7 +60,7 @@ def setup() -> dict[str, Any]:
     return {
         "version": __version__,
         "controls": controls(),
-        "map_quantities": [[name, f"quantity.{name}"] for name in MAP_QUANTITIES],
+        "map_quantities": [(name, f"quantity.{name}") for name in MAP_QUANTITIES],
         "presets": [
             {
                 "key": p.key,

@@ -1,6 +1,6 @@
 """Tables of Python's data for the page that computes in the browser, written to a file that its script is built with.
 
-``python -m hophoop.lab.tables`` writes it; a test fails if the file is out of date.
+``python -m hophoop.lab.tables`` writes it, and the page's types of it; a test fails if a file is out of date.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from pydantic.fields import FieldInfo
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.records.layout import CELL
+from hophoop.lab import typescript
 from hophoop.lab.calls import CALLS
 from hophoop.lab.controls import GRAVITIES
 from hophoop.lab.files import SAMPLES_PER_SECOND
@@ -262,3 +263,4 @@ def text() -> str:
 
 if __name__ == "__main__":
     FILE.write_text(text(), encoding="utf-8")
+    typescript.FILE.write_text(typescript.text(), encoding="utf-8")

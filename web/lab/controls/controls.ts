@@ -9,7 +9,7 @@ import { t } from "../words/words.ts";
 const DEGREE = Math.PI / 180;
 
 /** The range that Python allows, in the unit of the field. */
-function rangeOf({ allowed, degrees }: SliderInfo): AllowedRange | undefined {
+function rangeOf({ allowed, degrees }: SliderInfo): NumberRange | undefined {
   if (!allowed) return undefined;
   const scale = degrees ? 1 / DEGREE : 1;
   return {

@@ -28,7 +28,7 @@ export function readNumber(text: string, unit = "") {
 export function refusal(
   text: string,
   value: number,
-  { label, unit, range }: { label: string; unit: string; range?: AllowedRange },
+  { label, unit, range }: { label: string; unit: string; range?: NumberRange },
 ): Said {
   const typed = text.trim();
   if (Number.isNaN(value)) {
@@ -45,7 +45,7 @@ export function refusal(
 export interface FieldInfo {
   label: string;
   unit: string;
-  range?: AllowedRange; // in the field's unit
+  range?: NumberRange; // in the field's unit
   name?: Said; // for a screen reader, where no label belongs to it
 }
 

@@ -1,0 +1,97 @@
+"""TypeScript types of what Python sends to the page, from the models and from the dicts of the controls.
+
+``python -m hophoop.lab.tables`` writes them to web/generated.d.ts; a test fails if the file is out of date.
+"""
+
+from __future__ import annotations
+
+import typing
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from types import NoneType, UnionType
+from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin, is_typeddict
+
+from hophoop.lab import controls, setup
+from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Start
+
+FILE: Final = Path(__file__).parents[3] / "web" / "generated.d.ts"
+
+# Python's types and their names on the page.
+_NAMES: Final[dict[type, str]] = {
+    Ring: "RingPart",
+    Disk: "DiskPart",
+    PointMass: "PointMassPart",
+    Rod: "RodPart",
+    Hoop: "CheckedHoop",
+    Plane: "CheckedPlane",
+    Start: "CheckedStart",
+    Rigid: "RigidContact",
+    Compliant: "CompliantContact",
+    controls.AllowedRange: "AllowedRange",
+    controls.SliderInfo: "SliderInfo",
+    controls.ChoiceInfo: "ChoiceInfo",
+    controls.AxisInfo: "AxisInfo",
+    controls.ControlsInfo: "ControlsInfo",
+    setup.PresetInfo: "Preset",
+    setup.Colors: "Colors",
+    setup.Setup: "Setup",
+}
+_PLAIN: Final = {str: "string", bool: "boolean", int: "number", float: "number", NoneType: "null", Any: "any"}
+
+
+def text() -> str:
+    """Return the content of the file.
+
+    Returns
+    -------
+    text : str
+        TypeScript.
+    """
+    parts = [name for model, name in _NAMES.items() if model in (Ring, Disk, PointMass, Rod)]
+    blocks = [
+        "// Types of what Python sends, written by `python -m hophoop.lab.tables`.",
+        f"type WholePart = {' | '.join(parts)};",
+        *(_interface(model, name) for model, name in _NAMES.items()),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def _interface(model: Any, name: str) -> str:
+    fields = dict(_dict_fields(model) if is_typeddict(model) else _model_fields(model))
+    return "\n".join((f"interface {name} {{", *(f"  {key}: {kind};" for key, kind in fields.items()), "}"))
+
+
+def _dict_fields(model: Any) -> Iterator[tuple[str, str]]:
+    for key, kind in typing.get_type_hints(model).items():
+        yield key, _type(kind)
+
+
+def _model_fields(model: Any) -> Iterator[tuple[str, str]]:
+    for key, field in model.model_fields.items():
+        yield key, _type(field.annotation)
+
+
+def _type(kind: Any) -> str:
+    origin, arguments = get_origin(kind), get_args(kind)
+    if kind in _PLAIN:
+        return _PLAIN[kind]
+    if origin is Annotated:
+        return _type(arguments[0])
+    if origin is Literal:
+        return _options(arguments)
+    if origin in (Union, UnionType):
+        if all(one in _NAMES for one in arguments):
+            return "WholePart"
+        return " | ".join(_type(one) for one in arguments)
+    if origin is tuple and arguments[-1] is not Ellipsis:
+        return f"[{', '.join(_type(one) for one in arguments)}]"
+    if origin in (tuple, list, Sequence):
+        inner = _type(arguments[0])
+        return f"({inner})[]" if " | " in inner else f"{inner}[]"
+    if origin in (dict, Mapping):
+        return f"Record<{_type(arguments[0])}, {_type(arguments[1])}>"
+    return _NAMES[kind]
+
+
+def _options(words: Sequence[Any]) -> str:
+    return " | ".join(f'"{word}"' for word in words)
