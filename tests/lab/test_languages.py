@@ -85,6 +85,7 @@ def test_signs_are_those_of_the_language(code):
 def test_the_words_of_python_are_those_of_python():
     """`python -m hophoop.lab.tables` writes them into web/words/en.json."""
     assert {key: ENGLISH.get(key) for key in PYTHON} == PYTHON
+    assert tables.ENGLISH.read_text(encoding="utf-8") == tables.words()
 
 
 def test_no_key_is_a_path_of_a_scenario():

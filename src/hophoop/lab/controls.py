@@ -93,7 +93,7 @@ def controls() -> ControlsInfo:
             {
                 "path": row.path,
                 "label": f"parameter.{row.path}",
-                "options": [[value, f"choice.{row.path}.{value}"] for value, _ in row.choices],
+                "options": tuple((value, f"choice.{row.path}.{value}") for value, _ in row.choices),
                 "help": f"help.{row.path}",
             }
             for row in TABLE

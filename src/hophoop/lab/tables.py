@@ -1,6 +1,7 @@
 """Tables of Python's data for the page that computes in the browser, written to a file that its script is built with.
 
-``python -m hophoop.lab.tables`` writes it, and the page's types of it; a test fails if a file is out of date.
+``python -m hophoop.lab.tables`` writes it, the page's types of it, and Python's words into the page's English; a test fails if
+a file is out of date.
 """
 
 from __future__ import annotations
@@ -49,6 +50,7 @@ from hophoop.vocabulary.statuses import STATUSES
 from hophoop.vocabulary.words import plain
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
+ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
 
 _KINDS = {base._number: "number", base._friction: "friction", base._whole: "whole"}
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
@@ -261,6 +263,22 @@ def text() -> str:
     return json.dumps(tables(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
+def words() -> str:
+    """Return the page's English, with Python's own texts as they are now.
+
+    Returns
+    -------
+    text : str
+        JSON.
+    """
+    own = english()
+    families = {key.partition(".")[0] for key in own}
+    page = json.loads(ENGLISH.read_text(encoding="utf-8"))
+    kept = {key: said for key, said in page.items() if key.partition(".")[0] not in families}
+    return json.dumps(dict(sorted({**kept, **own}.items())), ensure_ascii=False, indent=2) + "\n"
+
+
 if __name__ == "__main__":
     FILE.write_text(text(), encoding="utf-8")
+    ENGLISH.write_text(words(), encoding="utf-8")
     typescript.FILE.write_text(typescript.text(), encoding="utf-8")
