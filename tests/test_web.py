@@ -21,20 +21,24 @@ BUILT = {
     "motion_element.js": ROOT / "src/hophoop/lab/static/motion_element.js",
     "embed.js": ROOT / "src/hophoop/lab/static/embed.js",
     "service_worker.js": ROOT / "src/hophoop/lab/static/service_worker.js",
+    "backdrop.js": ROOT / "src/hophoop/lab/static/backdrop.js",
+    "lab.css": ROOT / "src/hophoop/lab/static/lab.css",
+    "embed.css": ROOT / "src/hophoop/lab/static/embed.css",
     "scene.js": ROOT / "src/hophoop/animate/static/scene.js",
 }
+PAGES = ("embed.html", "index.html", "pick.html", "site.html")
 # What Python writes for the page.
 WRITTEN = ("../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json")
 
 
 def stamp():
     """As web/build.mjs computes it."""
-    folders = ("kernel", "lab", "model", "scene", "site", "space", "words")
+    folders = ("kernel", "lab", "model", "pages", "scene", "site", "space", "words")
     sources = [
         path.relative_to(WEB).as_posix()
         for folder in folders
         for path in (WEB / folder).rglob("*")
-        if path.suffix in (".ts", ".json")
+        if path.suffix in (".ts", ".json", ".css")
     ]
     digest = hashlib.sha256()
     for name in ["build.mjs", *WRITTEN, *sorted(sources)]:
@@ -46,7 +50,7 @@ def stamp():
 @pytest.mark.parametrize("name", BUILT)
 def test_what_is_built_is_as_new_as_its_sources(name):
     first = BUILT[name].read_text(encoding="utf-8").split("\n", 1)[0]
-    said = re.fullmatch(r"/\* Built from web/[\w/]+\.ts by esbuild [\d.]+; sources (\w+) \*/", first)
+    said = re.fullmatch(r"/\* Built from web/[\w/]+\.(?:ts|css) by esbuild [\d.]+; sources (\w+) \*/", first)
     assert said, first
     assert said[1] == stamp(), f"{name} is older than its sources: run `npm install && npm run build` in web/"
 
@@ -66,7 +70,8 @@ def node():
 
 def test_the_build_gives_the_same_bytes(node, tmp_path):
     node("build.mjs", tmp_path)
-    for name, path in BUILT.items():
+    pages = {name: ROOT / "src/hophoop/lab/static" / name for name in PAGES}
+    for name, path in (BUILT | pages).items():
         assert (tmp_path / name).read_bytes() == path.read_bytes(), name
 
 

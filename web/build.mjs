@@ -1,5 +1,5 @@
-// Joins the sources into the two files that the package carries: one module for the page and the notebook widget,
-// one program for the films that turn. Both are kept in git, so that installing the package needs no Node.
+// Joins the sources into the files that the package carries: modules and a style sheet for the page and the notebook widget,
+// one program for the films that turn. All are kept in git, so that installing the package needs no Node.
 
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const SOURCES = ["kernel", "lab", "model", "scene", "site", "space", "words"];
+const SOURCES = ["kernel", "lab", "model", "pages", "scene", "site", "space", "words"];
 // What Python writes for the page: the layout of the WebAssembly module, and the tables of models, sentences and presets.
 const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json"];
 const TARGETS = [
@@ -21,15 +21,20 @@ const TARGETS = [
   { entry: "site/motion_element.ts", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
   { entry: "site/embed.ts", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
   { entry: "site/service_worker.ts", file: "../src/hophoop/lab/static/service_worker.js", format: "esm" },
+  { entry: "site/backdrop.ts", file: "../src/hophoop/lab/static/backdrop.js", format: "esm" },
+  { entry: "pages/lab.css", file: "../src/hophoop/lab/static/lab.css" },
+  { entry: "pages/embed.css", file: "../src/hophoop/lab/static/embed.css" },
   { entry: "scene/main.ts", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
 ];
+// Copied: Python fills their places.
+const PAGES = ["embed.html", "index.html", "pick.html", "site.html"];
 
 // tests/test_web.py computes the same, to tell when a built file is older than its sources.
 function stamp() {
   const within = (folder) => readdirSync(join(here, folder), { recursive: true });
   const names = SOURCES.flatMap((folder) => within(folder).map((name) => `${folder}/${name.replaceAll("\\", "/")}`));
   const hash = createHash("sha256");
-  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.(ts|json)$/.test(name)).sort()]) {
+  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.(ts|json|css)$/.test(name)).sort()]) {
     hash.update(`${name}\n`).update(readFileSync(join(here, name)));
   }
   return hash.digest("hex").slice(0, 32);
@@ -51,8 +56,19 @@ for (const { entry, file, format, apart = true } of TARGETS) {
     charset: "utf8",
     legalComments: "none",
     define: { STAMP: JSON.stringify(stamp()), APART: String(apart) },
-    banner: { js: `/* Built from web/${entry} by esbuild ${version}; sources ${stamp()} */` },
+    supported: { nesting: false },
+    banner: {
+      [entry.endsWith(".css") ? "css" : "js"]:
+        `/* Built from web/${entry} by esbuild ${version}; sources ${stamp()} */`,
+    },
   });
+}
+for (const name of PAGES) {
+  const page = readFileSync(join(here, "pages", name), "utf8").replace(
+    "\n",
+    `\n<!-- Copied from web/pages/${name} by web/build.mjs -->\n`,
+  );
+  writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), name), page);
 }
 for (const name of LANGUAGES) {
   const text = JSON.stringify(JSON.parse(readFileSync(join(here, "words", name), "utf8")));

@@ -28,7 +28,6 @@ SOURCES = {
     for path in sorted(WEB.rglob("*"))
     if path.suffix in (".js", ".ts", ".html") and "node_modules" not in path.parts and not path.name.endswith(".d.ts")
 }
-SOURCES |= {path: path.read_text(encoding="utf-8") for path in (ROOT / "src/hophoop/lab").rglob("*.html")}
 # the second form is within a template
 LITERALS = {
     found for text in SOURCES.values() for form in (r'"([^"\n]*)"', r'\bt\("([^"]+)"') for found in re.findall(form, text)

@@ -43,7 +43,7 @@ def script() -> str:
 @cache
 def style() -> str:
     """Return the style sheet of page and widget."""
-    return static_text("style.css")
+    return static_text("lab.css")
 
 
 @cache

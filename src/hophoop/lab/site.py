@@ -28,13 +28,13 @@ STATIC = (
     "kernel.js",
     "motion_element.js",
     "embed.js",
-    "style.css",
+    "lab.css",
     "embed.css",
     "icon.svg",
     "licences.txt",
 )
 # Files renamed because pages and embedding sites use their names; the others keep their names.
-NAMES = {"style.css": "lab.css", "motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
+NAMES = {"motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
 
 

@@ -1,42 +1,9 @@
-// The film of a fit under the hoop of the lab: added to the page by `hophoop lab FIT --film VIDEO`, and by nothing else.
-
-// The matrix that takes the corners of a rectangle, from the top left clockwise, to four points.
-function onto(width, height, [a, b, c, d]) {
-  const [x1, y1, x2, y2] = [b[0] - c[0], b[1] - c[1], d[0] - c[0], d[1] - c[1]];
-  const [x3, y3] = [a[0] - b[0] + c[0] - d[0], a[1] - b[1] + c[1] - d[1]];
-  const whole = x1 * y2 - x2 * y1;
-  const g = (x3 * y2 - x2 * y3) / whole;
-  const h = (x1 * y3 - x3 * y1) / whole;
-  const across = [b[0] - a[0] + g * b[0], b[1] - a[1] + g * b[1], g].map((value) => value / width);
-  const down = [d[0] - a[0] + h * d[0], d[1] - a[1] + h * d[1], h].map((value) => value / height);
-  return [across[0], across[1], 0, across[2], down[0], down[1], 0, down[2], 0, 0, 1, 0, a[0], a[1], 0, 1];
-}
-
-const place = await (await fetch("film.json")).json();
-const [width, height] = place.size;
-const film = document.createElement("video");
-Object.assign(film, { src: "film.mp4", muted: true, playsInline: true, preload: "auto", className: "backdrop", width, height });
-Object.assign(film.style, {
-  position: "absolute", left: 0, top: 0, width: `${width}px`, height: `${height}px`, maxWidth: "none",
-  transformOrigin: "0 0", zIndex: -1, pointerEvents: "none",
-});
-
-function follow() {
-  requestAnimationFrame(follow);
-  const lab = globalThis.hophoopLab;
-  const stage = lab?.stage;
-  const scene = stage?.flat.views[0];
-  if (!scene) return;
-  if (!film.isConnected) {
-    Object.assign(stage.element.style, { isolation: "isolate", overflow: "hidden" });
-    stage.plane.style.opacity = 0.7; // the ground that is drawn covers the one that was filmed
-    stage.element.prepend(film);
-  }
-  film.hidden = stage.options.three || lab.films().length > 1;
-  const corners = place.corners.map(([along, away]) => scene.point(along, away));
-  film.style.transform = `matrix3d(${onto(width, height, corners).join(",")})`;
-  const wanted = place.start + lab.clock.time;
-  film.style.visibility = wanted > film.duration ? "hidden" : "visible";
-  if (!film.seeking && Math.abs(film.currentTime - wanted) > 0.002) film.currentTime = wanted;
-}
-follow();
+/* Built from web/site/backdrop.ts by esbuild 0.28.2; sources eeec4168db5d45a2b63af4a94e74dadf */
+function C(r,i,[e,n,o,s]){let[a,d,y,g]=[n[0]-o[0],n[1]-o[1],s[0]-o[0],s[1]-o[1]],[w,x]=[e[0]-n[0]+o[0]-s[0],e[1]-n[1]+o[1]-s[1]],j=a*g-y*d,l=(w*g-y*x)/j,c=(a*x-
+w*d)/j,m=[n[0]-e[0]+l*n[0],n[1]-e[1]+l*n[1],l].map(h=>h/r),p=[s[0]-e[0]+c*s[0],s[1]-e[1]+c*s[1],c].map(h=>h/i);return[m[0],m[1],0,m[2],p[0],p[1],0,p[2],0,0,1,0,
+e[0],e[1],0,1]}var u=await(await fetch("film.json")).json(),[f,b]=u.size,t=document.createElement("video");Object.assign(t,{src:"film.mp4",muted:!0,playsInline:!0,
+preload:"auto",className:"backdrop",width:f,height:b});Object.assign(t.style,{position:"absolute",left:0,top:0,width:`${f}px`,height:`${b}px`,maxWidth:"none",transformOrigin:"\
+0 0",zIndex:-1,pointerEvents:"none"});function v(){requestAnimationFrame(v);let r=globalThis.hophoopLab,i=r?.stage,e=i?.flat.views[0];if(!r||!i||!e)return;t.isConnected||
+(Object.assign(i.element.style,{isolation:"isolate",overflow:"hidden"}),i.plane.style.opacity="0.7",i.element.prepend(t)),t.hidden=i.options.three||r.films().length>
+1;let n=u.corners.map(([s,a])=>e.point(s,a));t.style.transform=`matrix3d(${C(f,b,n).join(",")})`;let o=u.start+r.clock.time;t.style.visibility=o>t.duration?"hid\
+den":"visible",!t.seeking&&Math.abs(t.currentTime-o)>.002&&(t.currentTime=o)}v();

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 11e4dd23b964f2b86176fa71bb6937e2 */
+/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources eeec4168db5d45a2b63af4a94e74dadf */
 var c={sources:"67265e6a6ce7c7c493ea343a4d7cb47b",module:"0be4fbd308f1e46d",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\

@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 11e4dd23b964f2b86176fa71bb6937e2 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources eeec4168db5d45a2b63af4a94e74dadf */
 var Fl=Object.create;var lo=Object.defineProperty;var Dl=Object.getOwnPropertyDescriptor;var jl=Object.getOwnPropertyNames;var Hl=Object.getPrototypeOf,$l=Object.prototype.hasOwnProperty;var Bl=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Wl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of jl(e))!$l.call(n,i)&&i!==t&&lo(n,i,{get:()=>e[i],enumerable:!(s=Dl(e,i))||s.enumerable});
 return n};var Gl=(n,e,t)=>(t=n!=null?Fl(Hl(n)):{},Wl(e||!n||!n.__esModule?lo(t,"default",{value:n,enumerable:!0}):t,n));var Ga=Bl(Fn=>{"use strict";Object.defineProperty(Fn,"__esModule",{value:!0});function $a(n){return!n||typeof n=="string"?n:n+""}var Js=class{async svg2canvas(e,t,s){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=s,o.getContext(
