@@ -74,7 +74,7 @@ sphinx_gallery_conf = {
     "backreferences_dir": "gallery/used",
     "doc_module": ("hophoop",),
     "subsection_order": ExplicitOrder([f"../examples/gallery/{folder}" for folder in ("plots", "maps", "films")]),
-    "within_subsection_order": "ExampleTitleSortKey",
+    "within_subsection_order": "gallery.FromSimpleToHard",
     "capture_repr": (),
     "thumbnail_size": (400, 250),
     "download_all_examples": False,

@@ -88,7 +88,7 @@ picture = f"""<svg xmlns="http://www.w3.org/2000/svg" class="hop-picture" role="
 viewBox="{LEFT} {TOP} {RIGHT - LEFT:.2f} {BOTTOM - TOP:.2f}" fill="none" stroke-linecap="butt" \
 font-family="sans-serif" font-size=".36" text-anchor="middle">
 <title>A hoop with a load on its rim rolls, skids, rolls, spins, flies and rolls again.</title>
-<style>{style}</style>
+<style>@media(prefers-color-scheme:dark){{svg:root{{color:#ddd}}}}{style}</style>
 <path d="M{LEFT},0H{RIGHT}" stroke="currentColor" stroke-opacity=".6" stroke-width=".02"/>
 {"".join(ground)}
 <path d="{path(hoop.radius)}" stroke="currentColor" stroke-opacity=".35" stroke-width=".025"/>

@@ -27,8 +27,8 @@ from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
-from hophoop.lab.wasm.layout import COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
+from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
+from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import HERE, MODULE, sources
 from module.host import Host
 from module.module_tools import cell_of, given_of
@@ -112,11 +112,11 @@ def numbers(scenario: hh.Scenario) -> tuple[np.ndarray, np.ndarray]:
     """The cell and the contact of a scenario, as the module's entries take them."""
     contact = scenario.contact
     if isinstance(contact, hh.Rigid):
-        return cell_of(scenario), np.zeros(len(COMPLIANT))
+        return cell_of(scenario), np.zeros(len(CONTACT))
     chosen = [
         list(NormalLaw).index(NormalLaw[contact.law.upper().replace("-", "_")]),
         list(FrictionLaw).index(FrictionLaw[contact.friction.upper()]),
-        *(getattr(contact, name) for name in COMPLIANT[2:]),
+        *(getattr(contact, name) for name in CONTACT[2:]),
     ]
     cell = cell_of(scenario.replace("contact", hh.Rigid(max_events=contact.max_events)))
     return cell, np.array([math.nan if each is None else float(each) for each in chosen])
@@ -128,7 +128,7 @@ def run_program(made: Path, kept: Sequence[Kept], processor: str = "") -> dict[i
         asked, answered = Path(fresh) / "asked", Path(fresh) / "answered"
         ask(kept).astype("<f8").tofile(asked)
         sizes = (
-            len(CELL), len(COMPLIANT), EVENT.itemsize, SEGMENT.itemsize, 8 * WIDTH, len(HEADS), len(EVENT_COLUMNS),
+            len(CELL), len(CONTACT), EVENT.itemsize, SEGMENT.itemsize, 8 * WIDTH, len(HEADS), len(EVENT_COLUMNS),
             len(SAMPLE_COLUMNS), SAMPLES, int(Status.BUFFER), MAX_STEPS, CELL.index("max_events"),
         )  # fmt: skip
         emulator = [f"qemu-{processor}"] if processor else []

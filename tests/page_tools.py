@@ -1,11 +1,11 @@
-"""Runs what a page of the documentation shows: code, commands, and the numbers that stand in its text.
+"""Runs what a page of the documentation shows: code, commands, and the numbers in its text.
 
 From top to bottom, in one namespace a page:
 
 - a block ``pycon`` is a doctest, a block ``python`` is run;
 - a block ``toml`` is a scenario; one that begins with ``# name.toml`` is there under that name for the commands below it;
-- in a block ``console``, lines ``$ hophoop run …`` and ``$ hophoop theory …`` are run and must end with exit status 0; of other
-  commands every option must exist;
+- in a block ``console``, lines ``$ hophoop run …``, ``theory`` and ``plan`` are run and must end with exit status 0; the lines
+  below such a command are its output, with ``…`` for what is left out; of other commands every option must exist;
 - a block after a comment ``% not run: why`` is left alone, where it needs what no test has;
 - a comment ``% says: expression`` stands for itself in no page; the text that the expression gives must be in the paragraph
   (or table) that follows, so that no number in a sentence is typed by hand and forgotten.
@@ -27,6 +27,10 @@ import hophoop.cli
 FENCE = re.compile(r"^(`{3,})(pycon|python|console|toml)\n(.*?)^\1$", re.MULTILINE | re.DOTALL)
 SAYS = re.compile(r"((?:^% says: .+\n)+)((?:.+\n?)+)", re.MULTILINE)
 OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+CHECKER = doctest.OutputChecker()
+FOLDED = re.compile(r"^(:{3,})\{dropdown\}.*?^\1$", re.MULTILINE | re.DOTALL)
+CODE = re.compile(r"^( *)(`{3,})(\w+|\{eval-rst\})[^\n]*\n(.*?)^\1\2$", re.MULTILINE | re.DOTALL)
+COLUMNS = 84  # what a line of code has room for at 1280 pixels
 
 
 def parts(text: str) -> Iterator[tuple[str, str, str, int]]:
@@ -64,6 +68,22 @@ def faults(text: str, name: str = "page") -> list[str]:
     return result
 
 
+def visible(text: str) -> str:
+    """A page as those read it who open none of its folded boxes."""
+    return FOLDED.sub("", text)
+
+
+def wide_lines(text: str) -> list[str]:
+    """Lines of code that are wider than the page."""
+    lines = [line for block in CODE.finditer(text) for line in block[4].splitlines()]
+    return [line for line in lines if len(line) > COLUMNS and not line.lstrip().startswith((":alt:", ":caption:"))]
+
+
+def wrong_installs(text: str) -> list[str]:
+    """Commands that ask an index for hophoop, which is on none, or whose quotes fail in cmd.exe."""
+    return [line for line in re.findall(r"pip install [^\n`]*", text) if re.search(r"'|[\s\"]hophoop\b", line)]
+
+
 def _doctest(content: str, space: dict[str, object], place: str) -> list[str]:
     said: list[str] = []
     examples = doctest.DocTestParser().get_doctest(content, space, place, place, 0)
@@ -85,12 +105,18 @@ def _scenario(content: str, place: str) -> list[str]:
 
 def _commands(content: str, place: str) -> list[str]:
     result = []
-    for name, rest in re.findall(r"^\$ hophoop (\w+)\b(.*)$", content.replace("\\\n", " "), re.MULTILINE):
+    for command, said in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", content.replace("\\\n", " "), re.MULTILINE):
+        found = re.match(r"hophoop (\w+)\b(.*)", command)
+        if found is None:
+            continue
+        name, rest = found.groups()
         words = shlex.split(rest, comments=True)
-        if name in ("run", "theory"):
+        if name in ("run", "theory", "plan"):
             answer = CliRunner().invoke(hophoop.cli.app, [name, *words])
             if answer.exit_code != 0:
                 result.append(f"{place}: hophoop {name}{rest} ends with exit status {answer.exit_code}")
+            elif said and not CHECKER.check_output(said.replace("…", "..."), answer.output, OPTIONS):
+                result.append(f"{place}: hophoop {name}{rest} prints\n{answer.output}")
         unknown = {word.partition("=")[0] for word in words if word.startswith("--")} - options(name)
         result += [f"{place}: hophoop {name} has no option {word}" for word in sorted(unknown)]
     return result

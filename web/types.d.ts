@@ -325,18 +325,10 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
-  /** Python's `most_resistance`; missing where the kernel knows none. */
-  resistance?(eccentricity: number, inertia_ratio: number): number;
-  /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
-  compliance?(given: Given): Compliance;
-}
-
-interface Compliance {
-  stiffness: number; // over m g/R [1]
-  tangential_stiffness: number; // over m g/R [1]
-  slip_speed: number; // over √(g R) [1]
-  depth: number; // how far the rim sinks at the speeds of the start [R]
-  automatic: { stiffness: number; slip_speed: number }; // in SI units, as film._automatic
+  /** The first rule of the kernel that a scenario breaks, 0 for none, and the number that its sentence needs. */
+  refused(given: Given): [code: number, number: number];
+  /** What a compliant contact chooses by itself, in SI units. */
+  chosen(given: Given): Record<string, number>;
 }
 
 interface ComputedMotion {

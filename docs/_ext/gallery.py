@@ -16,11 +16,28 @@ from sphinx_gallery.scrapers import matplotlib_scraper
 
 import hophoop as hh
 
+# From simple to hard, in each part of the gallery.
+ORDER = [
+    *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
+    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain"),
+    *("sweep", "hop_height", "open_map", "points", "boundary", "borders", "logarithmic", "refine", "catalogue", "paradoxes"),
+    *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "player"),
+]
 SHOWN = ("hophoop.plots.", "hophoop.maps.", "hophoop.animate.")
 VIDEO = (
     '<video controls loop muted playsinline aria-label="{title}" style="max-width:100%;height:auto" width="{width}" '
     'height="{height}" src="data:video/mp4;base64,{data}"></video>'
 )
+
+
+class FromSimpleToHard:
+    """Sphinx-Gallery's key of an example."""
+
+    def __init__(self, folder: str) -> None:
+        """Sphinx-Gallery gives the folder, which does not matter."""
+
+    def __call__(self, name: str) -> int:
+        return ORDER.index(name.removeprefix("plot_").removesuffix(".py"))
 
 
 def drawings(block: Any, variables: dict[str, Any], conf: dict[str, Any], **options: Any) -> str:

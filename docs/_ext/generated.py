@@ -1,4 +1,4 @@
-"""Parts of pages that are made from the code: commands, the scenario file, the quantities of maps.
+"""Parts of pages that are made from the code: commands, the scenario file, the quantities of maps, the owners' addresses.
 
 A line ``% generated: name`` of a page becomes what the function of that name here gives, as MyST. The JSON schema of a
 scenario file is written beside the pages.
@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import tomllib
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, get_args
@@ -215,7 +216,33 @@ def quantities() -> str:
     return table(["quantity", "meaning", "unit"], rows)
 
 
-MAKERS: dict[str, Callable[[], str]] = {"commands": commands, "scenario-file": scenario_file, "quantities": quantities}
+# Addresses
+
+ADDRESSES = Path(__file__).parents[2] / "addresses.toml"
+ASKED = {
+    "issues": "Questions, wishes and defects",
+    "security": "Weaknesses, privately",
+    "repository": "The source",
+    "lab": "The lab",
+}
+
+
+def addresses() -> str:
+    """Where to write, as far as the owners have said it."""
+    known = tomllib.loads(ADDRESSES.read_text(encoding="utf-8"))
+    lines = [f"* {words}: <{known[name]}>" for name, words in ASKED.items() if known[name]]
+    return (
+        "\n".join(lines)
+        or "This copy has no public address yet. Ask those who gave it to you (`addresses.toml` is where they name one)."
+    )
+
+
+MAKERS: dict[str, Callable[[], str]] = {
+    "commands": commands,
+    "scenario-file": scenario_file,
+    "quantities": quantities,
+    "addresses": addresses,
+}
 
 
 def put_in(app: Sphinx, page: str, source: list[str]) -> None:

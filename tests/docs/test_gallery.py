@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import sys
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 import hophoop as hh
 
 GALLERY = Path(__file__).parents[2] / "examples" / "gallery"
+sys.path.insert(0, str(GALLERY.parents[1] / "docs" / "_ext"))
 EXAMPLES = sorted(GALLERY.glob("*/plot_*.py"))
 # `hophoop reproduce` makes the article's films, which take minutes
 ELSEWHERE = {"article_films"}
@@ -32,6 +34,28 @@ def test_every_function_has_an_example(room):
     }
     assert len(wanted) > 4
     assert wanted <= {name for path in EXAMPLES for name in used(path)}
+
+
+WRITERS = {"hh.animate.film", "hh.animate.film_3d", "hh.animate.scene", "hh.animate.player"}
+
+
+def shows(code):
+    """Whether a script, run by itself, opens a window, writes a film or page, or is for notebooks."""
+    tree = ast.parse(code)
+    called = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    return ast.unparse(tree.body[-1]) == "plt.show()" or bool(WRITERS & called)
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_a_downloaded_example_shows_something(path):
+    code = path.read_text(encoding="utf-8")
+    assert shows(code)
+    assert not shows(code.replace("plt.show()", "").replace("hh.animate.", "hh.other."))
+
+
+def test_every_example_has_its_place_from_simple_to_hard():
+    gallery = pytest.importorskip("gallery", reason="the extra 'docs' is not installed")
+    assert sorted(gallery.ORDER) == sorted(path.stem.removeprefix("plot_") for path in EXAMPLES)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

@@ -8,14 +8,19 @@ from pathlib import Path
 
 import pytest
 
-from page_tools import faults, toctree_pages
+from page_tools import COLUMNS, faults, toctree_pages, visible, wide_lines, wrong_installs
 
 DOCS = Path(__file__).parents[2] / "docs"
 # They make films, or compile more kernels.
 LONG = [DOCS / f"{name}.md" for name in ("article", "films", "derivatives", "compliant", "proofs", "maps")]
 PAGES = [
     pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page in LONG else [])
-    for page in [DOCS.parent / "README.md", DOCS.parent / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
+    for page in [
+        DOCS.parent / "README.md",
+        DOCS.parent / "CONTRIBUTING.md",
+        DOCS.parent / "SECURITY.md",
+        *sorted(DOCS.rglob("*.md")),
+    ]
     if page.parent.name not in ("tables", "generated") and "gallery" not in page.parts
 ]
 
@@ -24,6 +29,61 @@ PAGES = [
 def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert faults(page.read_text(encoding="utf-8"), page.name) == []
+
+
+FOLDED = [page for page in sorted((DOCS / "learn").glob("*.md")) if visible(text := page.read_text(encoding="utf-8")) != text]
+
+
+@pytest.mark.parametrize("page", FOLDED, ids=lambda page: page.stem)
+def test_a_page_runs_with_its_boxes_left_folded(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert faults(visible(page.read_text(encoding="utf-8")), page.name) == []
+
+
+def test_a_name_of_a_folded_box_is_missed():
+    text = "```pycon\n>>> a = 1\n```\n\n:::{dropdown} Look\n\n```pycon\n>>> b = 2\n```\n:::\n\n```pycon\n>>> a + b\n3\n```\n"
+    assert faults(text) == []
+    assert "NameError" in "".join(faults(visible(text)))
+
+
+EVERY = [page.values[0] for page in PAGES]
+EXAMPLES = sorted((DOCS.parent / "examples" / "gallery").rglob("plot_*.py"))
+
+
+@pytest.mark.parametrize("page", EVERY, ids=lambda page: page.relative_to(DOCS.parent).as_posix())
+def test_code_is_as_wide_as_its_page(page):
+    assert wide_lines(page.read_text(encoding="utf-8")) == []
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_is_as_wide_as_its_page(path):
+    code = path.read_text(encoding="utf-8").split('"""', 2)[2]  # the text before wraps
+    assert [line for line in code.splitlines() if len(line) > COLUMNS] == []
+
+
+def test_a_line_that_is_too_wide_is_found():
+    assert wide_lines(f"```sh\n{'a' * COLUMNS}\n{'b' * (COLUMNS + 1)}\n```\n{'c' * 200}\n") == ["b" * (COLUMNS + 1)]
+
+
+@pytest.mark.parametrize("page", EVERY, ids=lambda page: page.relative_to(DOCS.parent).as_posix())
+def test_what_a_page_installs_can_be_had(page):
+    assert wrong_installs(page.read_text(encoding="utf-8")) == []
+
+
+def test_an_install_that_fails_is_found():
+    wrong = ["pip install 'hophoop[lab]'", "pip install -e '.[lab]'", 'pip install "hophoop[lab]"']
+    assert wrong_installs("\n".join([*wrong, 'pip install -e ".[lab]"', "`pip install -e .`, then hophoop"])) == wrong
+
+
+def test_commands_are_found_because_the_environment_is_activated():
+    """On every page that installs, or on the page that it sends to."""
+    for name in ("install", "learn/first-hop"):
+        text = (DOCS / f"{name}.md").read_text(encoding="utf-8")
+        assert "source .venv/bin/activate" in text
+        assert r".venv\Scripts\activate" in text
+    for page in EVERY:
+        text = page.read_text(encoding="utf-8")
+        assert "pip install" not in text or re.search(r"activate|\{doc\}`[./]*install`", text), page
 
 
 def test_the_architecture_names_what_there_is():
@@ -42,6 +102,7 @@ def test_the_architecture_names_what_there_is():
         ("% says: 1 + 1\n% says: 1 + 2\n2 of them.\n\n3 in another paragraph.\n", "1 + 2 is 3"),
         ("% not run: no film\n```python\n1 / 0\n```\n\n```pycon\n>>> 1\n2\n```\n", "Expected:"),
         ("```console\n$ hophoop run --v0 3.1 --duration -1\n```\n", "exit status 2"),
+        ("```console\n$ hophoop run --v0 2 --duration 2 --quiet\nRKR\n```\n", "--quiet prints"),
         ("```console\n$ hophoop map --axes plane.mu=0:1:9 \\\n    --out a.zarr\n```\n", "no option --axes"),
         ("```toml\n[plane]\nfriction = 1.0\n```\n", "plane.friction"),
     ],

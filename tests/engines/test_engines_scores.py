@@ -45,6 +45,18 @@ def test_the_exact_motion_scores_exact(name, spacing):
     assert found.place_error < 1e-5 if name != "bounces" else found.place_error < 1e-3
 
 
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_the_height_of_the_centre_is_not_the_gap(name):
+    """It would be scored as 1,000 mm too high, and everything else as right."""
+    states = exact(name)
+    with pytest.raises(
+        ValueError, match=r"y = .* m.*height of the centre.*must be the gap.*subtract the radius, 1 m"
+    ) as refused:
+        scores(name, changed(states, y=states.y + 1.0))
+    assert isinstance(refused.value, hh.scenario.InputError)
+    scores(name, changed(states, y=states.y - 0.02))  # an engine that lets the rim sink is scored
+
+
 def test_columns_without_meaning_are_empty():
     found = scores("rolling", exact("rolling"))
     assert (found.takeoff_angle, found.hop_height, found.landing_time, found.impact_loss) == (None,) * 4

@@ -4,9 +4,8 @@
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { LocalBackend } from "../../web/lab/backend/local_backend.ts";
-import { closest } from "../../web/model/close.ts";
 import * as model from "../../web/model/index.ts";
-import { fill, floatOf, jsonText, plain, pythonText, shortened } from "../../web/model/text.ts";
+import { fill, numberOf, plain, shortened } from "../../web/model/text.ts";
 
 const [script, binary, derivatives] = process.argv.slice(2);
 const { HoopModule } = await import(script);
@@ -40,15 +39,13 @@ const CALLS = {
     const infinity = ([name, value]) => [name, value === "inf" ? Infinity : value];
     return model.thresholds(checked, Object.fromEntries(Object.entries(known).map(infinity)));
   },
-  numbers: (values) =>
-    values.map((value) => fill("{value!r} {value:g} {value:.3g} {value:.6g} {value:.0e} {value:.2e} {value:.1f} {value:.0f}", { value })),
-  texts: (texts) => texts.map((text) => [pythonText(text), plain(text), shortened(text), jsonText(text), floatOf(text) ?? null]),
-  closest: ({ words, known }) => words.map((word) => closest(word, known) ?? null),
+  numbers: (values) => values.map((value) => fill("{value!r} {value:g} {value:.3g} {value:.2e} {value:.1f}", { value })),
+  texts: (texts) => texts.map((text) => [plain(text), shortened(text), numberOf(text) ?? null]),
   bounded({ name, body }) {
-    const { checked, ...options } = model.requested(name, body, mechanics);
+    const { checked, ...options } = model.requested(body, mechanics);
     if (name === "map") model.withinMap(checked, options);
     else if (name === "film" || name === "samples") model.within(checked);
-    return options;
+    return null;
   },
   rates({ scenario, path }) {
     const found = model.ratesOf(model.fromDict(scenario, mechanics), path);

@@ -14,7 +14,7 @@ const found = asked.map((given) => {
     motion,
     columns: Object.fromEntries(Object.entries(columns).map(([name, column]) => [name, [...column]])),
     thresholds: module.thresholds(given),
-    compliance: given.contact && module.compliance(given),
+    chosen: given.contact && module.chosen(given),
   };
 });
 const time = performance.now();

@@ -16,10 +16,10 @@ from numba.np.numpy_support import as_dtype
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.lab.wasm.entries import Entries
-from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
 
@@ -31,7 +31,7 @@ class Calls:
         self.cell = self.room(8 * len(CELL))
         self._take()
         self.heads = self.room(8 * len(HEADS))
-        self.contact = self.room(8 * len(COMPLIANT))
+        self.contact = self.room(8 * len(CONTACT))
 
     def room(self, size: int) -> int:
         """Memory of so many bytes."""
@@ -81,7 +81,7 @@ class Calls:
     def compliance(self, cell: np.ndarray, contact: np.ndarray) -> dict[str, float]:
         """What a compliant contact makes of its numbers."""
         self.view(self.cell, len(CELL))[:] = cell
-        self.view(self.contact, len(COMPLIANT))[:] = contact
+        self.view(self.contact, len(CONTACT))[:] = contact
         self.call("compliance", self.cell, self.contact, self.heads)
         return dict(zip(CHOSEN, self.view(self.heads, len(CHOSEN)).tolist(), strict=True))
 
@@ -90,7 +90,7 @@ class Calls:
     ) -> tuple[dict[str, float], np.ndarray, np.ndarray, np.ndarray]:
         """Heads, events, and the states at some times just after and just before."""
         self.view(self.cell, len(CELL))[:] = cell
-        self.view(self.contact, len(COMPLIANT))[:] = contact
+        self.view(self.contact, len(CONTACT))[:] = contact
         rows = self.room(8 * WIDTH * most_rows)
         self.call(
             "compliant_motion", self.cell, self.contact, self.events, self.most_events, MAX_STEPS, rows, most_rows,
@@ -111,6 +111,13 @@ class Calls:
         for place in (rows, when, out):
             self.free(place)
         return heads, events, states[0], states[1]
+
+    def refused(self, cell: np.ndarray, contact: tuple[float, ...]) -> tuple[float, ...]:
+        """The code of the rule that a scenario breaks, and its number."""
+        self.view(self.cell, len(CELL))[:] = cell
+        self.view(self.contact, len(CONTACT))[:] = contact or 0.0
+        self.call("refused", self.cell, self.contact, int(not contact), self.heads)
+        return tuple(self.view(self.heads, 2).tolist())
 
     def number(self, name: str, *given: float) -> float:
         """An entry that takes numbers and gives one."""

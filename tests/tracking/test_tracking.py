@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+import re
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import hophoop as hh
 from film_maker import Film, article_like, make, project
 from hophoop.tracking import Camera, Hints, overlay
 from hophoop.tracking.circle import Circle, fit_circle, robust_circle
+from hophoop.tracking.film import _doubts
 from hophoop.tracking.ground import ground_line
 from hophoop.tracking.video import pictures, sample_pictures
 
@@ -179,6 +181,28 @@ def test_memory_does_not_grow_with_length(films):
 def nothing(tmp_path, busy=True, frames=12):
     film = Film(size=(320, 192), frames=frames, busy=busy, without=((0, frames),), samples=1)
     return make(tmp_path / "empty.mp4", article_like(duration=0.2), film)
+
+
+def test_a_patch_that_does_not_turn_with_the_hoop_is_doubted(tmp_path):
+    """A film of `hophoop animate` has a coloured patch at the contact, and no marker."""
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    look = hh.animate.Look(size=(1280, 720), camera="hold")
+    hh.animate.film(motion, tmp_path / "hold.mp4", hh.animate.Timing(fps=30), look)
+    found = hh.track(tmp_path / "hold.mp4", radius=1.0)
+    right = motion.at(np.clip(found.t, 0.0, motion.duration)).angle
+    assert np.nanmax(np.abs(found.angle - right)) > 1.0  # it is not the load
+    assert found.notes[0].startswith("Doubtful: the hoop moves by")
+
+
+@pytest.mark.parametrize(
+    ("turned", "visible", "doubt"),
+    [(1.0, 1.0, None), (0.3, 1.0, None), (0.05, 1.0, "by 4.0 radii .* turns by 0.20 rad"), (1.0, 0.4, "only 16 of 40 frames")],
+)
+def test_a_marker_is_doubted_for_a_reason(turned, visible, doubt):
+    x = np.linspace(0.0, 4.0, 40)
+    said = _doubts(x, np.where(np.arange(40) < visible * 40, turned * x, np.nan))
+    assert len(said) == (doubt is not None)
+    assert doubt is None or re.search(doubt, said[0])
 
 
 def test_no_hoop_is_said(tmp_path):

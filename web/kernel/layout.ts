@@ -14,33 +14,32 @@ export const CHANGE: Record<string, number> = places(layout.changes);
 export const NUMBER: Record<string, number> = places(layout.numbers);
 export const WORD: Record<string, number> = places(layout.words);
 
-/** A scenario's numbers in the order of the module's cells. */
-export function cellOf(given: Given) {
-  const cell = new Float64Array(layout.cell.length);
-  const values: Record<string, number> = {
-    ...Object.fromEntries(Object.entries(given).filter(([, value]) => typeof value === "number")),
-    law: layout.impact_laws.indexOf(given.impact_law),
-    strike: Number(given.painleve === "impact"),
-    ideal: Number(given.ideal),
-    allowed: 1,
-  };
-  layout.cell.forEach((name, place) => {
-    cell[place] = values[name] ?? 0;
-  });
-  return cell;
-}
+/** Numbers that a scenario has as words, or not at all. */
+const CODED: Record<string, (given: Given) => number> = {
+  law: ({ impact_law }) => layout.impact_laws.indexOf(impact_law),
+  strike: ({ painleve }) => Number(painleve === "impact"),
+  allowed: () => 1,
+};
 
-/** A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself. */
-export function contactOf(contact: GivenContact) {
-  const number = (value: number | null) => value ?? Number.NaN;
-  return Float64Array.of(
-    layout.laws.indexOf(contact.law),
-    layout.friction_laws.indexOf(contact.friction),
-    number(contact.stiffness),
-    number(contact.damping),
-    number(contact.restitution),
-    number(contact.slip_speed),
-    number(contact.tangential_stiffness),
-    number(contact.rtol),
-  );
+/** What stands in each row of a cell. */
+export const READ: ((given: any) => number)[] = layout.cell.map(
+  (name) => CODED[name] ?? ((given) => Number(given[name] ?? 0)),
+);
+
+/** A scenario's numbers in the order of the module's cells. */
+export const cellOf = (given: Given) => Float64Array.from(READ, (read) => read(given));
+
+/**
+ * A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself, and all of a
+ * rigid one.
+ */
+export function contactOf(contact: GivenContact | null) {
+  const values: Record<string, any> = contact
+    ? {
+        ...contact,
+        law: layout.laws.indexOf(contact.law),
+        friction_law: layout.friction_laws.indexOf(contact.friction),
+      }
+    : {};
+  return Float64Array.from(layout.compliant, (name) => values[name] ?? Number.NaN);
 }

@@ -251,10 +251,17 @@ export class HoopModule implements Mechanics {
     return this.memory.floats(out, 1)[0];
   }
 
-  resistance(eccentricity: number, inertiaRatio: number) {
+  /**
+   * The first rule that a scenario breaks. Returns its place in the table of rules, 0 for none, and what its sentence
+   * needs.
+   */
+  refused(given: Given): [code: number, number: number] {
+    const cell = this.memory.put("cell", cellOf(given));
+    const contact = this.memory.put("contact", contactOf(given.contact));
     const out = this.memory.room("answers", 8 * layout.thresholds.length);
-    this.call("resistance_limit", eccentricity, inertiaRatio, out);
-    return this.memory.floats(out, 1)[0];
+    this.call("refused", cell, contact, Number(!given.contact), out);
+    const [code, number] = this.memory.floats(out, 2);
+    return [code, number];
   }
 
   combine(radius: number, parts: WholePart[]) {
@@ -267,22 +274,14 @@ export class HoopModule implements Mechanics {
     return { mass, eccentricity, inertia_ratio, reaches: [...memory.floats(reaches, parts.length)] };
   }
 
-  compliance(given: Given): Compliance {
-    const { memory } = this;
-    if (!given.contact) throw new TypeError("The contact is rigid.");
-    const cell = memory.put("cell", cellOf(given));
-    const contact = memory.put("contact", contactOf(given.contact));
-    const out = memory.room("answers", 8 * layout.thresholds.length);
+  /** What a compliant contact chooses by itself, in SI units. */
+  chosen(given: Given): Record<string, number> {
+    const cell = this.memory.put("cell", cellOf(given));
+    const contact = this.memory.put("contact", contactOf(given.contact));
+    const out = this.memory.room("answers", 8 * layout.thresholds.length);
     this.call("compliance", cell, contact, out);
-    const values = memory.floats(out, layout.chosen.length);
-    const value = (name: string) => values[layout.chosen.indexOf(name)];
-    return {
-      stiffness: value("stiffness"),
-      tangential_stiffness: value("tangential_stiffness"),
-      slip_speed: value("slip_speed"),
-      depth: value("depth"),
-      automatic: { stiffness: value("stiffness_si"), slip_speed: value("slip_speed_si") },
-    };
+    const values = this.memory.floats(out, layout.chosen.length);
+    return Object.fromEntries(layout.chosen.map((name, place) => [name, values[place]]));
   }
 }
 

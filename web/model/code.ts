@@ -1,48 +1,39 @@
 // A scenario as a TOML file and as the Python that computes its motion.
 
-import { writtenValue } from "./query.ts";
 import { equal, toDict, usualKeys } from "./scenario.ts";
 import { tables } from "./tables.ts";
-import { pythonText } from "./text.ts";
+import { floatText } from "./text.ts";
 
 const { scenario: knowledge } = tables;
 const COMMENT = 30; // column of a unit
+/** Of all fields by name: their units and kinds do not depend on the model. */
+const FIELDS: Record<string, any> = {};
+for (const { fields } of Object.values<any>(knowledge.models)) Object.assign(FIELDS, fields);
 
-function unitOf(section: string, key: string): string {
-  for (const model of knowledge.sections[section] ?? ["Scenario"]) {
-    const field = knowledge.models[model].fields[key];
-    if (field) return field.unit;
+function valueText(key: string, value: any) {
+  if (typeof value === "string") return JSON.stringify(value);
+  return FIELDS[key]?.kind === "whole" ? String(value) : floatText(value);
+}
+
+function tomlLine(section: string, key: string, value: any) {
+  if (Array.isArray(value)) {
+    const pairs = (part: object) => Object.entries(part).map(([name, one]) => `${name} = ${tomlValue(name, one)}`);
+    return [`${key} = [`, ...value.map((part) => `  { ${pairs(part).join(", ")} },`), "]"].join("\n");
   }
-  return "";
-}
-
-function tomlValue(path: string, value: any) {
-  if (value === "inf") return "inf";
-  return typeof value === "string" ? JSON.stringify(value) : writtenValue(path, value);
-}
-
-function tomlLine(key: string, value: any, unit: string) {
   const line = `${key} = ${tomlValue(key, value)}`;
+  const fields = (knowledge.sections[section] ?? ["Scenario"]).map((name: string) => knowledge.models[name].fields);
+  const unit = fields.find((one: any) => key in one)[key].unit;
   return unit === "" || unit === "1" ? line : `${line.padEnd(COMMENT)} # ${unit}`;
 }
+
+const tomlValue = (key: string, value: any) => (value === "inf" ? "inf" : valueText(key, value));
 
 /** The scenario as a TOML file with units as comments, as Python's `Scenario.to_toml`. */
 export function toToml(checked: Checked) {
   const { duration, ...sections } = toDict(checked);
-  const lines = [tomlLine("duration", duration, unitOf("", "duration"))];
+  const lines = [tomlLine("", "duration", duration)];
   for (const [section, table] of Object.entries(sections)) {
-    lines.push("", `[${section}]`);
-    for (const [key, value] of Object.entries(table)) {
-      if (!Array.isArray(value)) lines.push(tomlLine(key, value, unitOf(section, key)));
-      else {
-        lines.push(`${key} = [`);
-        for (const part of value) {
-          const inner = Object.entries(part).map(([name, one]) => `${name} = ${tomlValue(name, one)}`);
-          lines.push(`  { ${inner.join(", ")} },`);
-        }
-        lines.push("]");
-      }
-    }
+    lines.push("", `[${section}]`, ...Object.entries(table).map(([key, value]) => tomlLine(section, key, value)));
   }
   return `${lines.join("\n")}\n`;
 }
@@ -53,42 +44,30 @@ const USED = ["load_fraction", "mu"]; // what a reader will want to change is wr
 
 /** Python that makes the same motion; its variable `motion` is the Trajectory. */
 export function pythonCode(checked: Checked) {
-  const keys = toDict(checked);
-  const contact = equal(keys.contact, knowledge.default.contact)
-    ? ""
-    : `    contact=${call("contact", keys.contact)},\n`;
-  return [
-    "import hophoop as hh\n\n",
-    "motion = hh.simulate(\n",
-    `    ${call("hoop", keys.hoop)},\n`,
-    `    ${call("plane", keys.plane)},\n`,
-    `    ${call("start", keys.start)},\n`,
-    `    duration=${argument("duration", keys.duration)},\n`,
-    contact,
-    ")\n",
-    "print(motion.sequence, motion.status)\n",
-    "for event in motion.events:\n",
-    '    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")\n',
-  ].join("");
+  const { duration, contact, ...sections } = toDict(checked);
+  const calls = Object.entries(sections).map(([name, keys]) => sectionCall(name, keys));
+  if (!equal(contact, knowledge.default.contact)) calls.push(`contact=${sectionCall("contact", contact)}`);
+  calls.splice(3, 0, `duration=${floatText(duration)}`);
+  return `import hophoop as hh
+
+motion = hh.simulate(
+${calls.map((line) => `    ${line},\n`).join("")})
+print(motion.sequence, motion.status)
+for event in motion.events:
+    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
+`;
 }
 
-function call(section: string, { parts, ...keys }: Record<string, any>) {
+function sectionCall(section: string, { parts, ...keys }: Record<string, any>) {
   const rolling = section === "start" && "speed" in keys;
   const name = rolling ? "Start.rolling" : (CLASSES[section] ?? (keys.model === "rigid" ? "Rigid" : "Compliant"));
   const usual = rolling ? { angle: 0, x: 0 } : usualKeys(section, keys.model);
-  const found = Object.entries(keys)
-    .filter(([key, value]) => USED.includes(key) || (usual as any)[key] !== value)
-    .map(([key, value]) => `${key}=${argument(key, value)}`);
-  if (parts) found.push(`parts=[${parts.map(partCall).join(", ")}]`);
-  return `hh.${name}(${found.join(", ")})`;
+  const told = Object.entries(keys).filter(([key, value]) => USED.includes(key) || (usual as any)[key] !== value);
+  const more = parts ? [`parts=[${parts.map(partCall).join(", ")}]`] : [];
+  return `hh.${name}(${[...told.map(argument), ...more].join(", ")})`;
 }
 
-function partCall({ shape, ...keys }: Record<string, any>) {
-  const found = Object.entries(keys).map(([key, value]) => `${key}=${argument(key, value)}`);
-  return `hh.${knowledge.parts[shape]}(${found.join(", ")})`;
-}
+const partCall = ({ shape, ...keys }: Record<string, any>) =>
+  `hh.${knowledge.parts[shape]}(${Object.entries(keys).map(argument).join(", ")})`;
 
-function argument(key: string, value: any) {
-  if (value === "inf") return 'float("inf")';
-  return typeof value === "string" ? pythonText(value) : writtenValue(key, value);
-}
+const argument = ([key, value]: [string, any]) => `${key}=${value === "inf" ? 'float("inf")' : valueText(key, value)}`;

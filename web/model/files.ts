@@ -2,7 +2,7 @@
 
 import { resultOf } from "./header.ts";
 import { tables } from "./tables.ts";
-import { floatText } from "./text.ts";
+import { numberText } from "./text.ts";
 
 const { rate, variables } = tables.table;
 const { letters } = tables.words;
@@ -26,8 +26,8 @@ export function tableText(times: Float64Array, samples: Samples) {
   const columns: Samples = { ...samples, total: Float64Array.from(kinetic, (energy, k) => energy + potential[k]) };
   const lines = [["t [s]", ...heads].join(",")];
   for (const [k, t] of times.entries()) {
-    const row = names.map((name) => (name === "mode" ? letters[columns.mode[k]] : floatText(columns[name][k])));
-    lines.push([floatText(t), ...row].join(","));
+    const row = names.map((name) => (name === "mode" ? letters[columns.mode[k]] : numberText(columns[name][k])));
+    lines.push([numberText(t), ...row].join(","));
   }
   return `${lines.join("\r\n")}\r\n`;
 }

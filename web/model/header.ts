@@ -7,25 +7,14 @@ import { story, summary } from "./words.ts";
 
 const MOST_EVENTS = 2000;
 
-const written = (value: number | null) => (value === Infinity ? "inf" : value);
-
 /**
  * The motion as the JSON of the file format, as Python's `Trajectory.to_dict`, but without a fingerprint where
  * doubles do not decide. `checked`: that it was computed for.
  */
 export function resultOf(checked: Checked, { status, sequence, fingerprint, events, final, energy }: ComputedMotion) {
   const { schema, setup } = tables;
-  return {
-    schema,
-    version: setup.version,
-    scenario: toDict(checked),
-    status,
-    sequence,
-    fingerprint,
-    events,
-    final,
-    energy,
-  };
+  const scenario = toDict(checked);
+  return { schema, version: setup.version, scenario, status, sequence, fingerprint, events, final, energy };
 }
 
 /** `checked`: what it is shown as; `omega`: how the hoop turns halfway from an event to the next. */
@@ -52,25 +41,19 @@ export function headerOf(
 }
 
 /** Numbers as the sliders show them, whichever way the scenario is given. */
-function valuesOf(checked: Checked): Record<string, any> {
-  const { speed } = checked.start;
-  const sections = {
-    ...checked,
-    start: { ...stateOf(checked.start, checked.hoop.radius), speed },
-  } as any;
-  const value = (path: string) => {
+function valuesOf({ hoop, plane, start }: Checked): Record<string, any> {
+  const sections = { hoop, plane, start: { ...stateOf(start, hoop.radius), speed: start.speed } } as any;
+  const values = tables.shown.map((path: string) => {
     const [section, name] = path.split(".");
-    return written(sections[section][name]);
-  };
-  return Object.fromEntries(tables.shown.map((path: string) => [path, value(path)]));
+    const value = sections[section][name];
+    return [path, value === Infinity ? "inf" : value];
+  });
+  return Object.fromEntries(values);
 }
 
 function automatic(checked: Checked, mechanics: Mechanics): Record<string, number> {
-  if (checked.contact.model === "rigid" || !mechanics.compliance) return {};
-  const { stiffness, slip_speed } = mechanics.compliance(given(checked)).automatic;
-  return {
-    "contact.stiffness": stiffness,
-    "contact.slip_speed": slip_speed,
-    "contact.restitution": checked.plane.restitution,
-  };
+  if (checked.contact.model === "rigid") return {};
+  const { stiffness, slip_speed } = mechanics.chosen(given(checked));
+  const { restitution } = checked.plane;
+  return { "contact.stiffness": stiffness, "contact.slip_speed": slip_speed, "contact.restitution": restitution };
 }

@@ -107,6 +107,5 @@ export const middles = ({ from, to, cells }: Axis) =>
 
 /** Whether a number of a scenario may have a value, by itself. */
 function mayHold(path: string, value: number) {
-  const range = allowed[path.startsWith("plane.mu") ? "plane.mu" : path];
-  return !range || holds(range, value);
+  return !allowed[path] || holds(allowed[path], value);
 }

@@ -1,15 +1,14 @@
 // The query of a link, read and written.
 
 import { InputError, say } from "./check.ts";
-import { tables } from "./tables.ts";
-import { floatOf, floatText } from "./text.ts";
+import { numberOf, numberText } from "./text.ts";
 
 const MOST_FIELDS = 1000;
 
-/** The nested keys of a query; every number in it is one with a point. */
+/** The nested keys of a query. */
 export function readQuery(query: string): Record<string, any> {
-  const text = query.startsWith("?") ? query.slice(1) : query;
-  if (text && text.split("&").length > MOST_FIELDS) {
+  const text = query.replace(/^\?/, "");
+  if (text.split("&").length > MOST_FIELDS) {
     throw new InputError(say("unreadable_query", { reason: "Max number of fields exceeded" }));
   }
   const data: Map<string, any> = new Map();
@@ -21,12 +20,11 @@ export function readQuery(query: string): Record<string, any> {
     for (const step of steps) {
       if (!node.has(step)) node.set(step, new Map());
       node = node.get(step);
-      if (!(node instanceof Map)) {
-        throw new InputError(say("value_above", { path, above: path.slice(0, path.lastIndexOf(".")) }));
-      }
+      if (!(node instanceof Map))
+        throw new InputError(say("value_above", { path, above: path.replace(/\.[^.]*$/, "") }));
     }
     if (node.has(last)) throw new InputError(say("given_twice", { path }));
-    node.set(last, floatOf(value) ?? value);
+    node.set(last, numberOf(value) ?? value);
   }
   const hoop = data.get("hoop");
   const parts = hoop instanceof Map && hoop.get("parts");
@@ -36,10 +34,8 @@ export function readQuery(query: string): Record<string, any> {
 
 function numbered(parts: Map<string, any>) {
   const names = Array.from({ length: parts.size }, (_, index) => String(index));
-  const known = new Set(names);
-  for (const name of parts.keys()) {
-    if (!known.has(name)) throw new InputError(say("parts_out_of_order", { name }));
-  }
+  const other = [...parts.keys()].find((name) => !names.includes(name));
+  if (other !== undefined) throw new InputError(say("parts_out_of_order", { name: other }));
   return names.map((name) => parts.get(name));
 }
 
@@ -50,30 +46,10 @@ function plainOf(node: any): any {
 }
 
 /** `plane.mu=0.5&start.speed=3.1`, in the order of the keys. */
-export function queryText(data: Record<string, any>) {
-  return leaves(data, "")
-    .map(([path, value]) => `${path}=${valueText(path, value)}`)
+export function queryText(node: any, path = ""): string {
+  if (typeof node === "string") return `${path}=${node}`;
+  if (typeof node === "number") return `${path}=${numberText(node).replace("e+", "e")}`;
+  return Object.entries(node)
+    .map(([key, child]) => queryText(child, path ? `${path}.${key}` : key))
     .join("&");
 }
-
-function leaves(node: any, path: string): [string, any][] {
-  if (node === null || typeof node !== "object") return [[path, node]];
-  return Object.entries(node).flatMap(([key, child]) => leaves(child, path ? `${path}.${key}` : key));
-}
-
-function valueText(path: string, value: any) {
-  return writtenValue(path, value).replace("e+", "e").replace(/\.0$/, "");
-}
-
-/** A value of a scenario as Python writes it: whole numbers without a point. */
-export function writtenValue(path: string, value: any) {
-  if (typeof value === "string") return value;
-  return WHOLE.has(path.slice(path.lastIndexOf(".") + 1)) ? String(value) : floatText(value);
-}
-
-/** Names of the fields that are whole numbers. */
-const WHOLE: Set<string> = new Set(
-  Object.values<any>(tables.scenario.models).flatMap(({ fields }) =>
-    Object.keys(fields).filter((name) => fields[name].kind === "whole"),
-  ),
-);

@@ -10,4 +10,6 @@ import hophoop as hh
 motion = hh.simulate(hh.Scenario(duration=2.0))
 look = hh.animate.Look(size=(960, 480), panels=("velocity", "energy", "phase"))
 with hh.animate.bar("film") as progress:
-    path = hh.animate.film(motion, "panels.mp4", hh.animate.Timing(fps=20), look, progress)
+    path = hh.animate.film(
+        motion, "panels.mp4", hh.animate.Timing(fps=20), look, progress
+    )

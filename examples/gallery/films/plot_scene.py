@@ -1,8 +1,9 @@
 """
-A page that turns
-=================
+An interactive 3D page
+======================
 
-A page of its own that plays in any browser, without the network: drag to turn, space to play.
+A page of its own that plays in any browser, without the network: drag to turn,
+space to play.
 """
 
 import hophoop as hh

@@ -1,10 +1,12 @@
 """
-Axes that are not even
-======================
+Logarithmic and logit axes
+==========================
 
-Logarithmic axes show little friction, and a logit axis loads with hardly any ring. ``words_of`` turns the codes of a map into
-words.
+Logarithmic axes show little friction, and a logit axis loads with hardly any ring.
+``words_of`` turns the codes of a map into words.
 """
+
+import matplotlib.pyplot as plt
 
 import hophoop as hh
 
@@ -20,3 +22,4 @@ ax = hh.plots.motion_map(dataset, names=False, painleve=False)
 ax.set_yscale("logit")
 ax.set_yticks([0.1, 0.5, 0.9, 0.99, 0.999], ["0.1", "0.5", "0.9", "0.99", "0.999"])
 ax.set_yticks([], minor=True)
+plt.show()

@@ -98,11 +98,17 @@ def score(recording: Recording, truth: Truth) -> tuple[Scores, Measures]:
     Raises
     ------
     ValueError
-        If the record is invalid or too short.
+        If the record is invalid or too short, or holds the height of the centre instead of the gap.
     """
     task, right = truth.task, truth.measures
     states = thin(recording.states)
     t = states.t
+    # an engine that starts 100 mm off is scored, one that starts a radius too high means the centre
+    if abs(states.y[0] - task.height - task.radius) < 0.1 * task.radius:
+        raise InputError(
+            f"the record begins at y = {states.y[0]:.6g} m, the height of the centre; y must be the gap between rim and plane: "
+            f"subtract the radius, {task.radius:g} m."
+        )
     step = float(np.median(np.diff(t)))
     if t[-1] < task.duration - 2.0 * step - 1e-9:
         raise InputError(f"the record ends at {t[-1]:.6g} s; the motion {task.name!r} lasts {task.duration:.6g} s.")

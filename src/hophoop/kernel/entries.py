@@ -68,6 +68,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.maps.grid.kernel.evaluate_block": (
             TABLE, int, int, MapRequest, EVENTS, MapResults,
         ),
+        "hophoop.kernel.records.refusal.mark_refused": (TABLE,),
         _THEORY + "critical.hop_speed": (Body, float),
     },
     "compliant": {

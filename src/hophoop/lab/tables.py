@@ -19,31 +19,29 @@ from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.records.layout import CELL
+from hophoop.kernel.records.refusal import Refusal
 from hophoop.lab import typescript
-from hophoop.lab.calls import CALLS
 from hophoop.lab.controls import GRAVITIES
 from hophoop.lab.files import SAMPLES_PER_SECOND
 from hophoop.lab.film import SHOWN
 from hophoop.lab.limits import USUAL
-from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
+from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
 from hophoop.lab.presets import GROUPS, presets
-from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
-from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
+from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.models import LEFT_OUT
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
-from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside
+from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside
+from hophoop.scenario.rules import RULES, Rule
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
-from hophoop.vocabulary.laws import LAWS
-from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
+from hophoop.vocabulary.parameters import TABLE, Range
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
 from hophoop.vocabulary.statuses import STATUSES
@@ -90,13 +88,10 @@ def tables() -> dict[str, Any]:
         }
         | {"other": colors.GRAY},
         "map": {
-            "cell": CELL,
-            "laws": {name: law.code for name, law in LAWS.items()},
             "events": MAP_EVENTS,
             "flight_turns": FLIGHT_TURNS,
-            # values that a cell may have, and those that are no numbers
+            # values that a cell may have
             "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
-            "words": [path for path in paths() if parameter(path).unit == ""],
             # the columns of a cell that change by as much as a parameter of which a motion has derivatives
             "rates": {row.path: row.column for row in TABLE if row.derivative and row.column},
             "quantities": {
@@ -106,9 +101,6 @@ def tables() -> dict[str, Any]:
         },
         "lab": LAB,
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
-        # options of each call
-        "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
-        "regions": {"widest": WIDEST, "usual": list(RegionsRequest.model_fields["window"].default)},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         "shown": SHOWN,
     }
@@ -166,23 +158,16 @@ def _scenario() -> dict[str, Any]:
         "start": [Start],
         "contact": [Rigid, Compliant],
     }
-    described = (Scenario, Hoop, Plane, Start, Rigid, Compliant, *_PARTS, Axis)
-    checked_later = ("hoop.mass", "hoop.inertia_ratio", "plane.slope")  # by the models themselves
+    described = (Scenario, Hoop, Plane, Start, Rigid, Compliant, *_PARTS)
     return {
         "sections": {name: [model.__name__ for model in models] for name, models in sections.items()},
         "models": {model.__name__: {"place": model.place, "fields": _fields(model)} for model in described},
         "parts": {_fields(model)["shape"]["default"]: model.__name__ for model in _PARTS},
-        "paths": paths(),
         "ends": ENDS,
         # keys of the plane that are not written where they have their default
         "left_out": LEFT_OUT,
-        "ranges": {path: _range(RANGES[path], PARAMETERS[path].unit) for path in checked_later},
-        "relative": {
-            "stiffness": {**_range(RELATIVE_STIFFNESS), "of": "m g/R"},
-            "tangential_stiffness": {**_range(RELATIVE_STIFFNESS), "of": "m g/R"},
-            "slip_speed": {**_range(RELATIVE_SLIP_SPEED), "of": "√(g R)"},
-        },
-        "most_depth": MOST_DEPTH,
+        # by the codes of the kernel's refusals
+        "rules": [_rule(RULES[code]) if code in RULES else None for code in Refusal],
         "touch": TOUCH,
         "default": _written(Scenario().to_dict()),
     }
@@ -205,8 +190,6 @@ def _field(field: FieldInfo) -> dict[str, Any]:
     for item in metadata:
         if isinstance(item, BeforeValidator) and item.func in _KINDS:
             made["kind"] = _KINDS[item.func]
-        elif isinstance(item, AfterValidator) and item.func is number_path:
-            made["kind"] = "number_path"
         elif isinstance(item, AfterValidator) and isinstance(inside := getattr(item.func, "__self__", None), Inside):
             made["range"] = _range(inside.allowed, inside.unit)
         else:
@@ -235,6 +218,15 @@ def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], 
             (annotation,) = (one for one in get_args(annotation) if one is not type(None))
         else:
             return annotation, metadata, nullable
+
+
+def _rule(rule: Rule) -> dict[str, Any]:
+    """Return a rule; a range in its sentence is given by its ends."""
+    ranges = [*((RANGES[row.path], row.unit) for row in TABLE if row.path in RANGES), (RELATIVE_STIFFNESS, "")]
+    ranges.append((RELATIVE_SLIP_SPEED, ""))
+    spoken = {allowed.words(unit): _range(allowed, unit) for allowed, unit in ranges}
+    known = {name: spoken.get(value, value) if name == "words" else value for name, value in rule.known.items()}
+    return dict(_written({**rule._asdict(), "known": known}))
 
 
 def _range(allowed: Range, unit: str = "") -> dict[str, Any]:

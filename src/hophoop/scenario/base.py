@@ -11,7 +11,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 from pydantic_core import PydanticCustomError
 
 from hophoop._support.errors import plain, shortened
-from hophoop.scenario.sentences import refusal
+from hophoop.scenario.sentences import input_error
 from hophoop.scenario.texts import TEXTS, say
 
 
@@ -37,7 +37,7 @@ class Frozen(BaseModel):
         try:
             super().__init__(**values)
         except ValidationError as error:
-            raise refusal(error) from None
+            raise input_error(error) from None
 
     @model_validator(mode="before")
     @classmethod

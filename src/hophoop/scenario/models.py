@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from types import SimpleNamespace
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from pydantic import Discriminator, Tag, model_validator
 
 from hophoop.kernel.physics.mass import ideal_inertia
+from hophoop.kernel.records.refusal import hoop_refusal, plane_refusal
 from hophoop.scenario.base import (
     Count,
     Fraction,
@@ -22,6 +24,7 @@ from hophoop.scenario.base import (
 )
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
 from hophoop.scenario.ranges import RANGES, field_of, inside, schema_of
+from hophoop.scenario.rules import refused
 from hophoop.scenario.texts import say
 from hophoop.vocabulary.parameters import TABLE
 
@@ -102,9 +105,9 @@ class Hoop(Frozen):
         elif len(given) == 1:
             missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
             raise refuse(say("half_a_hoop", missing=missing, given=given[0]))
-        _check_derived(self)
-        if self.inertia_ratio == 0.0 and self.eccentricity != 1.0:
-            raise refuse(say("massless_eccentricity", eccentricity=self.eccentricity))
+        code = hoop_refusal(self.mass, self.eccentricity, self.inertia_ratio, self.load_fraction is not None)
+        if code:
+            raise refused(code, SimpleNamespace(hoop=self))
         return self
 
     def _written(self) -> Iterable[str]:
@@ -185,16 +188,6 @@ class Hoop(Frozen):
         return self.inertia_ratio * self.mass * (self.radius * self.radius)
 
 
-def _check_derived(hoop: Hoop) -> None:
-    # values that were not given themselves: the mass of the parts, the inertia of an ideal hoop
-    if not RANGES["hoop.mass"].holds(hoop.mass):
-        raise refuse(say("hoop_mass", mass=hoop.mass, words=RANGES["hoop.mass"].words("kg")))
-    if not RANGES["hoop.inertia_ratio"].holds(hoop.inertia_ratio):
-        text = "parts_inertia" if hoop.parts is not None else "load_inertia"
-        given = {"load_fraction": hoop.load_fraction, "inertia_ratio": hoop.inertia_ratio}
-        raise refuse(say(text, **given, words=RANGES["hoop.inertia_ratio"].words()))
-
-
 _HOOP_WAYS = ("load_fraction", "eccentricity", "inertia_ratio")
 
 
@@ -252,12 +245,9 @@ class Plane(Frozen):
             self._settle(mu_static=self.mu, mu_kinetic=self.mu)
         elif self.mu_static == self.mu_kinetic:
             self._settle(mu=self.mu_static)
-        if self.mu_kinetic > self.mu_static:
-            raise refuse(say("kinetic_above_static", mu_kinetic=self.mu_kinetic, mu_static=self.mu_static))
-        if not abs(self.slope) < 0.5 * math.pi:
-            raise refuse(say("vertical", slope=self.slope))
-        if not RANGES["plane.slope"].holds(self.slope):
-            raise refuse(say("slope", slope=self.slope, words=RANGES["plane.slope"].words("rad")))
+        code = plane_refusal(self.mu_static, self.mu_kinetic, self.slope)
+        if code:
+            raise refused(code, SimpleNamespace(plane=self))
         return self
 
     def _written(self) -> Iterable[str]:

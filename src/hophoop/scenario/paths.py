@@ -11,7 +11,7 @@ from hophoop._support.errors import InputError
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
-from hophoop.scenario.sentences import refusal
+from hophoop.scenario.sentences import input_error
 from hophoop.scenario.texts import say
 
 if TYPE_CHECKING:
@@ -212,7 +212,7 @@ def _validated(model: type[_Model], value: Any) -> _Model:
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        raise refusal(error) from None
+        raise input_error(error) from None
 
 
 def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from pydantic import AfterValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from hophoop.kernel.physics.ranges import SLIP_SPEED, STIFFNESS
 from hophoop.scenario.base import quantity
 from hophoop.scenario.texts import TEXTS
 from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
@@ -23,11 +24,8 @@ RANGES: dict[str, Range] = {
 }
 """By path in a scenario."""
 
-# Ranges of a compliant contact relative to its hoop: stiffness in m g/R, slip speed in √(g R), and the depth in radii from the
-# weight and the speeds of the start. A rim that sinks deeper has no contact with a plane in any physical sense.
-RELATIVE_STIFFNESS = Range(1e-2, 1e15)
-RELATIVE_SLIP_SPEED = Range(1e-12, 1e6)
-MOST_DEPTH = 100.0
+RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED = Range(*STIFFNESS), Range(*SLIP_SPEED)
+"""Of a compliant contact, relative to its hoop."""
 
 
 class Inside(NamedTuple):

@@ -14,15 +14,16 @@ from pydantic import Field, ValidationError, model_validator
 from hophoop._support.errors import InputError
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.compliant import STIFFNESS, sinking
-from hophoop.kernel.physics.resistance import most_resistance
-from hophoop.scenario.base import Frozen, Positive, refuse
+from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
+from hophoop.kernel.records.layout import CONTACT
+from hophoop.kernel.records.refusal import refusal
+from hophoop.scenario.base import Frozen, Positive
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
-from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, field_of, inside, schema_of
-from hophoop.scenario.sentences import refusal
-from hophoop.scenario.texts import say
+from hophoop.scenario.ranges import field_of, inside, schema_of
+from hophoop.scenario.rules import refused
+from hophoop.scenario.sentences import input_error
 from hophoop.vocabulary.laws import LAWS
 from hophoop.vocabulary.parameters import TABLE, section_of
 
@@ -66,16 +67,9 @@ class Scenario(Frozen):
 
     @model_validator(mode="after")
     def _fitting(self) -> Scenario:
-        compliant = isinstance(self.contact, Compliant)
-        if self.hoop.massless and self.plane.slope != 0.0:
-            raise refuse(say("massless_slope", slope=self.plane.slope))
-        _check_resistance(self.hoop, self.plane)
-        if self.hoop.massless and compliant:
-            raise refuse(say("massless_compliant"))
-        if compliant and self.plane.mu_static == math.inf:
-            raise refuse(say("compliant_friction"))
-        if isinstance(self.contact, Compliant):
-            _check_compliance(self, self.contact)
+        code, number = refusal(cell_of(self), contact_of(self.contact))
+        if code:
+            raise refused(code, self, number)
         return self
 
     @classmethod
@@ -150,7 +144,7 @@ class Scenario(Frozen):
         try:
             return cls.model_validate(keys)
         except ValidationError as error:
-            raise refusal(error) from None
+            raise input_error(error) from None
 
     def save(self, path: str | Path) -> None:
         """Write a scenario file that `load` reads back as an equal scenario.
@@ -293,42 +287,6 @@ class Scenario(Frozen):
         return to_body(self.hoop, self.plane)
 
 
-def _check_resistance(hoop: Hoop, plane: Plane) -> None:
-    """Refuse a rolling resistance with which the rolling of this hoop would not have one answer at every angle."""
-    given = plane.rolling_resistance
-    if given == 0.0:
-        return
-    if hoop.massless:
-        raise refuse(say("massless_resistance", given=given))
-    most = most_resistance(hoop.eccentricity, hoop.inertia_ratio)
-    if not given < most:
-        raise refuse(say("resistance", given=given, most=most))
-
-
-def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
-    """Refuse a spring that is too soft or too stiff for this hoop or its start."""
-    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
-    second = time_unit(hoop, plane)
-    stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED
-    # in the order of operations of `compliant.parameters.compliance_of` and `module.compliant.compliance`
-    for name, factor, size, allowed, what in (
-        ("stiffness", second * second, hoop.mass, stiffness, "m g/R"),
-        ("tangential_stiffness", second * second, hoop.mass, stiffness, "m g/R"),
-        ("slip_speed", second, hoop.radius, slip, "√(g R)"),
-    ):
-        value = getattr(contact, name)
-        ratio = math.nan if value is None else value * factor / size
-        if value is not None and not allowed.holds(ratio):
-            raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
-    k = STIFFNESS if contact.stiffness is None else contact.stiffness * (second * second) / hoop.mass
-    given = start.state(hoop)
-    unit, omega = hoop.radius / second, given.omega * second
-    speed = abs(given.slip / unit + omega) + abs(given.vy / unit) + abs(omega)
-    depth = sinking(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
-    if depth > MOST_DEPTH:
-        raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))
-
-
 def to_body(hoop: Hoop, plane: Plane) -> Body:
     """Hoop and plane as the kernels take them.
 
@@ -379,6 +337,25 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
         LAWS[plane.impact_law].code, plane.painleve == "impact",
         start.x, start.height, start.angle, start.vy, start.omega, start.slip, hoop.load_fraction is not None, True,
     )  # fmt: skip
+
+
+def contact_of(contact: Rigid | Compliant) -> tuple[float, ...]:
+    """A contact as the kernels take it.
+
+    Parameters
+    ----------
+    contact : Rigid or Compliant
+
+    Returns
+    -------
+    numbers : tuple of float
+        In the order of `kernel.records.layout.CONTACT` [SI], nan where it has none; empty for a rigid contact.
+    """
+    if isinstance(contact, Rigid):
+        return ()
+    law, friction = NormalLaw[contact.law.upper().replace("-", "_")], FrictionLaw[contact.friction.upper()]
+    given = (getattr(contact, name) for name in CONTACT[2:])
+    return int(law), int(friction), *(math.nan if value is None else value for value in given)
 
 
 def _numbers(section: str) -> attrgetter[tuple[float, ...]]:

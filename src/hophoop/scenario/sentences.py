@@ -80,10 +80,10 @@ def sentence(error: BaseException) -> str:
     if not isinstance(error, ValidationError):
         # KeyError and the like show their argument only; a name says more than nothing.
         return str(error) or type(error).__name__
-    return str(refusal(error))
+    return str(input_error(error))
 
 
-def refusal(error: ValidationError) -> InputError:
+def input_error(error: ValidationError) -> InputError:
     """The `InputError` for what pydantic found.
 
     Parameters

@@ -30,11 +30,11 @@ from hophoop.kernel.compliant.sampling import COLUMNS, sample
 from hophoop.kernel.compliant.tableau import STAGES
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Body, Mode, Status
-from hophoop.kernel.physics.compliant import Compliance, FrictionLaw, NormalLaw
+from hophoop.kernel.physics.compliant import Compliance
 from hophoop.kernel.records.layout import EVENT
 from hophoop.kernel.records.layout import SEGMENT as RIGID_SEGMENT
 from hophoop.scenario import Compliant, Scenario
-from hophoop.scenario.scenario import time_unit, to_body
+from hophoop.scenario.scenario import contact_of, time_unit, to_body
 
 EVENT_LIMIT = int(Status.EVENT_LIMIT)
 FIRST_EVENTS = 256
@@ -112,15 +112,9 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
     assert isinstance(contact, Compliant)
     second = time_unit(hoop, plane)
     body = to_body(hoop, plane)
-    law = int(NormalLaw[contact.law.upper().replace("-", "_")])
-    friction = int(FrictionLaw[contact.friction.upper()])
-    given = [
-        math.nan if value is None else value
-        for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
-    ]
-    compliance: Compliance = compliance_of(body, hoop.radius, second, hoop.mass, law, friction, *given)
-    rtol = RTOL if contact.rtol is None else contact.rtol
-    return body, compliance, scenario.duration / second, rtol
+    law, friction, *given, rtol = contact_of(contact)
+    compliance: Compliance = compliance_of(body, hoop.radius, second, hoop.mass, int(law), int(friction), *given)
+    return body, compliance, scenario.duration / second, RTOL if math.isnan(rtol) else rtol
 
 
 def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarray, bool]:

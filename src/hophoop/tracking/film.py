@@ -21,6 +21,8 @@ from hophoop.tracking.video import count, pictures, sample_pictures
 
 Floats = NDArray[np.float64]
 
+LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
+MOSTLY = 0.5  # minimum share of the frames in which a marker is visible
 LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
 
 
@@ -117,7 +119,9 @@ def _track_from_rows(rows: Rows, known: FilmSetup, hints: Hints, radius: float, 
         "slope": hints.slope if given else hints.level - line.angle,
         "slope_error": float("nan") if given else line.angle_error,
     }  # fmt: skip
-    return track_of(np.array(rows.t), columns, state, notes=_notes(rows, state, known, line, hints), **others)
+    doubts = () if known.marker is None else _doubts(columns["x"] / radius, columns["angle"])
+    notes = (*doubts, *_notes(rows, state, known, line, hints))
+    return track_of(np.array(rows.t), columns, state, notes=notes, **others)
 
 
 def _rotate_variances(covariance: Floats, turn: Floats) -> Floats:
@@ -166,6 +170,22 @@ def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -
         scatter.append(spread(third) * float(np.median(known)))
     least = np.sqrt(np.maximum(0.5 * (covariance[:, 0] + covariance[:, 2]), LEAST_ERROR**2))
     return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
+
+
+def _doubts(x: Floats, angle: Floats) -> tuple[str, ...]:
+    """Reasons to doubt that the patch taken for the marker turns with the hoop, from positions in radii and angles."""
+    there, marked = int(np.isfinite(x).sum()), np.isfinite(angle)
+    advice = "Look at the overlay, and give the marker's colour (--marker) or use --marker none."
+    if marked.any():
+        distance, turned = float(np.ptp(x[marked])), float(np.ptp(angle[marked]))
+        if distance > 1.0 and turned < LEAST_TURN * distance:
+            return (
+                f"Doubtful: the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by "
+                f"{turned:.2f} rad. {advice}",
+            )
+    if marked.sum() < MOSTLY * there:
+        return (f"Doubtful: the marker is visible in only {int(marked.sum())} of {there} frames with the hoop. {advice}",)
+    return ()
 
 
 def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: Hints) -> tuple[str, ...]:

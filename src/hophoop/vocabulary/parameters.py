@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
+from hophoop.kernel.physics.ranges import INERTIA_RATIO, MASS, SLOPE
 from hophoop.vocabulary.laws import LATEST_FIRST, LAWS, NAMED
 
 WORD: Final = ""
@@ -125,8 +126,9 @@ TABLE: Final = (
         Slider(0.0, 1.0, 0.01), Axis(0.05, 0.95), "Eccentricity ε", "eccentricity", derivative=True,
     ),
     Parameter(
-        "hoop.inertia_ratio", "Moment of inertia about the centre of gravity over m R²", "1", 0.4375, Range(1e-12, 1e6, (0.0,)),
-        "Inertia ratio", "κ", (Option("--inertia-ratio", "Moment of inertia about G over m R², κ."),),
+        "hoop.inertia_ratio", "Moment of inertia about the centre of gravity over m R²", "1", 0.4375,
+        Range(*INERTIA_RATIO, (0.0,)), "Inertia ratio", "κ",
+        (Option("--inertia-ratio", "Moment of inertia about G over m R², κ."),),
         Slider(0.01, 1.0, 0.01), Axis(0.05, 1.0), "Inertia ratio κ", "inertia_ratio", derivative=True,
     ),
     Parameter(
@@ -134,7 +136,7 @@ TABLE: Final = (
         Slider(0.05, 3.0, 0.05), Axis(0.1, 2.0), column="radius", derivative=True,
     ),
     Parameter(
-        "hoop.mass", "Total mass", "kg", 1.0, Range(1e-12, 1e12), "Mass", "m", (Option("--mass", "Total mass, kg."),),
+        "hoop.mass", "Total mass", "kg", 1.0, Range(*MASS), "Mass", "m", (Option("--mass", "Total mass, kg."),),
         Slider(0.1, 10.0, 0.1), column="mass", derivative=True,
     ),
     Parameter(
@@ -153,7 +155,7 @@ TABLE: Final = (
         Slider(0.0, 1.5, 0.01), None, r"Kinetic friction $\mu_k$", "mu_kinetic", derivative=True,
     ),
     Parameter(
-        "plane.slope", "Slope of the plane, downhill along +x", "rad", 0.0, Range(-1.57, 1.57),
+        "plane.slope", "Slope of the plane, downhill along +x", "rad", 0.0, Range(*SLOPE),
         "Slope", "β",
         (Option("--slope", "Slope, downhill ahead, rad."), Option("--slope-deg", "The same in degrees.", True)),
         Slider(-30.0, 30.0, 0.5), Axis(-0.35, 0.35), "Slope β", "slope", derivative=True, degrees=True,

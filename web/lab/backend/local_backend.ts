@@ -35,7 +35,7 @@ export class LocalBackend implements Backend {
   async call(name: string, body: any, signal?: AbortSignal): Promise<Reply> {
     signal?.throwIfAborted();
     if (name === "setup") return { header: model.tables.setup, arrays: {} };
-    const { checked, ...options } = model.requested(name, body, this.mechanics);
+    const { checked, ...options } = model.requested(body, this.mechanics);
     if (name === "film") return this.film(checked, signal);
     if (name === "samples") {
       const given = model.given(model.within(checked));

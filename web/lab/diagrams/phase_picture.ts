@@ -1,5 +1,6 @@
 // What the plane of angle and rate is drawn of: the regions of modes, Painlevé's paradox, the axes.
 
+import { tables } from "../../model/tables.ts";
 import { faded, parsed } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { niceStep, tickText, ticks } from "../common/numbers.ts";
@@ -7,7 +8,7 @@ import { LEFT, RIGHT, TOP } from "./plot_axes.ts";
 import { t } from "../words/words.ts";
 import type { PhasePlane } from "./phase.ts";
 
-const LETTERS = "RSKHM?";
+const { letters } = tables.words;
 
 /** `codes`: by rows; `colors`: of the modes. */
 export function pictureOf(codes: Column, columns: number, colors: Record<string, string>) {
@@ -16,7 +17,7 @@ export function pictureOf(codes: Column, columns: number, colors: Record<string,
   const image = new ImageData(columns, rows);
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {
-      const letter = LETTERS[codes[row * columns + column]];
+      const letter = letters[codes[row * columns + column]]; // none where the model has no answer
       const color = parsed(colors[letter] ?? "#6E6E6E");
       const place = 4 * ((rows - 1 - row) * columns + column);
       image.data.set([...color, 255], place);

@@ -1,8 +1,9 @@
 // A computed motion: what Python has sent, and the state at any time in it.
 
+import { tables } from "../../model/tables.ts";
 import { clamp } from "../common/numbers.ts";
 
-export const MODE_LETTERS = "RSKHM";
+export const MODE_LETTERS: string = tables.words.letters;
 
 const STEADY = new Set(["x", "angle", "height"]);
 const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks

@@ -21,6 +21,15 @@ CELL = (
     DURATION, MAX_EVENTS, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, IDEAL, ALLOWED,
 ) = range(len(CELL))  # fmt: skip
 
+# The compliant contact, in SI units; nan selects the default.
+CONTACT = (
+    "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
+)  # fmt: skip
+(
+    CONTACT_LAW, CONTACT_FRICTION, CONTACT_STIFFNESS, CONTACT_DAMPING, CONTACT_RESTITUTION, CONTACT_SLIP_SPEED,
+    CONTACT_TANGENTIAL, CONTACT_RTOL,
+) = range(len(CONTACT))  # fmt: skip
+
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
 # Low-order halves of the double-double time and position, and the angle as whole revolutions and θ within one.
 _POSITION = ["t_low", "x_low", "turns", "theta", "theta_low"]

@@ -1,14 +1,14 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources eeec4168db5d45a2b63af4a94e74dadf */
-var Fl=Object.create;var lo=Object.defineProperty;var Dl=Object.getOwnPropertyDescriptor;var jl=Object.getOwnPropertyNames;var Hl=Object.getPrototypeOf,$l=Object.prototype.hasOwnProperty;var Bl=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Wl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of jl(e))!$l.call(n,i)&&i!==t&&lo(n,i,{get:()=>e[i],enumerable:!(s=Dl(e,i))||s.enumerable});
-return n};var Gl=(n,e,t)=>(t=n!=null?Fl(Hl(n)):{},Wl(e||!n||!n.__esModule?lo(t,"default",{value:n,enumerable:!0}):t,n));var Ga=Bl(Fn=>{"use strict";Object.defineProperty(Fn,"__esModule",{value:!0});function $a(n){return!n||typeof n=="string"?n:n+""}var Js=class{async svg2canvas(e,t,s){
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources fad5e9ef08d179e90e555cdab9da787f */
+var sl=Object.create;var Gi=Object.defineProperty;var il=Object.getOwnPropertyDescriptor;var ol=Object.getOwnPropertyNames;var al=Object.getPrototypeOf,rl=Object.prototype.hasOwnProperty;var ll=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var hl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of ol(e))!rl.call(n,i)&&i!==t&&Gi(n,i,{get:()=>e[i],enumerable:!(s=il(e,i))||s.enumerable});
+return n};var cl=(n,e,t)=>(t=n!=null?sl(al(n)):{},hl(e||!n||!n.__esModule?Gi(t,"default",{value:n,enumerable:!0}):t,n));var Aa=ll(Ln=>{"use strict";Object.defineProperty(Ln,"__esModule",{value:!0});function Ma(n){return!n||typeof n=="string"?n:n+""}var zs=class{async svg2canvas(e,t,s){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=s,o.getContext(
 "2d").drawImage(i,0,0),o}toDataURL(e,t,s,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
-c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
-r);if(i==="image/svg+xml"||!i)return a.async?Promise.resolve(u):u;if(i==="image/jpeg"||i==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
-st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(u,t,s),m=h.toDataURL(i,o);return h.remove(),m})()}throw new Error(
+c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var d="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
+r);if(i==="image/svg+xml"||!i)return a.async?Promise.resolve(d):d;if(i==="image/jpeg"||i==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
+st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(d,t,s),m=h.toDataURL(i,o);return h.remove(),m})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,s,i,o,a,r,l){if(l||(l={}),!l.async)throw new Error(
-"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,s,"image/svg+xml");return(async()=>{let u=await this.svg2canvas(c,t,s),
-m=u.getContext("2d").getImageData(i,o,a,r);return u.remove(),m})()}},Ba=new Js;var Wa=(function(){var n,e,t,s,i;function o(h,m){var p=Object.keys(m),f;for(f=0;f<
+"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,s,"image/svg+xml");return(async()=>{let d=await this.svg2canvas(c,t,s),
+m=d.getContext("2d").getImageData(i,o,a,r);return d.remove(),m})()}},Sa=new zs;var Ta=(function(){var n,e,t,s,i;function o(h,m){var p=Object.keys(m),f;for(f=0;f<
 p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),m[p[f]]);return h}function a(h){var m,p,f;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");m="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=m[Math.floor(Math.random()*m.length)];while(h[p]);
 return p}function r(h,m){var p,f,g={},b;for(h=h.split(","),m=m||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],m),g[f]="&#"+b+";";return g["\\xa0"]="&#\
@@ -33,8 +33,8 @@ stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"s
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
 abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,m){this.__root=h,this.__ctx=m},t.prototype.addColorStop=function(h,m){
-var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),$a(m).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-g=f.exec(m),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",$a(m)),this.
+var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Ma(m).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+g=f.exec(m),p.setAttribute("stop-color",o("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Ma(m)),this.
 __root.appendChild(p)},s=function(h,m){this.__root=h,this.__ctx=m},e=function(h){var m={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=m,p.
 width=arguments[0],p.height=arguments[1]):h?p=h:p=m,!(this instanceof e))return new e(p);this.width=p.width||m.width,this.height=p.height||m.height,this.enableMirroring=
 p.enableMirroring!==void 0?p.enableMirroring:m.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
@@ -50,13 +50,13 @@ w,m[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(n)
 function(h){var m=Object.keys(h),p,f;for(p=0;p<m.length;p++)f=m[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,m={},p=Object.keys(n),f;for(h=0;h<
 p.length;h++)f=p[h],m[f]=this[f];return m},e.prototype.__applyTransformation=function(h,m){let{a:p,b:f,c:g,d:b,e:w,f:y}=m||this.getTransform();h.setAttribute("t\
 ransform",`matrix(${p} ${f} ${g} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var m=this.__currentElement,p=this.__currentElementsToStyle;
-p&&(m.setAttribute(h,""),m=p.element,p.children.forEach(function($){$.setAttribute(h,"")}));var f=Object.keys(n),g,b,w,y,v,E,T,L;for(g=0;g<f.length;g++)if(b=n[f[g]],
-w=this[f[g]],b.apply){if(w instanceof s){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],E=L.getAttribute("id"),this.__ids[E]=
-E,this.__defs.appendChild(L);m.setAttribute(b.apply,o("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)m.setAttribute(b.apply,o("url(#{id}\
+p&&(m.setAttribute(h,""),m=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(n),g,b,w,y,v,_,T,L;for(g=0;g<f.length;g++)if(b=n[f[g]],
+w=this[f[g]],b.apply){if(w instanceof s){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],_=L.getAttribute("id"),this.__ids[_]=
+_,this.__defs.appendChild(L);m.setAttribute(b.apply,o("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)m.setAttribute(b.apply,o("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-v=y.exec(w),m.setAttribute(b.svgAttr,o("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var R=v[4],H=this.globalAlpha;H!=null&&(R*=H),m.setAttribute(b.svgAttr+"-opac\
-ity",R)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,m.getAttribute(A))continue}else if(f[g]==="lineWidth"){var O=this.__getTransformScale();
-w=w*Math.max(O.x,O.y)}m.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
+v=y.exec(w),m.setAttribute(b.svgAttr,o("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var R=v[4],F=this.globalAlpha;F!=null&&(R*=F),m.setAttribute(b.svgAttr+"-opac\
+ity",R)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,m.getAttribute(A))continue}else if(f[g]==="lineWidth"){var I=this.__getTransformScale();
+w=w*Math.max(I.x,I.y)}m.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
 h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var m=new XMLSerializer().serializeToString(this.__root),p,f,g,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
 y.test(m)&&(m=m.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(i),f=0;f<p.length;f++)g=p[f],b=i[g],
 w=new RegExp(g,"gi"),w.test(m)&&(m=m.replace(w,b));return m},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
@@ -74,24 +74,24 @@ this.__addPathCommand("Z")},e.prototype.lineTo=function(h,m){this.__currentPosit
 h,m).y}))},e.prototype.bezierCurveTo=function(h,m,p,f,g,b){this.__currentPosition={x:g,y:b},this.__addPathCommand(o("C {cp1x} {cp1y} {cp2x} {cp2y} {x} {y}",{cp1x:this.
 __matrixTransform(h,m).x,cp1y:this.__matrixTransform(h,m).y,cp2x:this.__matrixTransform(p,f).x,cp2y:this.__matrixTransform(p,f).y,x:this.__matrixTransform(g,b).
 x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,m,p,f){this.__currentPosition={x:p,y:f},this.__addPathCommand(o("Q {cpx} {cpy} {x}\
- {y}",{cpx:this.__matrixTransform(h,m).x,cpy:this.__matrixTransform(h,m).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var u=function(h){
+ {y}",{cpx:this.__matrixTransform(h,m).x,cpy:this.__matrixTransform(h,m).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var d=function(h){
 var m=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/m,h[1]/m]};return e.prototype.arcTo=function(h,m,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(g<0)throw new Error("IndexSizeError: The radius provided ("+g+") is nega\
-tive.");if(b===h&&w===m||h===p&&m===f||g===0){this.lineTo(h,m);return}var y=u([b-h,w-m]),v=u([p-h,f-m]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,m);return}var E=y[0]*
-v[0]+y[1]*v[1],T=Math.acos(Math.abs(E)),L=u([y[0]+v[0],y[1]+v[1]]),R=g/Math.sin(T/2),H=h+R*L[0],A=m+R*L[1],O=[-y[1],y[0]],$=[v[1],-v[0]],re=function(ao){var ro=ao[0],
-ql=ao[1];return ql>=0?Math.acos(ro):-Math.acos(ro)},je=re(O),Kt=re($);this.lineTo(H+O[0]*g,A+O[1]*g),this.arc(H,A,g,je,Kt)}},e.prototype.stroke=function(){this.
+tive.");if(b===h&&w===m||h===p&&m===f||g===0){this.lineTo(h,m);return}var y=d([b-h,w-m]),v=d([p-h,f-m]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,m);return}var _=y[0]*
+v[0]+y[1]*v[1],T=Math.acos(Math.abs(_)),L=d([y[0]+v[0],y[1]+v[1]]),R=g/Math.sin(T/2),F=h+R*L[0],A=m+R*L[1],I=[-y[1],y[0]],H=[v[1],-v[0]],oe=function($i){var Wi=$i[0],
+nl=$i[1];return nl>=0?Math.acos(Wi):-Math.acos(Wi)},De=oe(I),Ot=oe(H);this.lineTo(F+I[0]*g,A+I[1]*g),this.arc(F,A,g,De,Ot)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,m,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,m),this.lineTo(
 h+p,m),this.lineTo(h+p,m+f),this.lineTo(h,m+f),this.lineTo(h,m),this.closePath()},e.prototype.roundRect=function(h,m,p,f,g){this.__currentElement.nodeName!=="pa\
 th"&&this.beginPath();let b,w,y,v;typeof g=="number"?(b=g,w=g,y=g,v=g):[b,w,y,v]=g,this.moveTo(h+b,m),this.arcTo(h+p,m,h+p,m+f,w),this.arcTo(h+p,m+f,h,m+f,y),this.
-arcTo(h,m+f,h,m,v),this.arcTo(h,m,h+p,m,b),this.closePath()},e.prototype.fillRect=function(h,m,p,f){let{a:g,b,c:w,d:y,e:v,f:E}=this.getTransform();JSON.stringify(
-[g,b,w,y,v,E])===JSON.stringify([1,0,0,1,0,0])&&h===0&&m===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:m,
+arcTo(h,m+f,h,m,v),this.arcTo(h,m,h+p,m,b),this.closePath()},e.prototype.fillRect=function(h,m,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();JSON.stringify(
+[g,b,w,y,v,_])===JSON.stringify([1,0,0,1,0,0])&&h===0&&m===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:m,
 width:p,height:f},!0),L=this.__closestGroupOrSvg(),L.appendChild(T),this.__currentElement=T,this.__applyTransformation(T),this.__applyStyleToCurrentElement("fil\
 l")},e.prototype.strokeRect=function(h,m,p,f){var g,b;g=this.__createElement("rect",{x:h,y:m,width:p,height:f},!0),b=this.__closestGroupOrSvg(),b.appendChild(g),
 this.__currentElement=g,this.__applyTransformation(g),this.__applyStyleToCurrentElement("stroke")},e.prototype.__clearCanvas=function(){var h=this.__root.childNodes[1];
 this.__root.removeChild(h),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
-this.__groupStack=[]},e.prototype.clearRect=function(h,m,p,f){let{a:g,b,c:w,d:y,e:v,f:E}=this.getTransform();if(JSON.stringify([g,b,w,y,v,E])===JSON.stringify([
+this.__groupStack=[]},e.prototype.clearRect=function(h,m,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();if(JSON.stringify([g,b,w,y,v,_])===JSON.stringify([
 1,0,0,1,0,0])&&h===0&&m===0&&p===this.width&&f===this.height){this.__clearCanvas();return}var T,L=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
 y:m,width:p,height:f,fill:"#FFFFFF"},!0),this.__applyTransformation(T),L.appendChild(T)},e.prototype.createLinearGradient=function(h,m,p,f){var g=this.__createElement(
 "linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:m+"px",y2:f+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(g),new t(g,this)},
@@ -103,25 +103,25 @@ ine":c(this.textBaseline)},!0);if(y.appendChild(this.__document.createTextNode(h
 f),this.__fontHref){var v=this.__createElement("a");v.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",this.__fontHref),v.appendChild(y),y=v}w.appendChild(
 y)},e.prototype.fillText=function(h,m,p){this.__applyText(h,m,p,"fill")},e.prototype.strokeText=function(h,m,p){this.__applyText(h,m,p,"stroke")},e.prototype.measureText=
 function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,m,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
-(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=m+p*Math.sin(g),v=h+p*Math.cos(f),E=m+p*Math.sin(f),T=b?0:1,L=0,R=g-f;R<0&&(R+=2*Math.PI),b?L=R>
-Math.PI?0:1:L=R>Math.PI?1:0;var H=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
-this.lineTo(v,E),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*H,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
+(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=m+p*Math.sin(g),v=h+p*Math.cos(f),_=m+p*Math.sin(f),T=b?0:1,L=0,R=g-f;R<0&&(R+=2*Math.PI),b?L=R>
+Math.PI?0:1:L=R>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
+this.lineTo(v,_),this.__addPathCommand(o("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*F,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
 endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,m,p,f,g,b,w,y){if(b!==w){
-var v=this.__matrixTransform(h,m);h=v.x,m=v.y;var E=this.__getTransformScale();p=p*E.x,f=f*E.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
+var v=this.__matrixTransform(h,m);h=v.x,m=v.y;var _=this.__getTransformScale();p=p*_.x,f=f*_.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
 b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=m-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
-sin(w),R=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),H=m-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,O=0,$=w-b;$<0&&($+=2*Math.PI),
-y?O=$>Math.PI?0:1:O=$>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(R,H),this.__transformMatrix=re,this.__addPathCommand(o("A {rx}\
- {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:O,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
+sin(w),R=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=m-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,I=0,H=w-b;H<0&&(H+=2*Math.PI),
+y?I=H>Math.PI?0:1:I=H>Math.PI?1:0;var oe=this.__transformMatrix;this.resetTransform(),this.lineTo(R,F),this.__transformMatrix=oe,this.__addPathCommand(o("A {rx}\
+ {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:I,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
 {x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),m=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
 h.removeChild(this.__currentElement),m.setAttribute("id",p),m.appendChild(this.__currentElement),this.__defs.appendChild(m),h.setAttribute("clip-path",o("url(#{\
-id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),m=h[0],p,f,g,b,w=0,y=0,v,E,
-T,L,R,H,A,O,$,re;if(h.length===3)p=h[1],f=h[2],v=m.width,E=m.height,g=v,b=E;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=m.width,E=m.height;else if(h.length===
-9)w=h[1],y=h[2],v=h[3],E=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
-this.__currentElement;let je=this.getTransform().translate(p,f);if(m instanceof e){if(L=m.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(R=L.childNodes[0];R.
-childNodes.length;)re=R.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(R.childNodes[0]);H=L.childNodes[1],H&&(this.__applyTransformation(
-H,je),T.appendChild(H))}}else(m.nodeName==="CANVAS"||m.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
-A.setAttribute("preserveAspectRatio","none"),(w||y||v!==m.width||E!==m.height)&&(O=this.__document.createElement("canvas"),O.width=g,O.height=b,$=O.getContext("\
-2d"),$.drawImage(m,w,y,v,E,0,0,g,b),m=O),this.__applyTransformation(A,je),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",m.nodeName==="CANVAS"?m.toDataURL():
+id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),m=h[0],p,f,g,b,w=0,y=0,v,_,
+T,L,R,F,A,I,H,oe;if(h.length===3)p=h[1],f=h[2],v=m.width,_=m.height,g=v,b=_;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=m.width,_=m.height;else if(h.length===
+9)w=h[1],y=h[2],v=h[3],_=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
+this.__currentElement;let De=this.getTransform().translate(p,f);if(m instanceof e){if(L=m.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(R=L.childNodes[0];R.
+childNodes.length;)oe=R.childNodes[0].getAttribute("id"),this.__ids[oe]=oe,this.__defs.appendChild(R.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
+F,De),T.appendChild(F))}}else(m.nodeName==="CANVAS"||m.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
+A.setAttribute("preserveAspectRatio","none"),(w||y||v!==m.width||_!==m.height)&&(I=this.__document.createElement("canvas"),I.width=g,I.height=b,H=I.getContext("\
+2d"),H.drawImage(m,w,y,v,_,0,0,g,b),m=I),this.__applyTransformation(A,De),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",m.nodeName==="CANVAS"?m.toDataURL():
 m.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,m){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 f=a(this.__ids),g;return p.setAttribute("id",f),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(g=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),g.setAttribute("width",h.width),g.setAttribute(
@@ -135,23 +135,23 @@ multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));
 translate(h,m);this.setTransform(p)},e.prototype.transform=function(h,m,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,m,p,f,g,b]));this.setTransform(
 w)},e.prototype.__matrixTransform=function(h,m){return new DOMPoint(h,m).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,m,p,f,g){return Ba.getImageData(this.getSvg(),
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,m,p,f,g){return Sa.getImageData(this.getSvg(),
 this.width,this.height,h,m,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
-globalCompositeOperation=function(){},e})();function Oe(n){this.ctx=new Wa(n),this.svg=this.ctx.__root;var e=this.svg,t=this,s=document.createElement("div");s.style.
+globalCompositeOperation=function(){},e})();function Ce(n){this.ctx=new Ta(n),this.svg=this.ctx.__root;var e=this.svg,t=this,s=document.createElement("div");s.style.
 display="inline-block",s.appendChild(e),this.wrapper=s,Object.defineProperty(this,"className",{get:function(){return s.getAttribute("class")||""},set:function(i){
 return s.setAttribute("class",i)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(i){
 Object.defineProperty(t,i,{get:function(){return e.getAttribute(i)|0},set:function(o){if(!(isNaN(o)||typeof o>"u"))return t.ctx[i]=o,e.setAttribute(i,o),s[i]=o}})}),
 ["style","id"].forEach(function(i){Object.defineProperty(t,i,{get:function(){return s[i]},set:function(o){if(typeof o<"u")return s[i]=o}})}),["getBoundingClient\
-Rect"].forEach(function(i){t[i]=function(){return e[i]()}})}Oe.prototype.getContext=function(n){if(n!=="2d")throw new Error("Unsupported type of context for SVG\
-Canvas");return this.ctx};Oe.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),e=new Blob([n],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};Oe.prototype.toDataURL=function(n,e,t){return Ba.toDataURL(this.svg,this.width,this.height,n,e,t)};Oe.prototype.addEventListener=
-function(){return this.svg.addEventListener.apply(this.svg,arguments)};Oe.prototype.getElement=function(){return this.wrapper};Oe.prototype.getAttribute=function(n){
-return this.wrapper.getAttribute(n)};Oe.prototype.setAttribute=function(n,e){this.wrapper.setAttribute(n,e)};Fn.Context=Wa;Fn.Element=Oe});function Ee(n){let e=Number.parseInt(n.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ho=n=>yt(n)>.2?"#111111":"#ffffff",vt=(n,e)=>`rgba(${Ee(n).join(",")}\
-,${e})`,Ul=n=>{let e=n/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function yt(n){let[e,t,s]=Ee(n).map(Ul);return .2126*e+.7152*t+.0722*s}function xt(n,e){
-if(!e||!/^#[0-9a-f]{6}$/i.test(n))return n;if(yt(n)<.002)return"#eceef2";let t=n;for(let s=0;yt(t)<.2&&s<1;s+=.05)t=`#${Ee(n).map(i=>Math.round(i+(255-i)*s).toString(
-16).padStart(2,"0")).join("")}`;return t}var Vt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Kl(){let n=[];
-for(let e=0;e<256;e++){let t=e/255*(Vt.length-1),s=Math.min(Math.floor(t),Vt.length-2),i=Ee(Vt[s]),o=Ee(Vt[s+1]);n.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-s))))}
-return n}var it=Kl(),Jt=it.map(n=>`rgb(${n.join(",")})`),Vl=["#123a8c","#8a6d00"],me=(n,e)=>xt(Vl[n],e);var Le={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+Rect"].forEach(function(i){t[i]=function(){return e[i]()}})}Ce.prototype.getContext=function(n){if(n!=="2d")throw new Error("Unsupported type of context for SVG\
+Canvas");return this.ctx};Ce.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),e=new Blob([n],{type:"image/svg+xml;charset=\
+utf-8"});return URL.createObjectURL(e)};Ce.prototype.toDataURL=function(n,e,t){return Sa.toDataURL(this.svg,this.width,this.height,n,e,t)};Ce.prototype.addEventListener=
+function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ce.prototype.getElement=function(){return this.wrapper};Ce.prototype.getAttribute=function(n){
+return this.wrapper.getAttribute(n)};Ce.prototype.setAttribute=function(n,e){this.wrapper.setAttribute(n,e)};Ln.Context=Ta;Ln.Element=Ce});function xe(n){let e=Number.parseInt(n.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Ui=n=>ct(n)>.2?"#111111":"#ffffff",ut=(n,e)=>`rgba(${xe(n).join(",")}\
+,${e})`,ul=n=>{let e=n/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ct(n){let[e,t,s]=xe(n).map(ul);return .2126*e+.7152*t+.0722*s}function dt(n,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(n))return n;if(ct(n)<.002)return"#eceef2";let t=n;for(let s=0;ct(t)<.2&&s<1;s+=.05)t=`#${xe(n).map(i=>Math.round(i+(255-i)*s).toString(
+16).padStart(2,"0")).join("")}`;return t}var qt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function dl(){let n=[];
+for(let e=0;e<256;e++){let t=e/255*(qt.length-1),s=Math.min(Math.floor(t),qt.length-2),i=xe(qt[s]),o=xe(qt[s+1]);n.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-s))))}
+return n}var Ze=dl(),Ft=Ze.map(n=>`rgb(${n.join(",")})`),ml=["#123a8c","#8a6d00"],he=(n,e)=>dt(ml[n],e);var Se={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -494,7 +494,7 @@ ktkraft verloren ist","without friction the hoop rests on no more than a border 
 "the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
 Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
 computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell.","Skip to the answer":"\
-Zur Antwort springen","Not so.":"Nein.",Pause:"Anhalten"};var Yl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
+Zur Antwort springen","Not so.":"Nein.",Pause:"Anhalten"};var fl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
 gle}","patina desde {angle}","derrapa desde {angle}","vuela desde {angle}","roza el plano desde {angle}","salta a {angle}","aterriza a {angle}","rebota a {angle\
 }","desliza en sentido contrario desde {angle}","deja de deslizar de golpe a {angle}","da la vuelta a {angle}","termina de rebotar a {angle}","encuentra la para\
 doja de Painlevé a {angle}","encuentra la indeterminación de Painlevé a {angle}","se bloquea a {angle}","gana energía (Kane) a {angle}","roza desde {angle}",
@@ -671,7 +671,7 @@ esos","la restitución es 0 y la llanta ha aterrizado: con cualquier otra rebota
 taría, y sus sucesos son otros","el deslizamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","el aro sin masa (γ = 1) es un límite singula\
 r en cuanto se pierde la fuerza de contacto","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimiento no tiene respuesta desde allí","el\
  parámetro está en el borde de lo permitido","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de con\
-tacto rígido.","Saltar a la respuesta","No es así.","Pausa"],co=Object.fromEntries(Object.keys(Le).map((n,e)=>[n,Yl[e]]));var Zl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
+tacto rígido.","Saltar a la respuesta","No es así.","Pausa"],Ki=Object.fromEntries(Object.keys(Se).map((n,e)=>[n,fl[e]]));var gl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
 rtir de {angle}","patine à partir de {angle}","dérape à partir de {angle}","vole à partir de {angle}","effleure le plan à partir de {angle}","saute à {angl\
 e}","retombe à {angle}","rebondit à {angle}","glisse dans l’autre sens à partir de {angle}","cesse brusquement de glisser à {angle}","fait demi-tour à {an\
 gle}","finit de rebondir à {angle}","rencontre le paradoxe de Painlevé à {angle}","rencontre l’indétermination de Painlevé à {angle}","se coince à {angl\
@@ -856,8 +856,8 @@ moindre changement peut mener à d’autres événements","la restitution est nu
  commence en contact : avec la jante levée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n\
 ’a pas de borne","le cerceau sans masse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que\
  sur la frontière de deux classes","le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deu\
-x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause"],uo=Object.fromEntries(
-Object.keys(Le).map((n,e)=>[n,Zl[e]]));var Ql=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause"],Vi=Object.fromEntries(
+Object.keys(Se).map((n,e)=>[n,gl[e]]));var bl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -996,111 +996,111 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 会怎样","触发该事件的量在那里只是触及零","该运动位于两类的边界上：极小的变化就可能导致不同的事件","恢复系数为 0 且环缘已落地：只\
 要不为零它就会弹起","运动从接触开始：若环缘被抬起或抛起，它会弹跳，事件就不同了","滑动到达 p_σ = 0，那里接触力无界",
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
-处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停"],mo=Object.
-fromEntries(Object.keys(Le).map((n,e)=>[n,Ql[e]]));var kt={de:Le,es:co,fr:uo,zh:mo};var ys=new Map;function pe(n){try{return localStorage.getItem(n)??ys.get(n)??null}catch{return ys.get(n)??null}}function fe(n,e){ys.set(n,e);try{localStorage.setItem(
-n,e)}catch{}}var Xl=n=>{let e=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return e[0].toLocaleUpperCase(n)+e.slice(1)},Mt=Object.fromEntries(["en",...Object.keys(kt)].
-map(n=>[n,Xl(n)])),go="hophoop-language",bo=4e3,eh=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Yt=/\{(\w+)\}/g,Me="\
-en",wo=!1,yo=[],_t=new Map,Et=new Set,ot=new Set,Re=()=>Me;function xs(n){Me=n in Mt?n:"en",wo=1.5.toLocaleString(Me).includes(","),_t=new Map,Et=new Set,ot.clear(),
-yo=Object.keys(kt[Me]??{}).filter(e=>e.includes("{")).map(nh).sort((e,t)=>po(t.key)-po(e.key))}function th(){let n=pe(go);return n&&n in Mt?n:(globalThis.navigator?.
-languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in Mt)??"en"}function vo(n){fe(go,n)}var po=n=>n.replace(Yt,"").length;function nh(n){let e=[...n.matchAll(
-Yt)].map(([,s])=>s),t=n.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:n,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=n=>wo?
-n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function x(n,e){let t=kt[Me];if(e)return B(ko(t?.[n]??fo(n),e));if(!t||!/\p{L}/u.test(n))return ge(n);if(Et.has(n))return n;let s=_t.
-get(n);if(s!==void 0)return s;let i=n.trim(),o=t[i]??sh(i,t)??fo(i),a=n.replace(i,()=>o);return _t.size>bo&&_t.clear(),_t.set(n,a),B(a)}function B(n){return Et.
-size>bo&&Et.clear(),Et.add(n),n}var xo=(n,e)=>n.replace(Yt,(t,s)=>String(e[s])),ko=(n,e)=>n.replace(Yt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));
-function sh(n,e){for(let{key:t,pattern:s,names:i}of yo){let o=n.match(s);if(o)return ko(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return ih(n)}function ih(n){
-if(n.includes(" → "))return n.split(" → ").map(e=>x(e)).join(" → ")}function _o(n){if(!kt[Me])return n;let[,e,t]=n.match(/^(.*?)\.(?: (.*))?$/su)??["",n,""],
-{comma:s,stop:i}=Me==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return B(
-`${a[0]?.toLocaleUpperCase(Me)??""}${a.slice(1)}${i}${t?` ${x(t)}`:""}`)}function fo(n){let e=/\p{L}{3,}/u.test(n)&&!eh.test(n);return Me!=="en"&&e&&ot.size<200&&
-ot.add(n),ge(n)}var ks=new WeakMap,vs=new WeakMap;function _s(n){let e=document.createTextNode(x(n));return ks.set(e,n),e}function at(n,e,t){let s=vs.get(n)??{};
-s[e]=t,vs.set(n,s),n.setAttribute(e,x(t))}function oh(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=(t.
-nodeValue??"").replace(/\s+/g," ");s.trim()&&ks.set(t,s)}for(let t of n.querySelectorAll("[aria-label]"))at(t,"aria-label",t.getAttribute("aria-label")??"");Zt(
-n)}function Zt(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=ks.get(t);s!==void 0&&
-(t.nodeValue=x(s));let i=vs.get(t);for(let[o,a]of Object.entries(i??{}))t.setAttribute(o,x(a))}}xs(th());var ah=14,rh=new Set(["aria-label","title","placeholder","label"]);function d(n,e={},...t){let s=document.createElement(n),i=s;for(let[o,a]of Object.entries(e))
-a==null||a===!1||(o.startsWith("on")?s.addEventListener(o.slice(2),a):o==="class"?s.className=a:o in s&&o!=="list"&&typeof a!="string"?i[o]=a:rh.has(o)?at(s,o,String(
-a)):s.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||s.append(o.nodeType?o:_s(String(o)));return s}function P(n,e){e?n.replaceChildren(_s(e)):
-n.replaceChildren()}var Qt=n=>n!==null&&n.getRootNode().activeElement===n,be=n=>n.getContext("2d");function J(n,e=1){let t=n.getBoundingClientRect(),s=Math.min(
+处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停"],Ji=Object.
+fromEntries(Object.keys(Se).map((n,e)=>[n,bl[e]]));var mt={de:Se,es:Ki,fr:Vi,zh:Ji};var is=new Map;function ce(n){try{return localStorage.getItem(n)??is.get(n)??null}catch{return is.get(n)??null}}function ue(n,e){is.set(n,e);try{localStorage.setItem(
+n,e)}catch{}}var wl=n=>{let e=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return e[0].toLocaleUpperCase(n)+e.slice(1)},gt=Object.fromEntries(["en",...Object.keys(mt)].
+map(n=>[n,wl(n)])),Xi="hophoop-language",Qi=4e3,yl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ht=/\{(\w+)\}/g,ke="\
+en",eo=!1,to=[],pt=new Map,ft=new Set,Xe=new Set,Te=()=>ke;function as(n){ke=n in gt?n:"en",eo=1.5.toLocaleString(ke).includes(","),pt=new Map,ft=new Set,Xe.clear(),
+to=Object.keys(mt[ke]??{}).filter(e=>e.includes("{")).map(xl).sort((e,t)=>Yi(t.key)-Yi(e.key))}function vl(){let n=ce(Xi);return n&&n in gt?n:(globalThis.navigator?.
+languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in gt)??"en"}function no(n){ue(Xi,n)}var Yi=n=>n.replace(Ht,"").length;function xl(n){let e=[...n.matchAll(
+Ht)].map(([,s])=>s),t=n.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:n,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var de=n=>eo?
+n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function x(n,e){let t=mt[ke];if(e)return j(io(t?.[n]??Zi(n),e));if(!t||!/\p{L}/u.test(n))return de(n);if(ft.has(n))return n;let s=pt.
+get(n);if(s!==void 0)return s;let i=n.trim(),o=t[i]??kl(i,t)??Zi(i),a=n.replace(i,()=>o);return pt.size>Qi&&pt.clear(),pt.set(n,a),j(a)}function j(n){return ft.
+size>Qi&&ft.clear(),ft.add(n),n}var so=(n,e)=>n.replace(Ht,(t,s)=>String(e[s])),io=(n,e)=>n.replace(Ht,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));
+function kl(n,e){for(let{key:t,pattern:s,names:i}of to){let o=n.match(s);if(o)return io(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return _l(n)}function _l(n){
+if(n.includes(" → "))return n.split(" → ").map(e=>x(e)).join(" → ")}function oo(n){if(!mt[ke])return n;let[,e,t]=n.match(/^(.*?)\.(?: (.*))?$/su)??["",n,""],
+{comma:s,stop:i}=ke==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return j(
+`${a[0]?.toLocaleUpperCase(ke)??""}${a.slice(1)}${i}${t?` ${x(t)}`:""}`)}function Zi(n){let e=/\p{L}{3,}/u.test(n)&&!yl.test(n);return ke!=="en"&&e&&Xe.size<200&&
+Xe.add(n),de(n)}var rs=new WeakMap,os=new WeakMap;function ls(n){let e=document.createTextNode(x(n));return rs.set(e,n),e}function Qe(n,e,t){let s=os.get(n)??{};
+s[e]=t,os.set(n,s),n.setAttribute(e,x(t))}function El(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=(t.
+nodeValue??"").replace(/\s+/g," ");s.trim()&&rs.set(t,s)}for(let t of n.querySelectorAll("[aria-label]"))Qe(t,"aria-label",t.getAttribute("aria-label")??"");jt(
+n)}function jt(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=rs.get(t);s!==void 0&&
+(t.nodeValue=x(s));let i=os.get(t);for(let[o,a]of Object.entries(i??{}))t.setAttribute(o,x(a))}}as(vl());var Ml=14,Sl=new Set(["aria-label","title","placeholder","label"]);function u(n,e={},...t){let s=document.createElement(n),i=s;for(let[o,a]of Object.entries(e))
+a==null||a===!1||(o.startsWith("on")?s.addEventListener(o.slice(2),a):o==="class"?s.className=a:o in s&&o!=="list"&&typeof a!="string"?i[o]=a:Sl.has(o)?Qe(s,o,String(
+a)):s.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||s.append(o.nodeType?o:ls(String(o)));return s}function P(n,e){e?n.replaceChildren(ls(e)):
+n.replaceChildren()}var Bt=n=>n!==null&&n.getRootNode().activeElement===n,me=n=>n.getContext("2d");function K(n,e=1){let t=n.getBoundingClientRect(),s=Math.min(
 globalThis.devicePixelRatio||1,2.5),i=Math.max(Math.round(t.width*s),1),o=Math.max(Math.round(t.height*s),1);(n.width!==i||n.height!==o)&&(n.width=i,n.height=o);
-let a=be(n),r=s*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:i/r,height:o/r}}function lh(n){if(/^#[0-9a-f]{6}$/i.test(n))return n;let e=be(d("canvas",{
+let a=me(n),r=s*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:i/r,height:o/r}}function Tl(n){if(/^#[0-9a-f]{6}$/i.test(n))return n;let e=me(u("canvas",{
 width:1,height:1}));e.fillStyle=n,e.fillRect(0,0,1,1);let[t,s,i]=e.getImageData(0,0,1,1).data;return`#${[t,s,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}
-function Es(n){let e=getComputedStyle(n),t=i=>e.getPropertyValue(i).trim(),s=i=>lh(t(i));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--pape\
-r"),panel:s("--panel"),ground:s("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/ah||1,dark:yt(s("--paper"))<.2}}function rt(n,e){let t=d("a",{href:URL.
-createObjectURL(n),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(n,e){let t=0;return()=>{
-clearTimeout(t),t=setTimeout(n,e)}}var _=(n,e,t)=>Math.min(Math.max(n,e),t);function M(n,e=4){if(n==null)return"–";if(typeof n!="number")return String(n);if(!Number.isFinite(n))return Number.isNaN(
-n)?"–":n>0?"∞":"−∞";if(n===0)return"0";let t=Math.abs(n),s;if(t>=1e6||t<1e-4){let[i,o]=n.toExponential(e-1).split("e");s=`${Eo(i)}·10${hh(Number(o))}`}else
-s=Eo(n.toPrecision(e)),s.includes("e")&&(s=String(Math.round(n)));return ge(s.replace("-","−"))}function Eo(n){return n.includes(".")&&!n.includes("e")?n.replace(
-/\.?0+$/,""):n}function hh(n){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(n)].map(t=>e[t]).join(
-"")}var F=(n,e)=>e?e==="°"?`${n}°`:`${n} ${e}`:n,U=n=>ge(`${(n*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Pe(n){let e=Math.abs(n),[t,s]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return F(M(n*t,3),s)}function Y(n,e){let t=n/Math.max(e,1),s=10**Math.floor(Math.log10(t)),i=t/s;return(i>5?10:i>2?5:i>1?
-2:1)*s}function le(n,e,t){if(!(e>n)||!Number.isFinite(n)||!Number.isFinite(e))return[];let s=Y(e-n,t),i=[];for(let o=Math.ceil(n/s-1e-9);o*s<=e+1e-9*s&&i.length<
-200;o++)i.push(o*s);return i}function oe(n,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(n),e)>=1e6||t>12?M(n,3):ge((Math.abs(n)<e*1e-6?
-0:n).toFixed(t).replace("-","−"))}var So=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],ch="tfc",uh=/^[0-9a-f]{16}$/,dh=400;function To({time:n=0,options:e={},zoom:t=1,
-pan:s=[0,0],from:i,more:o,map:a,fingerprints:r=[]}){let l=[];n>0&&l.push(`t=${Number(n.toFixed(4))}`);let c=So.filter(([u])=>e[u]).map(([,u])=>u);return c.join(
-"")!==ch&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),s.some(u=>Math.abs(u)>5e-4)&&l.push(`pan=${s.map(u=>Number(u.toFixed(3))).
-join(",")}`),i&&l.push(`from=${i.map(u=>Number(u.toPrecision(3))).join(",")}`),o&&l.push(`more=${o}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
-Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function Ao(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={},s=Number(e.get("t")??Number.NaN);s>=
-0&&(t.time=s);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(So.map(([y,v])=>[y,i.includes(v)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=
-_(o,.05,60));let a=Mo(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=Mo(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,m,p,f,
-g]=e.get("map")?.split(",")??[],b=[h,m,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]});
-let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>uh.test(y)?y:"")),t}function Mo(n,e){let t=(n??"").split(",").map(Number);
-return n&&t.length===e&&t.every(Number.isFinite)?t:null}var mh=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
-...n===null?[]:[n]]},Xt=class{constructor(e){this.lab=e;this.number=0;this.soon=ie(()=>this.write("same"),dh),this.listen=()=>this.arrived(),addEventListener("p\
+function hs(n){let e=getComputedStyle(n),t=i=>e.getPropertyValue(i).trim(),s=i=>Tl(t(i));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--pape\
+r"),panel:s("--panel"),ground:s("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/Ml||1,dark:ct(s("--paper"))<.2}}function et(n,e){let t=u("a",{href:URL.
+createObjectURL(n),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ne(n,e){let t=0;return()=>{
+clearTimeout(t),t=setTimeout(n,e)}}var E=(n,e,t)=>Math.min(Math.max(n,e),t);function M(n,e=4){if(n==null)return"–";if(typeof n!="number")return String(n);if(!Number.isFinite(n))return Number.isNaN(
+n)?"–":n>0?"∞":"−∞";if(n===0)return"0";let t=Math.abs(n),s;if(t>=1e6||t<1e-4){let[i,o]=n.toExponential(e-1).split("e");s=`${ao(i)}·10${Al(Number(o))}`}else
+s=ao(n.toPrecision(e)),s.includes("e")&&(s=String(Math.round(n)));return de(s.replace("-","−"))}function ao(n){return n.includes(".")&&!n.includes("e")?n.replace(
+/\.?0+$/,""):n}function Al(n){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(n)].map(t=>e[t]).join(
+"")}var O=(n,e)=>e?e==="°"?`${n}°`:`${n} ${e}`:n,$=n=>de(`${(n*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Ae(n){let e=Math.abs(n),[t,s]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return O(M(n*t,3),s)}function V(n,e){let t=n/Math.max(e,1),s=10**Math.floor(Math.log10(t)),i=t/s;return(i>5?10:i>2?5:i>1?
+2:1)*s}function ae(n,e,t){if(!(e>n)||!Number.isFinite(n)||!Number.isFinite(e))return[];let s=V(e-n,t),i=[];for(let o=Math.ceil(n/s-1e-9);o*s<=e+1e-9*s&&i.length<
+200;o++)i.push(o*s);return i}function se(n,e){let t=E(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(n),e)>=1e6||t>12?M(n,3):de((Math.abs(n)<e*1e-6?
+0:n).toFixed(t).replace("-","−"))}var lo=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],Ll="tfc",Rl=/^[0-9a-f]{16}$/,Pl=400;function ho({time:n=0,options:e={},zoom:t=1,
+pan:s=[0,0],from:i,more:o,map:a,fingerprints:r=[]}){let l=[];n>0&&l.push(`t=${Number(n.toFixed(4))}`);let c=lo.filter(([d])=>e[d]).map(([,d])=>d);return c.join(
+"")!==Ll&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),s.some(d=>Math.abs(d)>5e-4)&&l.push(`pan=${s.map(d=>Number(d.toFixed(3))).
+join(",")}`),i&&l.push(`from=${i.map(d=>Number(d.toPrecision(3))).join(",")}`),o&&l.push(`more=${o}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
+Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function co(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={},s=Number(e.get("t")??Number.NaN);s>=
+0&&(t.time=s);let i=e.get("show");i!==null&&(t.options=Object.fromEntries(lo.map(([y,v])=>[y,i.includes(v)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=
+E(o,.05,60));let a=ro(e.get("pan"),2);a&&(t.pan=a.map(y=>E(y,-20,20)));let r=ro(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,d,h,m,p,f,
+g]=e.get("map")?.split(",")??[],b=[h,m,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[d,b[0],b[1]],y:[p,b[2],b[3]]});
+let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>Rl.test(y)?y:"")),t}function ro(n,e){let t=(n??"").split(",").map(Number);
+return n&&t.length===e&&t.every(Number.isFinite)?t:null}var Cl=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
+...n===null?[]:[n]]},$t=class{constructor(e){this.lab=e;this.number=0;this.soon=ne(()=>this.write("same"),Pl),this.listen=()=>this.arrived(),addEventListener("p\
 opstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length||!t.motions.history.holds(t.motions.
 queries()))return;let s=t.link();e==="step"?history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(
-t=>{let s=()=>t();addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=mh();JSON.stringify(
-t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var St=[.05,.1,.25,.5,1,2,4],en=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,tn=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
-playing=!1;this.loop=!en();this.once=!1;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,once:t=!1}={}){en()?
-this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.once=!1,this.last=null,
-e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[_(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.
+t=>{let s=()=>t();addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Cl();JSON.stringify(
+t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var bt=[.05,.1,.25,.5,1,2,4],Wt=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Gt=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
+playing=!1;this.loop=!Wt();this.once=!1;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,once:t=!1}={}){Wt()?
+this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=E(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.once=!1,this.last=null,
+e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=bt.indexOf(this.speed);this.speed=bt[E(t+e,0,bt.length-1)],this.changed()}tick(e){if(!this.
 playing)return!1;let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&!this.once&&
-this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.changed())),!0}};function ph(n,e=""){let t=n.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.changed())),!0}};function zl(n,e=""){let t=n.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
 (i,o,a)=>`e${o&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function fh(n,e,{label:t,unit:s,range:i}){let o=n.trim();if(Number.isNaN(e))return`${t} = ${o} must be a number, s\
-uch as 2.5.`;if(!i||e>=i.least&&e<=i.most||i.also.includes(e))return"";let a=i.also.includes(0)?"0 or ":"",r=`from ${M(i.least,4)} to ${F(M(i.most,4),s)}`,l=i.also.
-includes(1/0)?", or inf":"";return`${t} = ${F(M(e,6),s)} must be ${a}${r}${l}.`}var gh=0,lt=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
-typing=!1;this.error=d("p",{class:"error",role:"alert",id:`hh-error-${++gh}`,hidden:!0});this.input=d("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+test(t)?Number(t.replace(",",".")):Number.NaN}function Nl(n,e,{label:t,unit:s,range:i}){let o=n.trim();if(Number.isNaN(e))return`${t} = ${o} must be a number, s\
+uch as 2.5.`;if(!i||e>=i.least&&e<=i.most||i.also.includes(e))return"";let a=i.also.includes(0)?"0 or ":"",r=`from ${M(i.least,4)} to ${O(M(i.most,4),s)}`,l=i.also.
+includes(1/0)?", or inf":"";return`${t} = ${O(M(e,6),s)} must be ${a}${r}${l}.`}var Il=0,tt=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
+typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++Il}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
 s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=ph(e,this.info.unit),s=fh(e,t,this.info);s?this.refuse(
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=zl(e,this.info.unit),s=Nl(e,t,this.info);s?this.refuse(
 s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=ge(e),this.typing||this.restore()}};var Lo={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},bh={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},wh=(n,e,t)=>({ring:{shape:n,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:n,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:n,mass:t,at:e},rod:{shape:n,mass:t,length:.5*e,at:.5*e}})[n];function Ro(n){let e=n["hoop.radius"],t=n["hoop.mass"],s=Math.min(Math.
-max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:nn(t*(1-s)),inner_radius:nn(.98*e),outer_radius:e},{shape:"point_mass",mass:nn(t*s),at:e}]}var nn=n=>Number(
-n.toPrecision(6)),sn=class{constructor(e){this.onchange=e;this.list=d("div",{class:"parts"});this.element=d("div",{},this.list,d("select",{"aria-label":"Add a p\
-art",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,wh(s,this.radius,nn(.2*this.mass))])}},d("option",{value:""},"+ add a part \
-…"),Object.entries(Lo).map(([t,{label:s}])=>d("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let i=JSON.stringify(e);if(i===this.
+input.value=this.shown,this.accept()}show(e){this.shown=de(e),this.typing||this.restore()}};var uo={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Dl={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},Ol=(n,e,t)=>({ring:{shape:n,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:n,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:n,mass:t,at:e},rod:{shape:n,mass:t,length:.5*e,at:.5*e}})[n];function mo(n){let e=n["hoop.radius"],t=n["hoop.mass"],s=Math.min(Math.
+max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ut(t*(1-s)),inner_radius:Ut(.98*e),outer_radius:e},{shape:"point_mass",mass:Ut(t*s),at:e}]}var Ut=n=>Number(
+n.toPrecision(6)),Kt=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
+art",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Ol(s,this.radius,Ut(.2*this.mass))])}},u("option",{value:""},"+ add a part \
+…"),Object.entries(uo).map(([t,{label:s}])=>u("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let i=JSON.stringify(e);if(i===this.
 text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:i,parts:e,radius:t,mass:s}),this.list.replaceChildren(
-...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:s,keys:i}=Lo[e.shape];return d("fieldset",{class:"part"},d("legend",{},s,this.parts.length>1&&d("button",{type:"\
+...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:s,keys:i}=uo[e.shape];return u("fieldset",{class:"part"},u("legend",{},s,this.parts.length>1&&u("button",{type:"\
 button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((o,a)=>a!==t))},"×")),i.map(o=>this.field(e,t,o)))}field(e,t,s){
-let[i,o]=bh[s],a=new lt({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),d("div",{},d("label",{},`${i}\
- [${o}]`,a.input),a.error)}};var Ms=Math.PI/180;function yh({allowed:n,degrees:e}){if(!n)return;let t=e?1/Ms:1;return{least:n.least*t,most:n.most*t,also:n.also.map(s=>s==="inf"?1/0:Number(s))}}
-var Ss=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
-range=d("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
+let[i,o]=Dl[s],a=new tt({label:i,unit:o},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),u("div",{},u("label",{},`${i}\
+ [${o}]`,a.input),a.error)}};var cs=Math.PI/180;function ql({allowed:n,degrees:e}){if(!n)return;let t=e?1/cs:1;return{least:n.least*t,most:n.most*t,also:n.also.map(s=>s==="inf"?1/0:Number(s))}}
+var us=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,i=l=>()=>{this.held=l};this.
+range=u("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:i(!0),onpointerup:i(!1),onpointercancel:i(!1),onblur:i(!1)});let{label:o,unit:a}=e,r=`${o}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new lt({label:o,unit:a,name:r,range:yh(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:s},d("\
-span",{},o),d("span",{class:"symbol"},e.symbol)),this.range,d("span",{class:"entry"},this.entry.input,d("span",{class:"unit"},a)),this.entry.error)}low(){return this.
+n ${a}`:""}`;this.entry=new tt({label:o,unit:a,name:r,range:ql(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:s},u("\
+span",{},o),u("span",{class:"symbol"},e.symbol)),this.range,u("span",{class:"entry"},this.entry.input,u("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
-let s=this.info.degrees?e*Ms:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",F(M(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let s=e!=null,i=s?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?Ms:1);this.
+let s=this.info.degrees?e*cs:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",O(M(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,i=s?e:t;if(i==null){this.entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?cs:1);this.
 entry.show(s?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:M(o,2)}),this.entry.input.title=
-s?F(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(o)}};function vh(n,e){let t=d("select",{"data-path":n.path,onchange:()=>e([[n.path,t.value]],!0)},n.options.map(([i,o])=>d("option",{value:i},
-o)));return{element:d("label",{class:"choice",title:n.help},d("span",{},n.label),t),select:t,path:n.path}}var on=class{constructor(e,t){this.sliders=new Map;this.
-onchange=(s,i=!0)=>t(s,i);for(let s of Object.values(e.groups))for(let i of s)this.sliders.set(i.path,new Ss(i,this.onchange));this.choices=new Map(e.choices.map(
-s=>[s.path,vh(s,this.onchange)])),this.parts=new sn(this.onchange),this.gravities=e.gravities,this.element=d("div",{class:"controls"},this.hoop(),this.plane(),this.
+s?O(String(o),this.info.unit):"";let a=E(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(o)}};function Fl(n,e){let t=u("select",{"data-path":n.path,onchange:()=>e([[n.path,t.value]],!0)},n.options.map(([i,o])=>u("option",{value:i},
+o)));return{element:u("label",{class:"choice",title:n.help},u("span",{},n.label),t),select:t,path:n.path}}var Vt=class{constructor(e,t){this.sliders=new Map;this.
+onchange=(s,i=!0)=>t(s,i);for(let s of Object.values(e.groups))for(let i of s)this.sliders.set(i.path,new us(i,this.onchange));this.choices=new Map(e.choices.map(
+s=>[s.path,Fl(s,this.onchange)])),this.parts=new Kt(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
 start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.element}of(e,t={}){return[
-...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(`${e}.`)).flatMap(s=>[...t[s]??[],this.at(s)])}select(e,t,s){let i=d("select",{onchange:()=>s(
-i.value)},t.map(([o,a])=>d("option",{value:o},a)));return{select:i,element:d("label",{class:"choice"},d("span",{},e),i)}}group(e,...t){let s=e==="Start"||e==="P\
-lane"||!matchMedia("(max-width: 47.5em)").matches;return d("details",{class:"group",open:s},d("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
-["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",Ro(
-t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=d("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
-radius":[this.parts.element,this.derived]}))}plane(){this.apart=d("input",{type:"checkbox",onchange:()=>{let{values:s}=this.film;this.apart.checked?this.onchange(
+...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(`${e}.`)).flatMap(s=>[...t[s]??[],this.at(s)])}select(e,t,s){let i=u("select",{onchange:()=>s(
+i.value)},t.map(([o,a])=>u("option",{value:o},a)));return{select:i,element:u("label",{class:"choice"},u("span",{},e),i)}}group(e,...t){let s=e==="Start"||e==="P\
+lane"||!matchMedia("(max-width: 47.5em)").matches;return u("details",{class:"group",open:s},u("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
+["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",mo(
+t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=u("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
+radius":[this.parts.element,this.derived]}))}plane(){this.apart=u("input",{type:"checkbox",onchange:()=>{let{values:s}=this.film;this.apart.checked?this.onchange(
 [["plane.mu_static",s["plane.mu_static"]],["plane.mu_kinetic",s["plane.mu_kinetic"]]]):this.onchange([["plane.mu",s["plane.mu_static"]]])}}),this.gravity=this.select(
 "Where",[...this.gravities.map(([s])=>[s,s]),["","elsewhere"]],s=>{let i=this.gravities.find(([o])=>o===s);i&&this.onchange([["plane.gravity",i[1]]])});let t={"\
-plane.slope":[d("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group("Plane",...this.
+plane.slope":[u("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group("Plane",...this.
 of("plane",t))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.onchange(
 [["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,...this.of("start"),this.at("duration"))}contact(){
 return this.group("Contact",this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),
@@ -1109,105 +1109,105 @@ this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){this.film=e,thi
 let[a,r]=i.split(".");o.show(e.values[i]??(r?s[a]?.[r]:s[a]),e.automatic?.[i])}}showChoices(e,t){let{scenario:s,values:i}=e,o=s.hoop.parts?"parts":"load_fractio\
 n"in s.hoop?"load_fraction":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...p)=>p.some(f=>t.has(f));c("hoop.loa\
 d_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.value=o),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu",
-"plane.mu_static")||(this.apart.checked=r);let u=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=u?
-u[0]:"");let h={"hoop.load_fraction":o==="load_fraction","hoop.eccentricity":o==="eccentricity","hoop.inertia_ratio":o==="eccentricity","hoop.mass":o!=="parts",
+"plane.mu_static")||(this.apart.checked=r);let d=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=d?
+d[0]:"");let h={"hoop.load_fraction":o==="load_fraction","hoop.eccentricity":o==="eccentricity","hoop.inertia_ratio":o==="eccentricity","hoop.mass":o!=="parts",
 "plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start\
 .vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,f]of Object.
 entries(h))this.at(p).hidden=!f;this.parts.element.hidden=o!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=
 o==="eccentricity"?"":`ε = ${M(i["hoop.eccentricity"],5)}, κ = ${M(i["hoop.inertia_ratio"],5)}`+(o==="parts"?`, m = ${M(i["hoop.mass"],5)} kg`:"");let m=s;for(let[
-p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");m[g]?.[b]!==void 0&&(f.value=m[g][b])}}};var Ts=Math.PI/180;function Po(n,e){let{start:t,plane:s,contact:i,hoop:o}=n.scenario;return i.model!=="rigid"?"Rigid contact only.":n.slope!==0?"The plane must \
+p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");m[g]?.[b]!==void 0&&(f.value=m[g][b])}}};var ds=Math.PI/180;function po(n,e){let{start:t,plane:s,contact:i,hoop:o}=n.scenario;return i.model!=="rigid"?"Rigid contact only.":n.slope!==0?"The plane must \
 be level.":Math.abs(n.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":n.radius!==1||o.parts?"The radius must stay 1 m,\
  without parts.":n.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in o?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":n.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Co=n=>n.events.filter(
-({kind:e})=>e==="takeoff");function xh(n){return n.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var zo=(n,e)=>Math.min(Math.round(100*n/e),100),kh=1.596,
-_h=.37,Eh=.05,As=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:n=>{let e=Po(n,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...xh(n));return t?{points:zo(t,kh),text:"It rises by {height}.",values:{height:Pe(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+m/s.":"At most 3.1 m/s.":n.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var fo=n=>n.events.filter(
+({kind:e})=>e==="takeoff");function Hl(n){return n.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var go=(n,e)=>Math.min(Math.round(100*n/e),100),jl=1.596,
+Bl=.37,$l=.05,ms=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:n=>{let e=po(n,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...Hl(n));return t?{points:go(t,jl),text:"It rises by {height}.",values:{height:Ae(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:n=>{let e=Co(n)[0],t=n.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let s=n.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Eh)return{points:0,text:"The first hop is too low."};let i=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Ts,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
-from the top.",values:{off:U(i*Ts)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:n=>{let e=fo(n)[0],t=n.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let s=n.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<$l)return{points:0,text:"The first hop is too low."};let i=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/ds,o=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(o,100),text:"It lands {off} away \
+from the top.",values:{off:$(i*ds)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:n=>{let e=Po(n,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(n.scenario.start.angle??0)-Math.PI)>.5*Ts)return{points:0,text:"The load must start at the bottom."};if(n.values["plane.mu_kinetic"]>1.5||n.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Co(n)[0];if(!t)return{points:0,text:"It does not hop."};let s=n.phases.filter(
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:n=>{let e=po(n,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(n.scenario.start.angle??0)-Math.PI)>.5*ds)return{points:0,text:"The load must start at the bottom."};if(n.values["plane.mu_kinetic"]>1.5||n.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=fo(n)[0];if(!t)return{points:0,text:"It does not hop."};let s=n.phases.filter(
 ({from:o})=>o<t.t);if(s.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let i=n.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:zo(i.height,_h),text:"It rises by {height}.",values:{height:Pe(i.height)}}:{points:0,
-text:"It does not hop."}}}],Ls=n=>n>=95?3:n>=75?2:n>=40?1:0;var No="hophoop-best-",Mh=n=>"★".repeat(Ls(n))+"☆".repeat(3-Ls(n)),an=class{constructor(e){this.lab=e;this.goal=null;this.tabs=new Map(As.map(t=>[t.key,d("b\
-utton",{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=d("p",{}),this.meter=d("meter",{min:"0",max:"100",low:"40",high:"\
-75",optimum:"100","aria-label":"Score"}),this.result=d("p",{class:"challenge-result",role:"status"}),this.kept=d("p",{class:"hint"}),this.element=d("section",{class:"\
-challenges card","aria-label":"Challenges",hidden:!0},d("header",{},d("h2",{},"Challenges"),d("button",{type:"button",class:"quiet","aria-label":"Leave the chal\
-lenges",onclick:()=>this.close()},"×")),d("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,
-this.kept,d("div",{class:"buttons"},d("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),d("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??As[0]),this.element.scrollIntoView({block:"nearest"}),
+ng."};let i=n.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:go(i.height,Bl),text:"It rises by {height}.",values:{height:Ae(i.height)}}:{points:0,
+text:"It does not hop."}}}],ps=n=>n>=95?3:n>=75?2:n>=40?1:0;var bo="hophoop-best-",Wl=n=>"★".repeat(ps(n))+"☆".repeat(3-ps(n)),Jt=class{constructor(e){this.lab=e;this.goal=null;this.tabs=new Map(ms.map(t=>[t.key,u("b\
+utton",{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=u("p",{}),this.meter=u("meter",{min:"0",max:"100",low:"40",high:"\
+75",optimum:"100","aria-label":"Score"}),this.result=u("p",{class:"challenge-result",role:"status"}),this.kept=u("p",{class:"hint"}),this.element=u("section",{class:"\
+challenges card","aria-label":"Challenges",hidden:!0},u("header",{},u("h2",{},"Challenges"),u("button",{type:"button",class:"quiet","aria-label":"Leave the chal\
+lenges",onclick:()=>this.close()},"×")),u("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,
+this.kept,u("div",{class:"buttons"},u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),u("button",{type:"button",onclick:()=>this.
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??ms[0]),this.element.scrollIntoView({block:"nearest"}),
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
 "aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
 !1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:i,values:o={}}=e.score(t.film());
-this.meter.value=s;let a=x("{stars} {points} points. {what}",{stars:Mh(s),points:s,what:x(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-pe(No+e.key)??0);s>r&&!t.stage.options.ahead&&fe(No+e.key,String(s)),P(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var Oo=.09,Sh=.03,Rs=Math.PI/180,rn=Math.PI/4,Io=2*Math.PI,Tt=n=>n-Io*Math.round(n/Io);function ln(n,e){let t=n.at(e),s=e===0;return{angle:Tt(t.angle),height:Math.
-max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:n.slope}}var qo=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),Ce=n=>Number(n.toFixed(4))+0;function Fo(n,e,t){
-if(n==="plane")return[["plane.slope",Ce(e.slope)]];if(e.height>0)return[["start.angle",Ce(e.angle)],["start.height",Ce(e.height)],["start.vx",Ce(e.vx)],["start.\
-vy",Ce(e.vy)],["start.omega",Ce(e.omega)]];let s=n==="load"?e.omega*t.radius:e.vx;return[["start.angle",Ce(e.angle)],["start.speed",Ce(s)]]}var At=class{constructor(e,t,s,i,o){
-this.grip=e;this.film=t;this.view=i;this.turned=0;this.trail=[];this.moved=0;this.before=ln(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.
+this.meter.value=s;let a=x("{stars} {points} points. {what}",{stars:Wl(s),points:s,what:x(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+ce(bo+e.key)??0);s>r&&!t.stage.options.ahead&&ue(bo+e.key,String(s)),P(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var wo=.09,Gl=.03,fs=Math.PI/180,Yt=Math.PI/4,yo=2*Math.PI,wt=n=>n-yo*Math.round(n/yo);function Zt(n,e){let t=n.at(e),s=e===0;return{angle:wt(t.angle),height:Math.
+max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:n.slope}}var vo=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),Le=n=>Number(n.toFixed(4))+0;function xo(n,e,t){
+if(n==="plane")return[["plane.slope",Le(e.slope)]];if(e.height>0)return[["start.angle",Le(e.angle)],["start.height",Le(e.height)],["start.vx",Le(e.vx)],["start.\
+vy",Le(e.vy)],["start.omega",Le(e.omega)]];let s=n==="load"?e.omega*t.radius:e.vx;return[["start.angle",Le(e.angle)],["start.speed",Le(s)]]}var yt=class{constructor(e,t,s,i,o){
+this.grip=e;this.film=t;this.view=i;this.turned=0;this.trail=[];this.moved=0;this.before=Zt(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.
 center=[a.x,t.radius+a.height],this.foot=i.point(a.x,0),this.from=this.read(o)}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:i}}move(e,t){
-let s=this.read(e),{radius:i}=this.film;if(this.turned+=Tt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-rn,rn);
-this.held.slope=Math.abs(o)<Rs?0:o}else if(this.grip==="load")this.held.angle=Tt(this.before.angle+this.turned);else{let o=this.before.height+s.away-this.from.away;
-this.held.height=o<Sh*i?0:o;let a=s.along-this.from.along;this.held.angle=Tt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=s.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Oo;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:s,film:i}=this,o=s.at(-1),a=s[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>Oo,c=qo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
-a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Do(n,e,t,s,i){let o={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(n==="load"){let h=Tt(s.angle+(o||a)*5*Rs*r);return{...s,angle:h}}if(n===
-"plane"){let h=_(s.slope+(o||-a)*Rs*r,-rn,rn);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=qo(i),c=_(s.height+a*.05*r*i.radius,0,4*i.radius),u=_(s.vx+o*.1*r,-l,
-l);return{...s,height:c<1e-9?0:c,vx:u}}function Z(n,e,t,s=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>n.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
-s(c,l)};n.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function jo(n,e){let t=new Map,s=null,i=()=>{let[a,r]=[
+let s=this.read(e),{radius:i}=this.film;if(this.turned+=wt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let o=E(this.before.slope+this.turned,-Yt,Yt);
+this.held.slope=Math.abs(o)<fs?0:o}else if(this.grip==="load")this.held.angle=wt(this.before.angle+this.turned);else{let o=this.before.height+s.away-this.from.away;
+this.held.height=o<Gl*i?0:o;let a=s.along-this.from.along;this.held.angle=wt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=s.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-wo;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:s,film:i}=this,o=s.at(-1),a=s[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>wo,c=vo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=E((o.turned-
+a.turned)/r,-c/i.radius,c/i.radius):(t.vx=E((o.along-a.along)/r,-c,c),t.vy=t.height>0?E((o.away-a.away)/r,-c,c):0)),t}};function ko(n,e,t,s,i){let o={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(n==="load"){let h=wt(s.angle+(o||a)*5*fs*r);return{...s,angle:h}}if(n===
+"plane"){let h=E(s.slope+(o||-a)*fs*r,-Yt,Yt);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=vo(i),c=E(s.height+a*.05*r*i.radius,0,4*i.radius),d=E(s.vx+o*.1*r,-l,
+l);return{...s,height:c<1e-9?0:c,vx:d}}function J(n,e,t,s=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>n.addEventListener(l,d=>d.pointerId===e.pointerId&&c(d),{signal:o}),r=l=>c=>{i.abort(),
+s(c,l)};n.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function _o(n,e){let t=new Map,s=null,i=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};n.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?i():null)}),n.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!s))return;let r=i();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])n.addEventListener(a,r=>{t.delete(r.pointerId),
-s=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return n.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var Th=700,Ps=44,Ah=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],hn=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
-null;this.places=new Map(Ah.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=d("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=d("div",{
+s=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return n.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var Ul=700,gs=44,Kl=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Xt=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
+null;this.places=new Map(Kl.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{
 class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
 stage;t.grab=o=>this.take(o),s.addEventListener("pointermove",o=>this.hover(o)),s.addEventListener("pointerleave",()=>this.hover(null));let i=o=>this.pull&&o.cancelable&&
-o.preventDefault();s.addEventListener("touchmove",i,{passive:!1}),this.settle=ie(()=>this.chosen(!1),Th)}static{this.Pull=At}place(e,t,s){return d("div",{class:`\
+o.preventDefault();s.addEventListener("touchmove",i,{passive:!1}),this.settle=ne(()=>this.chosen(!1),Ul)}static{this.Pull=yt}place(e,t,s){return u("div",{class:`\
 grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:i=>this.key(e,i),onblur:()=>this.held&&this.chosen(!1)})}view(){
 return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;
 this.element.classList.toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.point(i.x,r+i.height),c=t.point(i.x+r*Math.sin(i.angle),r+i.
-height+r*Math.cos(i.angle)),u=this.onPlane(t),h=_(1.1*r*a,Ps,190),m=[["plane",u,Ps],["hoop",l,h],["load",c,Ps]];for(let[p,[f,g],b]of m){let w=this.places.get(p);
+height+r*Math.cos(i.angle)),d=this.onPlane(t),h=E(1.1*r*a,gs,190),m=[["plane",d,gs],["hoop",l,h],["load",c,gs]];for(let[p,[f,g],b]of m){let w=this.places.get(p);
 w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=f<0||g<0||f>t.width||g>t.height}e.clock.playing||this.
 tell(o)}onPlane(e){let t=e.point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.
-point(e.pose.x+i,0)}tell(e){let t=this.pull?.held??this.held??ln(e,this.lab.clock.time),s={load:U(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Pe(t.
-height),speed:M(t.vx,3)}),plane:U(t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[
+point(e.pose.x+i,0)}tell(e){let t=this.pull?.held??this.held??Zt(e,this.lab.clock.time),s={load:$(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Ae(t.
+height),speed:M(t.vx,3)}),plane:$(t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[
 -45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(
 i[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(o[a][0])),r.setAttribute("aria-valuemax",String(Number(o[a][1].toPrecision(4)))))}under(e){if(this.
 element.hidden)return null;let t=null;for(let[s,i]of this.places){let{left:o,top:a,width:r}=i.getBoundingClientRect(),l=Math.hypot(e.clientX-o-r/2,e.clientY-a-r/
 2);!i.hidden&&l<=r/2&&(t=s)}return t}hover(e){if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,i]of this.places)i.classList.toggle(
 "near",s===t);this.lab.stage.plane.style.cursor=t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:i,plane:o}=s.
-stage,a=this.places.get(t),r=this.view(),l=o.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),u=new At(t,s.film(),s.clock.
-time,r,c(e)),h=[...i.shift],[m,p]=[!1,!1];this.pull=u,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove("held"),i.fixed=null,this.pull=null,m&&
+stage,a=this.places.get(t),r=this.view(),l=o.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),d=new yt(t,s.film(),s.clock.
+time,r,c(e)),h=[...i.shift],[m,p]=[!1,!1];this.pull=d,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove("held"),i.fixed=null,this.pull=null,m&&
 this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),f(),m&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:g.
-signal}),Z(o,e,w=>{if(!p){if(i.pinched()){f(),m&&this.back();return}!m&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||(m||(i.fixed=r.scale,this.hold(),
-this.begin()),m=!0,u.move(c(w),w.timeStamp),i.shift=[h[0]+u.moved,h[1]],this.change(t,u.held,!1),this.show(t,u.held))}},(w,y)=>{p||(f(),m&&(y?(this.change(t,u.release(
+signal}),J(o,e,w=>{if(!p){if(i.pinched()){f(),m&&this.back();return}!m&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||(m||(i.fixed=r.scale,this.hold(),
+this.begin()),m=!0,d.move(c(w),w.timeStamp),i.shift=[h[0]+d.moved,h[1]],this.change(t,d.held,!1),this.show(t,d.held))}},(w,y)=>{p||(f(),m&&(y?(this.change(t,d.release(
 w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.
-key==="Enter")this.chosen(!0);else{this.held??=ln(s.film(),s.clock.time);let i=Do(e,t.key,t.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.
+key==="Enter")this.chosen(!0);else{this.held??=Zt(s.film(),s.clock.time);let i=ko(e,t.key,t.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.
 hold(),this.begin()),this.held=i,this.change(e==="load"?"hoop":e,i,!1),this.show(e,i),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.
 play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.
-motions.change(Fo(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${U(t.angle)}`,hoop:t.height>0?`y = ${Pe(t.height)}`:`θ = ${U(t.angle)}`,plane:`β = ${U(
+motions.change(xo(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${$(t.angle)}`,hoop:t.height>0?`y = ${Ae(t.height)}`:`θ = ${$(t.angle)}`,plane:`β = ${$(
 t.slope)}`};P(this.tip,t.vx&&this.held?`${s[e]}, v = ${M(t.vx,3)} m/s`:s[e]),this.tip.hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change(
 [],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.
 seek(0),e&&t.clock.run(),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let s=e.motions.lanes[e.motions.active];for(s.pending=
 null;s.busy;)await new Promise(i=>requestAnimationFrame(i));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(i){e.notice.fail(i)}}comeBack(e){
-let{flat:t}=this.lab.stage,s=en(),i=()=>{if(this.pull)return;let o=t.shift[0]-e[0];t.shift=Math.abs(o)<1||s?[...e]:[e[0]+.82*o,e[1]],this.lab.request(),t.shift[0]!==
-e[0]&&requestAnimationFrame(i)};i()}};var Lh={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+let{flat:t}=this.lab.stage,s=Wt(),i=()=>{if(this.pull)return;let o=t.shift[0]-e[0];t.shift=Math.abs(o)<1||s?[...e]:[e[0]+.82*o,e[1]],this.lab.request(),t.shift[0]!==
+e[0]&&requestAnimationFrame(i)};i()}};var Vl={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Q(n){let e="\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(n){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Lh[n]),t.append(s),t}function Cs(n){let e=d("select",{class:"language","aria-label":"Language",onchange:()=>{vo(e.value),xs(e.value),n()}},Object.entries(Mt).map(([t,s])=>d("option",
-{value:t,lang:t},document.createTextNode(s))));return e.value=Re(),e}var Ho={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Vl[n]),t.append(s),t}function bs(n){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{no(e.value),as(e.value),n()}},Object.entries(gt).map(([t,s])=>u("option",
+{value:t,lang:t},document.createTextNode(s))));return e.value=Te(),e}var Eo={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
 {path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
@@ -1314,120 +1314,117 @@ options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",re
 e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["rod"],expected:"\
 'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{kind:"number",
 unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},direction:{kind:"\
-word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}},Axis:{place:"",fields:{path:{kind:"number_path",unit:"",required:!0},
-from:{kind:"number",unit:"",required:!0},to:{kind:"number",unit:"",required:!0},cells:{kind:"whole",unit:"",default:48,limits:[["greater_than_equal",1],["less_t\
-han_equal",4096]]}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"PointMass",rod:"Rod"},paths:["duration","hoop.radius","hoop.mass","hoop.load_fraction","hoop.ec\
-centricity","hoop.inertia_ratio","hoop.parts","plane.gravity","plane.slope","plane.mu","plane.mu_static","plane.mu_kinetic","plane.restitution","plane.impact_la\
-w","plane.painleve","plane.rolling_resistance","start.x","start.height","start.angle","start.speed","start.vx","start.vy","start.omega","contact.model","contact\
-.max_events","contact.stiffness","contact.damping","contact.restitution","contact.law","contact.friction","contact.slip_speed","contact.tangential_stiffness","c\
-ontact.rtol"],ends:{"hoop.load_fraction":["eccentricity","inertia_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_frac\
-tion","parts"],"hoop.parts":["load_fraction","eccentricity","inertia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kin\
-etic":["mu"],"start.speed":["height","vx","vy","omega"],"start.height":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damp\
-ing":["restitution"],"contact.restitution":["damping"]},left_out:{rolling_resistance:0},ranges:{"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"},
-"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57 rad"}},relative:{
-stiffness:{least:.01,most:1e15,words:"from 0.01 to 1e+15",of:"m g/R"},tangential_stiffness:{least:.01,most:1e15,words:"from 0.01 to 1e+15",of:"m g/R"},slip_speed:{
-least:1e-12,most:1e6,words:"from 1e-12 to 1e+06",of:"√(g R)"}},most_depth:100,touch:1e-12,default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{
-gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"flight"},start:{x:0,angle:0,speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"\
-{path} is not a known key; {hint}",did_you_mean:"did you mean {close}?",known_are:"known are {known}.",missing:"{path} is missing.",together:"{section}.{other} \
-cannot be given together with {section}.{way}.",finding:"{path} = {shown} {allowed}.",number:"must be a number",friction:"must be at least 0 (inf is allowed)",whole:"\
-must be a whole number",finite_number:"must be a finite number",greater_than:"must be greater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"\
-must be less than {limit:g}",less_than_equal:"must be at most {limit:g}",range:"must be {words}",literal_error:"must be {expected}",table:"must be a table of ke\
-ys",list:"must be a list",word:"must be a word",other_problem:"{first} (and {count} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"\
-the scenario",no_parts:"hoop.parts must not be empty.",half_a_hoop:"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"\
-hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"\
-hoop.parts give hoop.inertia_ratio = {inertia_ratio!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = \
-{inertia_ratio!r}, which must be {words}.",ring_radii:"ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.\
-{index} ({shape}) reaches {reach!r} m from the centre, beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must n\
-ot exceed plane.mu_static = {mu_static!r}.",vertical:"plane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be\
- {words}.",no_omega:"start.omega = None must be a number.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"\
-plane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {\
-most:.6g} for this hoop, whose inertia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the\
- massless hoop (hoop.inertia_ratio = 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.\
-{name} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.\
-0e} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known\
- are {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r}\
- cannot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",
-value_above:"{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of ord\
-er: parts are numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",
-flight:"flies",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{
-verb:"rolls",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",
-summed_up:!0},impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest\
- point",summed_up:!1},bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painl\
-evé: no solution",summed_up:!0},painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"ja\
-ms",label:"jam",summed_up:!0},kane_gain:{verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},
-rest:{verb:"rests",label:"at rest",summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"\
-◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to r\
-est.",jammed:"The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the mot\
-ion beyond.",event_limit:"The limit of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"\
-slip +",H:"flight",M:"skim","+":"…"},story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"\
-starts in the air",started_skim:"starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb\
-} at {where}; friction reaches its limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip\
- reverses at {where}; it {verb}.",takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It l\
-ands at {where} with {speed} m/s downwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An\
- impact without collision at {where} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",
-apex:"The centre is highest at {where}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's parado\
-x at {where}: no contact force agrees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynam\
-ic jam at {where}: the contact force grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is l\
-eft at {where}: the load falls freely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",
-other:"{kind} at {where}.",more_bounces:"It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounce\
-s",without_collision:"stops its slip at once",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{
-first_slip:"Slips",first_hop:"Hops",immediate_hop:"Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",
-rest:"Rests stably",loss:"End of rolling",loss_by_friction:"at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"\
-would slip",would_hop:"would hop in its first turn",would_hop_at_once:"would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any spee\
-d",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (\
-enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"\
-from μ = {mu} on, at {where}: not here",jam_at:"can end a slip at {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single thr\
-eshold uphill (β < 0): it depends on where the hoop turns back; see the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"\
-#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",
-event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E6\
-9F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E\
-73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D5\
-5E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolli\
-ng_resistance","duration","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],laws:{stronge:2,newton:0,poisson:1},events:2e3,
-flight_turns:2e3,allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{
-least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,
-words:"from 1e-12 to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+\
-06, or inf",also:["inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1\
-.57 to 1.57"},"plane.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.ro\
-lling_resistance":{least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"\
-from -1e+06 to 1e+06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,
-most:1e6,words:"from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e\
-+09"},duration:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,
-most:1e6,words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"\
-contact.tangential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_eve\
-nts":{least:1,most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,
-words:"from 1e-12 to 1e+06"}},words:["hoop.parts","plane.impact_law","plane.painleve","contact.model","contact.law","contact.friction"],rates:{"hoop.eccentricit\
-y":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_static","plane.mu_kinetic":"mu_kinetic","\
-plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_resistance","start.angle":"angle","start.x":"\
-x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"what happens in the first turn",span:"first_r\
-evolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{label:"angle of take-off",span:"takeof\
-f",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{label:"greatest friction utilizat\
-ion",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{label:"angle at the end",span:"du\
-ration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{label:"how it ends",span:"du\
-ration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"duration = {duration:g} must b\
-e at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have at most {most} in the lab.",too_many_turns:"\
-duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab; the library itself has no such li\
-mit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and must need at most {most:.0e} in the lab.",too_many_changes:"\
-changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"\
-x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact\
-.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"\
-x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {most:.0e} in the lab; take fewer cells, lower speeds or a shorter durat\
-ion.",doubt:"After {time} s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the exact result.",compliant_changes:"\
-With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"changes holds {change}, which is not a pair of path and value\
-.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",times:"must be two times, from and to [s], rising from 0",number_path:"\
-must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"a quantity that sets off the event only touches zero there",border:"\
-the motion lies on the border of two classes: the least change may lead to other events",plastic:"restitution is 0 and the rim has landed: with any restitution \
-it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are others",singular:"the slip runs into p\
-_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular limit once the contact force is lost",frictionless:"without fr\
-iction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from there on",edge:"the parameter is at the edge of what is allo\
-wed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},
-calls:{setup:[],film:["scenario","query","changes"],samples:["scenario","query","changes","window"],code:["scenario","query","changes"],simulate:["scenario","qu\
-ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenario","query","changes","window"],map:["scenario","query","changes","x","y","what"],
-file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
-rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
-J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","pl\
-ane.mu_static","plane.mu_kinetic","plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start\
-.vx","start.vy","start.omega"]};var S=Ho,He=n=>n==="inf"?1/0:n;var k={sources:"67265e6a6ce7c7c493ea343a4d7cb47b",module:"0be4fbd308f1e46d",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"PointMass",rod:"\
+Rod"},ends:{"hoop.load_fraction":["eccentricity","inertia_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","p\
+arts"],"hoop.parts":["load_fraction","eccentricity","inertia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["\
+mu"],"start.speed":["height","vx","vy","omega"],"start.height":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["r\
+estitution"],"contact.restitution":["damping"]},left_out:{rolling_resistance:0},rules:[null,{sentence:"hoop_mass",values:{mass:"hoop.mass"},known:{words:"from 1\
+e-12 to 1e+12 kg"},number:""},{sentence:"load_inertia",values:{load_fraction:"hoop.load_fraction",inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e\
+-12 to 1e+06"},number:""},{sentence:"parts_inertia",values:{inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e-12 to 1e+06"},number:""},{sentence:"m\
+assless_eccentricity",values:{eccentricity:"hoop.eccentricity"},known:{},number:""},{sentence:"kinetic_above_static",values:{mu_kinetic:"plane.mu_kinetic",mu_static:"\
+plane.mu_static"},known:{},number:""},{sentence:"vertical",values:{slope:"plane.slope"},known:{},number:""},{sentence:"slope",values:{slope:"plane.slope"},known:{
+words:"from -1.57 to 1.57 rad"},number:""},{sentence:"massless_slope",values:{slope:"plane.slope"},known:{},number:""},{sentence:"massless_resistance",values:{given:"\
+plane.rolling_resistance"},known:{},number:""},{sentence:"resistance",values:{given:"plane.rolling_resistance"},known:{},number:"most"},{sentence:"massless_comp\
+liant",values:{},known:{},number:""},{sentence:"compliant_friction",values:{},known:{},number:""},{sentence:"relative_contact",values:{value:"contact.stiffness"},
+known:{name:"stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.tangential_stiffness"},known:{
+name:"tangential_stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.slip_speed"},known:{
+name:"slip_speed",unit:"√(g R)",words:"from 1e-12 to 1e+06"},number:"relative"},{sentence:"too_soft",values:{stiffness:"contact.stiffness"},known:{most:100},number:"\
+depth"}],touch:1e-12,default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"\
+flight"},start:{x:0,angle:0,speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mea\
+n {close}?",known_are:"known are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{pa\
+th} = {shown} {allowed}.",number:"must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finit\
+e number",greater_than:"must be greater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"\
+must be at most {limit:g}",range:"must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",
+other_problem:"{first} (and {count} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts mus\
+t not be empty.",half_a_hoop:"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs ho\
+op.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give ho\
+op.inertia_ratio = {inertia_ratio!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r},\
+ which must be {words}.",ring_radii:"ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) \
+reaches {reach!r} m from the centre, beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu\
+_static = {mu_static!r}.",vertical:"plane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"\
+start.omega = None must be a number.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"pl\
+ane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {mo\
+st:.6g} for this hoop, whose inertia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the m\
+assless hoop (hoop.inertia_ratio = 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{n\
+ame} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e\
+} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known a\
+re {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} c\
+annot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",value_above:"\
+{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are\
+ numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flie\
+s",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{verb:"roll\
+s",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
+impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
+bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
+painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
+verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},rest:{verb:"rests",label:"at rest",
+summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
+≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
+s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
+ of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
+story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
+starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction reaches it\
+s limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip reverses at {where}; it {verb}.",
+takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s d\
+ownwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {wher\
+e} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {wh\
+ere}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agr\
+ees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact for\
+ce grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls fre\
+ely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"\
+It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at o\
+nce",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"\
+Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"\
+at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"\
+would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"\
+no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is\
+)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip a\
+t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single threshold uphill (β < 0): it depends on where the hoop turns back; s\
+ee the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0\
+072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B\
+4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
+impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
+5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{events:2e3,flight_turns:2e3,
+allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,
+words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 \
+to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:[
+"inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pla\
+ne.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{
+least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"from -1e+06 to 1e\
++06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"\
+from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},duration:{
+least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,most:1e6,
+words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"contact.t\
+angential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_events":{least:1,
+most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e\
+-12 to 1e+06"}},rates:{"hoop.eccentricity":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_s\
+tatic","plane.mu_kinetic":"mu_kinetic","plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_res\
+istance","start.angle":"angle","start.x":"x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"wha\
+t happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
+label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
+label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
+label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
+label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
+ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
+t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
+ the lab; the library itself has no such limit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and m\
+ust need at most {most:.0e} in the lab.",too_many_changes:"changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.c\
+ells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be \
+axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.\
+0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {\
+most:.0e} in the lab; take fewer cells, lower speeds or a shorter duration.",doubt:"After {time} s the motion depends on more digits than this page computes. Ru\
+n it in hophoop lab or Python for the exact result.",compliant_changes:"With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"\
+changes holds {change}, which is not a pair of path and value.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",
+times:"must be two times, from and to [s], rising from 0",number_path:"must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"\
+a quantity that sets off the event only touches zero there",border:"the motion lies on the border of two classes: the least change may lead to other events",plastic:"\
+restitution is 0 and the rim has landed: with any restitution it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bou\
+nce, and its events are others",singular:"the slip runs into p_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular l\
+imit once the contact force is lost",frictionless:"without friction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from\
+ there on",edge:"the parameter is at the edge of what is allowed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,
+cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"\
+m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"\
+J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","plane.mu_static","plane.mu_kinetic",
+"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=Eo,vt=n=>n==="inf"?1/0:n;var k={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -1437,530 +1434,529 @@ tion_force","normal_force","friction","impact_normal","impact_tangential","sprin
 "normal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_no\
 rmal","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
 "law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh",
-"linear","bristle"],chosen:["stiffness","tangential_stiffness","slip_speed","depth","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_sp\
-eed","immediate_hop_speed","needed_friction","needed_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4",
-"stable_angle","massless_loss_angle","massless_loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling",
-"energy_lost","greatest_utilization","takeoff_time","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:[
-"status","ending","first_event","hop","painleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermin\
-ed","event_limit"],spans:{first_revolution:{angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{
-angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,
-energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:[
-"completed","at_rest","jammed","undetermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:[
-"start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain",
-"skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","sec\
-ond","at"],impact_laws:["newton","poisson","stronge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painl\
-eve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["complete\
-d","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var $e=n=>Object.fromEntries(n.map((e,t)=>[e,t])),$o=$e(k.cell),we=$e(k.heads),G=$e(k.events),zs=$e(k.samples),Bo=$e(k.changes),Wo=$e(k.numbers),Ns=$e(k.words);
-function ht(n){let e=new Float64Array(k.cell.length),t={...Object.fromEntries(Object.entries(n).filter(([,s])=>typeof s=="number")),law:k.impact_laws.indexOf(n.
-impact_law),strike:+(n.painleve==="impact"),ideal:Number(n.ideal),allowed:1};return k.cell.forEach((s,i)=>{e[i]=t[s]??0}),e}function Os(n){let e=t=>t??Number.NaN;
-return Float64Array.of(k.laws.indexOf(n.law),k.friction_laws.indexOf(n.friction),e(n.stiffness),e(n.damping),e(n.restitution),e(n.slip_speed),e(n.tangential_stiffness),
-e(n.rtol))}var Ch=Object.entries(S.words.events),Se=Object.fromEntries(Ch.map(([n,{label:e}])=>[n,e])),Go=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var zh=new Set(k.passing),Nh=3,Oh=1e-10;function Ih(n){let e=[],t=-1,s=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of n.entries())t>=0&&o==="apex"&&(s<0||c>n[s].
-height)&&(s=i),!zh.has(o)&&(t>=0&&a==="H"&&l>n[t].t&&(e.push({begin:t,top:s,end:o==="end"?-1:i}),t=s=-1),r==="H"&&o!=="end"&&([t,s]=[i,-1]));return e}var cn=class{constructor(e,t,s){
+"linear","bristle"],chosen:["stiffness","slip_speed"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","needed_friction_\
+angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_loss_by_frictio\
+n"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_time","takeoff_a\
+ngle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","painleve"],keys:4,
+letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{angle:6.283185307179586,
+stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,
+first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,takeoff_time:1,
+takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undetermined","event\
+_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stick","slip_revers\
+al","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:[
+"no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],impact_laws:["newton","poisson","stro\
+nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam",
+"kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit",
+"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Oe=n=>Object.fromEntries(n.map((e,t)=>[e,t])),Mo=Oe(k.cell),pe=Oe(k.heads),B=Oe(k.events),ws=Oe(k.samples),So=Oe(k.changes),To=Oe(k.numbers),ys=Oe(k.words),
+Zl={law:({impact_law:n})=>k.impact_laws.indexOf(n),strike:({painleve:n})=>+(n==="impact"),allowed:()=>1},xt=k.cell.map(n=>Zl[n]??(e=>Number(e[n]??0))),qe=n=>Float64Array.
+from(xt,e=>e(n));function Qt(n){let e=n?{...n,law:k.laws.indexOf(n.law),friction_law:k.friction_laws.indexOf(n.friction)}:{};return Float64Array.from(k.compliant,
+t=>e[t]??Number.NaN)}var Xl=Object.entries(S.words.events),_e=Object.fromEntries(Xl.map(([n,{label:e}])=>[n,e])),Ao=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var Ql=new Set(k.passing),eh=3,th=1e-10;function nh(n){let e=[],t=-1,s=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of n.entries())t>=0&&o==="apex"&&(s<0||c>n[s].
+height)&&(s=i),!Ql.has(o)&&(t>=0&&a==="H"&&l>n[t].t&&(e.push({begin:t,top:s,end:o==="end"?-1:i}),t=s=-1),r==="H"&&o!=="end"&&([t,s]=[i,-1]));return e}var en=class{constructor(e,t,s){
 let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=i??o,this.step=i?s:
--s,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||qh(i,o))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+Bo[t]]:Number.NaN}of(e,t){return this.
-step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Ih(this.events.slice(0,this.count)).map(({begin:e,
+-s,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||sh(i,o))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+So[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return nh(this.events.slice(0,this.count)).map(({begin:e,
 top:t,end:s})=>{let i=o=>s<0?Number.NaN:this.step*(this.rate(s,o)-this.rate(e,o));return{begin:e,end:s,height:this.of(t<0?e:t,"height"),distance:i("x"),duration:i(
-"t")}})}};function qh(n,e){return n!==e&&(n?.rates.some((t,s)=>Number.isFinite(t)!==Number.isFinite(e?.rates[s]))??!1)}function Ko(n,e){let t=Math.abs(n);if(e===
-"°")return F(M(t*180/Math.PI,3),"°");let s=t<.0995,i=t<9995e-8,[o,a]=s?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?F(M(t,3),e):F(M(o*t,3),`${a}${e}`)}var un=(n,e)=>Math.
-abs(n)>Oh*Math.max(e,.001);function Vo(n,e){return Number.isFinite(n)?un(n,1)?`${n>0?"+":"−"}${Ko(n,e)}`:"0":"–"}function Is(n){let e=n.filter(([t])=>Number.
-isFinite(t)&&un(t,1)).map(([t,s,i,o])=>x(t>0?i:o,{amount:Ko(t,s)})).join(Re()==="zh"?"，":", ");return B(e)}var Uo=["m","{amount} further to the right","{amoun\
-t} further to the left"],Fh=["s","{amount} later","{amount} earlier"];function Jo(n){let{events:e,count:t}=n,s=[],i=n.hops();for(let[r,{begin:l,end:c,height:u,distance:h,
-duration:m}]of i.slice(0,Nh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=Is([[u,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+"t")}})}};function sh(n,e){return n!==e&&(n?.rates.some((t,s)=>Number.isFinite(t)!==Number.isFinite(e?.rates[s]))??!1)}function Ro(n,e){let t=Math.abs(n);if(e===
+"°")return O(M(t*180/Math.PI,3),"°");let s=t<.0995,i=t<9995e-8,[o,a]=s?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?O(M(t,3),e):O(M(o*t,3),`${a}${e}`)}var tn=(n,e)=>Math.
+abs(n)>th*Math.max(e,.001);function Po(n,e){return Number.isFinite(n)?tn(n,1)?`${n>0?"+":"−"}${Ro(n,e)}`:"0":"–"}function vs(n){let e=n.filter(([t])=>Number.
+isFinite(t)&&tn(t,1)).map(([t,s,i,o])=>x(t>0?i:o,{amount:Ro(t,s)})).join(Te()==="zh"?"，":", ");return j(e)}var Lo=["m","{amount} further to the right","{amoun\
+t} further to the left"],ih=["s","{amount} later","{amount} earlier"];function Co(n){let{events:e,count:t}=n,s=[],i=n.hops();for(let[r,{begin:l,end:c,height:d,distance:h,
+duration:m}]of i.slice(0,eh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=vs([[d,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
 er"],[m,"s","{amount} more in the air","{amount} less in the air"],[n.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&s.push(i.length>1?x(
-"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=Is(
-[[n.of(o,"t"),...Fh],[n.of(o,"x"),...Uo]]);r&&s.push(x("The first event, {what}: {list}.",{what:x(Se[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
-let r=Math.sign(e[a].vx)*n.of(a,"vx"),l=Is([[n.of(a,"x"),...Uo],[r,"m/s","{amount} faster","{amount} slower"]]);l&&s.push(x("At the end, after {time} s: {list}.",
-{time:M(e[a].t,4),list:l}))}return s}var Be=S.words.signs,dn=Object.keys(Be);function Yo(n,e=11){let s=[...n.filter(({kind:o})=>o in Be)].sort((o,a)=>dn.indexOf(o.kind)-dn.indexOf(a.kind)||o.x-a.x),
-i=[];for(let{kind:o,x:a}of s){let r=dn.indexOf(o)<dn.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
-x-(l[0].x+e))<e-1e-9)?l[0].mark!==Be[o]&&i.push({mark:Be[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Be[o],x:a,rare:r,hidden:0})}return i.sort(
-(o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Zo(n,e,t){let s=[],i=new Map,o=-1,a=(l,c,u)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
-c)<1e-6?h.wide+=u:s.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of n){let[h,
-m]=[Math.max(e(c),0),Math.min(e(u),t)];if(m>h)for(let p=h;p<m-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-o)<1e-6)){
-let g=Math.floor(m-p+1e-9);a(l,o,g),p=o+g;continue}let f=Math.min(m,o+1);i.set(l,(i.get(l)??0)+f-p),p=f}}return r(),s}var Qo=.7,Xo=34,Dh=3,jh=400,Hh=8,qs=13;function ea(n){let{events:e,count:t}=n;return e.slice(0,Math.min(t,jh)).map(({kind:s,x:i,height:o},a)=>({kind:s,x:i,y:o,dx:n.
-of(a,"x"),dy:n.of(a,"height")}))}function ta(n,e,t){let s=n.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&un(r,e)).sort((r,l)=>r-l);if(!s.length)
-return 0;let i=Math.max(Qo*e,Xo/t)/s[Math.floor(s.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function na(n,e,t){
-let s=[],i=Dh*Math.max(Qo*n.film.radius,Xo/n.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
-m=h>i?i/h:1,p=u?[m*t*l,m*t*c]:[0,0],f=n.point(a,r),g=n.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>n.width+20)continue;let[b,w]=[Math.min(
-f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;s.some(E=>Math.abs(E.base-y)<qs-1&&E.low<w&&E.high>b);)y-=qs;if(f[1]-y>Hh*qs)continue;s.push({low:b,high:w,base:y});
-let v=y-f[1];$h(n,f,[g[0],g[1]+v],v,{known:u,broken:m<1,mark:Be[o]??""})}}function $h({context:n,look:e},t,s,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
-hypot(s[0]-l[0],s[1]-l[1]),[u,h]=c>0?[(s[0]-l[0])/c,(s[1]-l[1])/c]:[1,0],m=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])n.strokeStyle=f,n.fillStyle=f,
+"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let o=i.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(o>=0){let r=vs(
+[[n.of(o,"t"),...ih],[n.of(o,"x"),...Lo]]);r&&s.push(x("The first event, {what}: {list}.",{what:x(_e[e[o].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*n.of(a,"vx"),l=vs([[n.of(a,"x"),...Lo],[r,"m/s","{amount} faster","{amount} slower"]]);l&&s.push(x("At the end, after {time} s: {list}.",
+{time:M(e[a].t,4),list:l}))}return s}var Fe=S.words.signs,nn=Object.keys(Fe);function zo(n,e=11){let s=[...n.filter(({kind:o})=>o in Fe)].sort((o,a)=>nn.indexOf(o.kind)-nn.indexOf(a.kind)||o.x-a.x),
+i=[];for(let{kind:o,x:a}of s){let r=nn.indexOf(o)<nn.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==Fe[o]&&i.push({mark:Fe[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Fe[o],x:a,rare:r,hidden:0})}return i.sort(
+(o,a)=>o.x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function No(n,e,t){let s=[],i=new Map,o=-1,a=(l,c,d)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+c)<1e-6?h.wide+=d:s.push({mode:l,from:c,wide:d})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:d}of n){let[h,
+m]=[Math.max(e(c),0),Math.min(e(d),t)];if(m>h)for(let p=h;p<m-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-o)<1e-6)){
+let g=Math.floor(m-p+1e-9);a(l,o,g),p=o+g;continue}let f=Math.min(m,o+1);i.set(l,(i.get(l)??0)+f-p),p=f}}return r(),s}var Io=.7,Do=34,oh=3,ah=400,rh=8,xs=13;function Oo(n){let{events:e,count:t}=n;return e.slice(0,Math.min(t,ah)).map(({kind:s,x:i,height:o},a)=>({kind:s,x:i,y:o,dx:n.
+of(a,"x"),dy:n.of(a,"height")}))}function qo(n,e,t){let s=n.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&tn(r,e)).sort((r,l)=>r-l);if(!s.length)
+return 0;let i=Math.max(Io*e,Do/t)/s[Math.floor(s.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function Fo(n,e,t){
+let s=[],i=oh*Math.max(Io*n.film.radius,Do/n.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let d=Number.isFinite(l)&&Number.isFinite(c),h=d?t*Math.hypot(l,c):0,
+m=h>i?i/h:1,p=d?[m*t*l,m*t*c]:[0,0],f=n.point(a,r),g=n.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>n.width+20)continue;let[b,w]=[Math.min(
+f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;s.some(_=>Math.abs(_.base-y)<xs-1&&_.low<w&&_.high>b);)y-=xs;if(f[1]-y>rh*xs)continue;s.push({low:b,high:w,base:y});
+let v=y-f[1];lh(n,f,[g[0],g[1]+v],v,{known:d,broken:m<1,mark:Fe[o]??""})}}function lh({context:n,look:e},t,s,i,{known:o,broken:a,mark:r}){let l=[t[0],t[1]+i],c=Math.
+hypot(s[0]-l[0],s[1]-l[1]),[d,h]=c>0?[(s[0]-l[0])/c,(s[1]-l[1])/c]:[1,0],m=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])n.strokeStyle=f,n.fillStyle=f,
 n.lineCap="round",i&&(n.lineWidth=g>3?3:1,n.beginPath(),n.moveTo(t[0],t[1]),n.lineTo(l[0],l[1]),n.stroke()),n.lineWidth=g,n.setLineDash(a?[5,6]:[]),n.beginPath(),
-n.moveTo(l[0],l[1]),n.lineTo(s[0]-u*m,s[1]-h*m),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
-g>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-u*m-h*m*.55,s[1]-h*m+u*m*.55),n.lineTo(s[0]-u*m+h*m*.55,s[1]-h*m-u*m*.55),n.closePath(),n.stroke(),n.fill());
+n.moveTo(l[0],l[1]),n.lineTo(s[0]-d*m,s[1]-h*m),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
+g>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-d*m-h*m*.55,s[1]-h*m+d*m*.55),n.lineTo(s[0]-d*m+h*m*.55,s[1]-h*m-d*m*.55),n.closePath(),n.stroke(),n.fill());
 n.lineCap="butt";let p=o?r:"?";p&&(n.font=`600 ${11*e.px}px ${e.font}`,n.textAlign="center",n.lineWidth=3,n.strokeStyle=e.paper,n.fillStyle=e.ink,n.strokeText(p,
-l[0],l[1]-7),n.fillText(p,l[0],l[1]-7))}var sa=Math.PI/180,Bh=100,ia="plane.mu",Wh=/^(contact\.|duration$)/,Gh=200,mn=S.reasons;function oa(n,e){return n.textContent=e,n}var pn=class{constructor(e){this.
-lab=e;this.on=!1;this.path=ia;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
-ie(()=>this.fetch(),Bh),this.switch=d("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
-"Arrows"),this.picked=d("select",{onchange:()=>this.pick(this.picked.value)}),this.step=d("span",{class:"more-step"}),this.take=d("button",{type:"button",onclick:()=>this.
-apply()},"Do it"),this.said=d("ul",{class:"more-said"}),this.reason=d("p",{class:"more-reason",hidden:!0}),this.scale=d("p",{class:"hint"}),this.body=d("tbody",
-{}),this.rows=d("details",{class:"more-events"},d("summary",{},"Every event, by this step"),d("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
-What changes at every event"},d("table",{},d("thead",{},d("tr",{},["event","time","place","height","load angle"].map(t=>d("th",{scope:"col"},t)))),this.body))),
-this.element=d("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},d("header",{},d("h2",{},"What a little more would do"),d("but\
-ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),d("div",{class:"more-asked"},d("label",{},d("span",{},"A little more"),this.picked),this.step,this.take),
-this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,s)=>{let i=e.root.classList.contains("guessing");if(!this.on||i||s!==e.motions.active)return;let o=ta(
-this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&na(t,this.arrows,o||1),o!==this.factor&&(this.factor=o,this.tellScale())}}turn(e=!this.
+l[0],l[1]-7),n.fillText(p,l[0],l[1]-7))}var Ho=Math.PI/180,hh=100,jo="plane.mu",ch=/^(contact\.|duration$)/,uh=200,sn=S.reasons;function Bo(n,e){return n.textContent=e,n}var on=class{constructor(e){this.
+lab=e;this.on=!1;this.path=jo;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
+ne(()=>this.fetch(),hh),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
+"Arrows"),this.picked=u("select",{onchange:()=>this.pick(this.picked.value)}),this.step=u("span",{class:"more-step"}),this.take=u("button",{type:"button",onclick:()=>this.
+apply()},"Do it"),this.said=u("ul",{class:"more-said"}),this.reason=u("p",{class:"more-reason",hidden:!0}),this.scale=u("p",{class:"hint"}),this.body=u("tbody",
+{}),this.rows=u("details",{class:"more-events"},u("summary",{},"Every event, by this step"),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
+What changes at every event"},u("table",{},u("thead",{},u("tr",{},["event","time","place","height","load angle"].map(t=>u("th",{scope:"col"},t)))),this.body))),
+this.element=u("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},u("header",{},u("h2",{},"What a little more would do"),u("but\
+ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),u("div",{class:"more-asked"},u("label",{},u("span",{},"A little more"),this.picked),this.step,this.take),
+this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,s)=>{let i=e.root.classList.contains("guessing");if(!this.on||i||s!==e.motions.active)return;let o=qo(
+this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&Fo(t,this.arrows,o||1),o!==this.factor&&(this.factor=o,this.tellScale())}}turn(e=!this.
 on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",e?this.changed(!0):this.forget(),this.
 lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.lab.address?.soon()}offered(){return[
-...this.lab.controls.sliders.values()].filter(({info:t,element:s})=>!s.hidden&&!Wh.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
+...this.lab.controls.sliders.values()].filter(({info:t,element:s})=>!s.hidden&&!ch.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
 film(),s=this.offered().find(({path:r})=>r===this.path);if(!s)return null;let[i,o]=s.path.split("."),a=e[s.path]??t[i][o];return{info:s,value:Number(a==="inf"?1/0:
-a),step:s.step*(s.degrees?sa:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
+a),step:s.step*(s.degrees?Ho:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
 known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:s})=>s===this.path)||(this.path=e.find(({path:s})=>s.
-startsWith(ia))?.path??e[0].path);let t=e.map(({label:s,symbol:i})=>`${x(s)} ${i}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
-map(({path:s},i)=>oa(d("option",{value:s}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
+startsWith(jo))?.path??e[0].path);let t=e.map(({label:s,symbol:i})=>`${x(s)} ${i}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
+map(({path:s},i)=>Bo(u("option",{value:s}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
 if(!this.on)return;let{lab:e,path:t}=this,s=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:o}=this.asked;if(this.known=
 `${t} ${s.query}`,!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This nee\
-ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(s.scenario,t,o);if(o.aborted||e.film()!==s)return;if(!a)return this.refuse(mn.edge);this.
-changes=new cn(s,a,i.step),this.arrows=ea(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!o.aborted&&this.refuse(l)}
+ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(s.scenario,t,o);if(o.aborted||e.film()!==s)return;if(!a)return this.refuse(sn.edge);this.
+changes=new en(s,a,i.step),this.arrows=Oo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!o.aborted&&this.refuse(l)}
 e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,
 this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||
-!t)return;let{info:s,value:i}=t,o=c=>F(M(s.degrees?c/sa:c,5),s.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
-this.scale.hidden=!1;let r=Jo(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>oa(d("li",{}),c)));let l=this.
-why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(B([`${x(s.label)} ${a}.`,...r,l&&x(l)].filter(
+!t)return;let{info:s,value:i}=t,o=c=>O(M(s.degrees?c/Ho:c,5),s.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
+this.scale.hidden=!1;let r=Co(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>Bo(u("li",{}),c)));let l=this.
+why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(j([`${x(s.label)} ${a}.`,...r,l&&x(l)].filter(
 Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),this.three=e}tellScale(){
 let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":x("The arrows in the picture lead from where t\
 he rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:s,events:i,
-edge:o,sided:a}=e;if(t>=0&&s){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=x(Se[r]??r),u=x(mn[s.reason]);return B(x("From {what} at {time} s on no derivative: {r\
-eason}.",{what:c,time:M(l,4),reason:u}))}return o?B(x("To one side only: {reason}.",{reason:x(mn.edge)})):a?B(x("To one side only: {reason}.",{reason:x(mn.sided)})):
-""}fill(e){let t=(i,o,a)=>{let r=Vo(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return d("td",{"data-rate":String(a)},l&&d("span",{"aria-hidden":"true"},l),
-B(r))},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,Gh)).map(({kind:i,t:o},a)=>d("tr",{onclick:()=>this.
-lab.clock.seek(o)},d("th",{scope:"row"},Se[i]??i,d("small",{},` ${M(o,4)} s`)),s.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
-!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var fn=class{constructor(e){this.lab=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("\
+edge:o,sided:a}=e;if(t>=0&&s){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=x(_e[r]??r),d=x(sn[s.reason]);return j(x("From {what} at {time} s on no derivative: {r\
+eason}.",{what:c,time:M(l,4),reason:d}))}return o?j(x("To one side only: {reason}.",{reason:x(sn.edge)})):a?j(x("To one side only: {reason}.",{reason:x(sn.sided)})):
+""}fill(e){let t=(i,o,a)=>{let r=Po(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u("td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),
+j(r))},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,uh)).map(({kind:i,t:o},a)=>u("tr",{onclick:()=>this.
+lab.clock.seek(o)},u("th",{scope:"row"},_e[i]??i,u("small",{},` ${M(o,4)} s`)),s.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
+!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var an=class{constructor(e){this.lab=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("\
 fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
 lab.show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),
-this.full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var aa=.22,ra=.03;function la(n,e){let t=n.at(e),s=n.mass*(n.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,o=i/(1+i),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function ha(n,e,t){let s=Math.
-sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/s,.02,1))}function Uh(n){
-let e=n.createBuffer(1,n.sampleRate,n.sampleRate),t=e.getChannelData(0),s=1;for(let i=0;i<t.length;i++)s=s*16807%2147483647,t[i]=2*s/2147483647-1;return e}var gn=class{constructor(){
-this.context=null;this.on=!1;this.last=0}static{this.heard=la}static{this.knocks=ha}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.
-createBufferSource();s.buffer=Uh(e),s.loop=!0;let i=e.createBiquadFilter();i.type="bandpass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];
+this.full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var $o=.22,Wo=.03;function Go(n,e){let t=n.at(e),s=n.mass*(n.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,o=i/(1+i),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*E(.15+r,0,1):0}}function Uo(n,e,t){let s=Math.
+sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>E(Math.abs(i.vy)/s,.02,1))}function dh(n){
+let e=n.createBuffer(1,n.sampleRate,n.sampleRate),t=e.getChannelData(0),s=1;for(let i=0;i<t.length;i++)s=s*16807%2147483647,t[i]=2*s/2147483647-1;return e}var rn=class{constructor(){
+this.context=null;this.on=!1;this.last=0}static{this.heard=Go}static{this.knocks=Uo}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.
+createBufferSource();s.buffer=dh(e),s.loop=!0;let i=e.createBiquadFilter();i.type="bandpass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];
 o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),s.connect(i).connect(a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(
 this,{tone:t,low:o,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){
-let{gain:s}=this[e];s.setTargetAtTime(aa*t,this.context.currentTime,ra)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
-"high",0),this.last=t.time;return}let{tone:s,pitch:i,hiss:o}=la(e,t.time);if(this.set("low",s),this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.
-context.currentTime,ra),t.time>this.last)for(let a of ha(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,s=t.currentTime,i=t.createGain();
-i.gain.setValueAtTime(2.2*aa*Math.sqrt(e),s),i.gain.exponentialRampToValueAtTime(1e-4,s+.18);let o=t.createOscillator();o.frequency.setValueAtTime(190,s),o.frequency.
-exponentialRampToValueAtTime(60,s+.15),o.connect(i).connect(t.destination),o.start(s),o.stop(s+.2)}close(){this.context?.close()}};var Fs=Math.PI/180,X=n=>e=>e.columns[n],Lt=(n,e)=>t=>t.derived(n,s=>Float64Array.from(t.t,(i,o)=>e(s,o,t))),K={time:{name:"time",symbol:"t",unit:"s",values:n=>n.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:Lt("degrees",({angle:n},e)=>n[e]/Fs)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Lt(
-"within",({angle:n},e)=>{let t=s=>Math.floor(n[s]/Fs/360);return e>0&&t(e)!==t(e-1)?Number.NaN:n[e]/Fs-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:X("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:X("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:Lt(
-"rise",({height:n,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+n[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:X("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:Lt("spin",({omega:n},e,t)=>n[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:X(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:X("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:X("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:X("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:X("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:X("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:X("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:X("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Lt("total",({kinetic:n,potential:e},t)=>n[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:X("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:X("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:X("rolling_resistance")}},ca=({name:n,symbol:e})=>[
-n," ",e];var Kh=["time","angle","x","vx","spin","normal_force","friction_force"],Vh=[1,.5,.2,.1,.05,.02,.01],Ds=601;function ua(n,e,t){let s=Math.min(Math.floor(n.duration/
-t+1e-9)+1,Ds),i=[];for(let o=0;o<s;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:n.at(a).mode,values:e.map(r=>Jh(n,r,a))})}return i}function Jh(n,e,t){
+let{gain:s}=this[e];s.setTargetAtTime($o*t,this.context.currentTime,Wo)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
+"high",0),this.last=t.time;return}let{tone:s,pitch:i,hiss:o}=Go(e,t.time);if(this.set("low",s),this.set("high",.6*o),this.tone.frequency.setTargetAtTime(i,this.
+context.currentTime,Wo),t.time>this.last)for(let a of Uo(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,s=t.currentTime,i=t.createGain();
+i.gain.setValueAtTime(2.2*$o*Math.sqrt(e),s),i.gain.exponentialRampToValueAtTime(1e-4,s+.18);let o=t.createOscillator();o.frequency.setValueAtTime(190,s),o.frequency.
+exponentialRampToValueAtTime(60,s+.15),o.connect(i).connect(t.destination),o.start(s),o.stop(s+.2)}close(){this.context?.close()}};var ks=Math.PI/180,Z=n=>e=>e.columns[n],kt=(n,e)=>t=>t.derived(n,s=>Float64Array.from(t.t,(i,o)=>e(s,o,t))),W={time:{name:"time",symbol:"t",unit:"s",values:n=>n.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:kt("degrees",({angle:n},e)=>n[e]/ks)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:kt(
+"within",({angle:n},e)=>{let t=s=>Math.floor(n[s]/ks/360);return e>0&&t(e)!==t(e-1)?Number.NaN:n[e]/ks-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:Z("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:Z("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:kt(
+"rise",({height:n,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+n[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:Z("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:kt("spin",({omega:n},e,t)=>n[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:Z(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:Z("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:Z("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:Z("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:Z("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:Z("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:Z("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:Z("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:kt("total",({kinetic:n,potential:e},t)=>n[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:Z("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:Z("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Z("rolling_resistance")}},Ko=({name:n,symbol:e})=>[
+n," ",e];var mh=["time","angle","x","vx","spin","normal_force","friction_force"],ph=[1,.5,.2,.1,.05,.02,.01],_s=601;function Vo(n,e,t){let s=Math.min(Math.floor(n.duration/
+t+1e-9)+1,_s),i=[];for(let o=0;o<s;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:n.at(a).mode,values:e.map(r=>fh(n,r,a))})}return i}function fh(n,e,t){
 if(e==="time")return t;let s=n.at(t);if(e in s&&e!=="angle")return s[e];let i=s.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
-i/360);let o=K[e].values(n),a=n.index(t),r=Math.min(a+1,n.length-1),l=n.t[r]>n.t[a]?(t-n.t[a])/(n.t[r]-n.t[a]):0;return o[a]+l*(o[r]-o[a])}var bn=class{constructor(e){
-this.lab=e;this.rows=[];this.columns=[...Kh];this.step=d("select",{onchange:()=>this.fill()},Vh.map(t=>d("option",{value:String(t)},`${t} s`))),this.step.value=
-"0.1",this.picks=d("div",{class:"table-picks"},Object.entries(K).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=d("caption",{}),this.
-head=d("thead",{}),this.body=d("tbody",{}),this.element=d("section",{class:"table","aria-label":"Table of the motion",hidden:!0},d("header",{},d("h2",{},"Table"),
-d("label",{class:"table-step"},d("span",{},"Every"),this.step),d("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),d("button",{type:"button",onclick:()=>this.
-open(!1)},"Close")),d("details",{class:"table-columns"},d("summary",{},"Columns"),this.picks),d("div",{class:"table-scroll",tabindex:"0",role:"region","aria-lab\
-el":"Table of the motion, rows"},d("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=d("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
-let i=new Set(this.columns);s.checked?i.add(e):i.delete(e),this.columns=Object.keys(K).filter(o=>i.has(o)),this.fill()}});return d("label",{},s,d("span",{},t))}open(e){
+i/360);let o=W[e].values(n),a=n.index(t),r=Math.min(a+1,n.length-1),l=n.t[r]>n.t[a]?(t-n.t[a])/(n.t[r]-n.t[a]):0;return o[a]+l*(o[r]-o[a])}var ln=class{constructor(e){
+this.lab=e;this.rows=[];this.columns=[...mh];this.step=u("select",{onchange:()=>this.fill()},ph.map(t=>u("option",{value:String(t)},`${t} s`))),this.step.value=
+"0.1",this.picks=u("div",{class:"table-picks"},Object.entries(W).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=u("caption",{}),this.
+head=u("thead",{}),this.body=u("tbody",{}),this.element=u("section",{class:"table","aria-label":"Table of the motion",hidden:!0},u("header",{},u("h2",{},"Table"),
+u("label",{class:"table-step"},u("span",{},"Every"),this.step),u("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),u("button",{type:"button",onclick:()=>this.
+open(!1)},"Close")),u("details",{class:"table-columns"},u("summary",{},"Columns"),this.picks),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-lab\
+el":"Table of the motion, rows"},u("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=u("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
+let i=new Set(this.columns);s.checked?i.add(e):i.delete(e),this.columns=Object.keys(W).filter(o=>i.has(o)),this.fill()}});return u("label",{},s,u("span",{},t))}open(e){
 this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
-element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>K[c]);this.head.
-replaceChildren(d("tr",{},o.map(({name:c,symbol:u,unit:h})=>d("th",{scope:"col",title:c},u,h&&d("small",{},` ${h}`))),d("th",{scope:"col"},"mode")));let a=ua(e,
-t,s);this.rows=a.map(({time:c,mode:u,values:h})=>({time:c,row:d("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((m,p)=>p===0?d("th",{scope:"row"},M(m,4)):d("td",
-{},M(m,4))),d("td",{class:"table-mode"},i[u]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=Ds+1e-6,l=x("The first {count}\
- rows.",{count:Ds});P(this.caption,r?e.summary:B(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),i=this.lab.theme.colors.mode_names,o=t.map(c=>W[c]);this.head.
+replaceChildren(u("tr",{},o.map(({name:c,symbol:d,unit:h})=>u("th",{scope:"col",title:c},d,h&&u("small",{},` ${h}`))),u("th",{scope:"col"},"mode")));let a=Vo(e,
+t,s);this.rows=a.map(({time:c,mode:d,values:h})=>({time:c,row:u("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((m,p)=>p===0?u("th",{scope:"row"},M(m,4)):u("td",
+{},M(m,4))),u("td",{class:"table-mode"},i[d]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=_s+1e-6,l=x("The first {count}\
+ rows.",{count:_s});P(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
-now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(o=>`${K[o].name} [${K[o].unit||"1"}]`),"mode"],i=ua(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
-...a,o].join(","));rt(new Blob([[s.join(","),...i,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var da="hoop.radius=0.4&duration=1.5&start.speed=",Yh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(o=>`${W[o].name} [${W[o].unit||"1"}]`),"mode"],i=Vo(e,t,Number(this.step.value)).map(({mode:o,values:a})=>[
+...a,o].join(","));et(new Blob([[s.join(","),...i,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var Jo="hoop.radius=0.4&duration=1.5&start.speed=",gh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${da}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],Zh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${Jo}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],bh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Qh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],wh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Xh=["1.0","1.3","1.6","1.9","2.2","2.3"],ec=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ma(n,e){
-let t=u=>{c.close(),n(u)},s=(u,h="Show")=>d("button",{type:"button",class:"link",onclick:()=>t(u)},h),i=ec(),o=i&&[["teach/index.html","Teaching with the hoop"],
-["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=d("table",{},d("caption",{},"A lesson of 45 mi\
-nutes"),d("thead",{},d("tr",{},["Minute","What happens","Motion"].map(u=>d("th",{scope:"col"},u)))),d("tbody",{},Yh.map(([u,h,m])=>d("tr",{},d("th",{scope:"row"},
-u),d("td",{},h),d("td",{},m===null?"":s(m)))))),r=d("table",{},d("caption",{},"What students often think"),d("thead",{},d("tr",{},["Idea","What is right"].map(u=>d(
-"th",{scope:"col"},u)))),d("tbody",{},Zh.map(([u,h])=>d("tr",{},d("td",{},u),d("td",{},h))))),l=d("section",{class:"sheet"},d("h3",{},"Worksheet: the hoop that \
-hops"),d("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),d("ol",{},Qh.map(u=>d("li",{},u,d("div",{class:"answer-line"})))),d("table",{class:"sheet-\
-table"},d("thead",{},d("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(u=>d("th",{scope:"col"},u)))),d("tbody",{},Xh.map(u=>d("tr",{},d("th",
-{scope:"row"},s(`${da}${Number(u)}`,u)),d("td",{}),d("td",{}),d("td",{})))))),c=d("dialog",{class:"teach","aria-label":"For teachers"},d("header",{},d("h2",{},"\
-For teachers"),d("button",{type:"button",onclick:()=>print()},"Print"),d("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),d("p",{},"The vi\
-sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",d("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),o&&d("p",{},o.map(([u,h])=>d("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var js="RSKHM",tc=new Set(["x","angle","height"]),nc=1/60,pa=8,sc={x:"vx",angle:"omega",height:"vy"},ze=class{constructor(e){this.cache=new Map;this.part=null;let{
-header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??null,
-this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.
-columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["\
-hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent()}wanted(e,t=0){
-if(this.duration<nc*this.length)return null;let s=_(e,0,this.duration),i=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&i<=this.part.t[this.part.length-
-1])return null;let o=Math.max(s-.25*pa,0);return[o,Math.min(o+pa+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.
-t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return _o(this.said)}findPhases(){let{
-mode:e}=this.columns,t=[];for(let s=0;s<this.length;s++){let i=t.at(-1);i&&i.mode===js[e[s]]?i.to=this.t[s]:t.push({mode:js[e[s]],from:this.t[s],to:this.t[s]})}
-for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:i,omega:o}=this.columns,a={
-left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>
-a.top&&(a.top=t[l]);let c=Math.hypot(s[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(.95*(r.length-
-1))]||1,a}index(e){let t=0,s=this.length;for(;s-t>1;){let i=t+s>>1;this.t[i]<=e?t=i:s=i}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.
-length}];let[t,s]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,from:0,to:o},{film:e,from:0,to:e.
-length},{film:this,from:this.index(s)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let i=this.index(t),o=Math.
-min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:js[this.columns.mode[i]]};for(let[c,u]of Object.entries(this.columns)){if(c==="t"||
-c==="mode")continue;let h=u[i],m=u[o];if(r===0||!Number.isFinite(m))l[c]=h;else if(tc.has(c)){let p=this.columns[sc[c]];l[c]=ic(h,m,p[i]*a,p[o]*a,r)}else l[c]=h+
-(m-h)*r}return l}derived(e,t){let s=this.cache.get(e)??t(this.columns);return this.cache.set(e,s),s}};function ic(n,e,t,s,i){if(!Number.isFinite(t)||!Number.isFinite(
-s))return n+(e-n)*i;let o=1-i;return o*o*(1+2*i)*n+i*i*(3-2*i)*e+i*o*(o*t-i*s)}var Bs=n=>n-360*Math.floor(n/360);function oc(n,e){let t=Math.abs(Bs(n-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ac(n,e){let t=Math.max(...e)-
-Math.min(...e,0),s=e.reduce((i,o,a)=>i+Math.abs(o-n[a]),0)/e.length;return Math.round(100*_(1-2*s/(t||1),0,1))}var rc=0;function Ct(n,e,t=!1){let s=`hh-guess-${++rc}`,
-i="",o=n.map(([a,r])=>{let l=d("input",{type:"radio",name:s,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:d("label",{class:"guess-choice"},l,d("span",
-{},r))}});return{element:d("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
-row:c}of o){l.disabled=!0;let u=t||r===a;u&&c.append(d("b",{class:"guess-right"},"✓")),c.classList.toggle("right",u)}return t||i===a?100:0}}}var ve=168,Pt=58,
-Hs=(n,e=Pt)=>{let t=n*Math.PI/180;return[ve/2+e*Math.sin(t),ve/2-e*Math.cos(t)]};function Ws(n,e){let t=0,s=!1,i=null,o=d("canvas",{class:"dial-canvas"}),a=d("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":n,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let u=getComputedStyle(
-a),{context:h}=J(o,Number.parseFloat(u.width)/ve||1),m=u.getPropertyValue("--ink").trim(),p=u.getPropertyValue("--soft").trim(),f=u.getPropertyValue("--accent").
-trim();h.clearRect(0,0,ve,ve),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ve/2+Pt),h.lineTo(ve-8,ve/2+Pt),h.stroke(),h.lineWidth=4,h.
-beginPath(),h.arc(ve/2,ve/2,Pt,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Hs(b,Pt-28);
-h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...Hs(b),y,0,2*Math.PI),h.fill()};i!==null&&(h.strokeStyle=m,h.lineWidth=2,h.beginPath(),
-h.arc(...Hs(i),12,0,2*Math.PI),h.stroke(),g(i,m,7)),g(t,s?f:p,9)},l=u=>{i===null&&(t=Bs(u),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
-"aria-valuetext",`${Math.round(t)}°`),r(),e())},c=u=>{let h=o.getBoundingClientRect(),[m,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(
-m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{u.preventDefault(),a.focus({preventScroll:!0}),c(u),Z(a,u,c)}),a.addEventListener("keydown",u=>{
-let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),
-requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:u=>(i=Bs(u),r(),oc(t,i))}}var Rt=9,[ye,wn,We,$s]=[34,12,12,26];function fa({label:n,unit:e,most:t},s){
-let i=Array(Rt).fill(t/4),o=!1,a=null,r=d("canvas",{class:"sketch-canvas"}),l=i.map((y,v)=>d("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${n}\
- with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:E=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
-ArrowLeft:-1}[E.key];T&&(E.preventDefault(),E.stopPropagation(),g(v,i[v]+T*t/(E.shiftKey?100:20)))}})),c=d("div",{class:"guess sketch",role:"group","aria-label":"\
-Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},m=y=>ye+y/(Rt-1)*(h.width-ye-wn),p=y=>We+(1-y/t)*(h.
-height-We-$s),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:E,width:T,height:L}=J(r,v);h={width:T,height:L,
-px:v};let R=A=>y.getPropertyValue(A).trim();E.clearRect(0,0,T,L),E.strokeStyle=R("--line"),E.fillStyle=R("--soft"),E.font="11px system-ui, sans-serif";for(let A=0;A<
-Rt;A+=2)E.textAlign="center",E.fillText(`${45*A}°`,m(A),L-8),E.strokeRect(m(A),We,0,L-We-$s);for(let A of[0,t/2,t])E.textAlign="right",E.fillText(String(A),ye-
-6,p(A)+4),E.strokeRect(ye,p(A),T-ye-wn,0);E.textAlign="left",E.fillText(e,ye+4,We+10);let H=(A,O,$)=>{E.strokeStyle=O,E.lineWidth=2.5,E.setLineDash($),E.beginPath(),
-A.forEach((re,je)=>{let Kt=ye+je/(A.length-1)*(T-ye-wn);je?E.lineTo(Kt,p(_(re,0,t))):E.moveTo(Kt,p(_(re,0,t)))}),E.stroke(),E.setLineDash([])};H(i,R("--accent"),
-[6,4]),a&&H(a,R("--ink"),[]),l.forEach((A,O)=>{A.style.transform=`translate(${v*m(O)}px, ${v*p(i[O])}px)`})},g=(y,v)=>{a||(i[y]=_(v,0,t),o=!0,l[y].setAttribute(
-"aria-valuenow",i[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${i[y].toPrecision(2)} ${e}`),f(),s())},b=null,w=y=>{let v=u(),[E,T]=[y.clientX-v.left,
-y.clientY-v.top].map($=>$/h.px),L=_((E-ye)/(h.width-ye-wn),0,1),R=Math.round(L*(Rt-1)),H=t*(1-(T-We)/(h.height-We-$s)),A=b??R,O=i[A];for(let $=Math.min(A,R);$<=
-Math.max(A,R);$++)g($,A===R?H:O+(H-O)*($-A)/(R-A));b=R};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),Z(c,y,w)});for(let[y,v]of l.entries())
-v.setAttribute("aria-valuenow",i[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>o,judge:y=>{a=y,f();let v=(y.length-1)/(Rt-1);return ac(
-i,i.map((E,T)=>y[Math.round(T*v)]))}}}var vn=2*Math.PI,ne=(n,e)=>n.events.find(t=>t.kind===e),yn=n=>U(n-vn*Math.floor(n/vn));function lc(n,e,t=72){let{angle:s}=n.columns,i=n.columns[e],o=[],a=0;for(let r=0;r<=
-t;r++){let l=n.columns.angle[0]+vn*r/t;for(;a+1<n.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,n.length-1),u=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;o.push(i[a]+
-u*(i[c]-i[a]))}return o}var hc=(n,e)=>n.t[n.columns.angle.findIndex(t=>t>=e)]??n.duration,cc={R:"roll",S:"spin",K:"skid",H:"bounce"},Ge=[{key:"littlewood",title:"\
+rim slips. Why does slipping help it to hop?"],yh=["1.0","1.3","1.6","1.9","2.2","2.3"],vh=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Yo(n,e){
+let t=d=>{c.close(),n(d)},s=(d,h="Show")=>u("button",{type:"button",class:"link",onclick:()=>t(d)},h),i=vh(),o=i&&[["teach/index.html","Teaching with the hoop"],
+["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=u("table",{},u("caption",{},"A lesson of 45 mi\
+nutes"),u("thead",{},u("tr",{},["Minute","What happens","Motion"].map(d=>u("th",{scope:"col"},d)))),u("tbody",{},gh.map(([d,h,m])=>u("tr",{},u("th",{scope:"row"},
+d),u("td",{},h),u("td",{},m===null?"":s(m)))))),r=u("table",{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(d=>u(
+"th",{scope:"col"},d)))),u("tbody",{},bh.map(([d,h])=>u("tr",{},u("td",{},d),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that \
+hops"),u("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),u("ol",{},wh.map(d=>u("li",{},d,u("div",{class:"answer-line"})))),u("table",{class:"sheet-\
+table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>u("th",{scope:"col"},d)))),u("tbody",{},yh.map(d=>u("tr",{},u("th",
+{scope:"row"},s(`${Jo}${Number(d)}`,d)),u("td",{}),u("td",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"\
+For teachers"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),u("p",{},"The vi\
+sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",u("button",{type:"button",class:"link",onclick:()=>{c.close(),
+e()}},"Start the visit")),o&&u("p",{},o.map(([d,h])=>u("a",{class:"teach-page",href:new URL(d,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Es=S.words.letters,xh=new Set(["x","angle","height"]),kh=1/60,Zo=8,_h={x:"vx",angle:"omega",height:"vy"},Re=class{constructor(e){this.cache=new Map;this.part=
+null;let{header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??
+null,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??
+"",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=
+this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=
+this.findExtent()}wanted(e,t=0){if(this.duration<kh*this.length)return null;let s=E(e,0,this.duration),i=Math.min(s+t,this.duration);if(this.part&&s>=this.part.
+t[0]&&i<=this.part.t[this.part.length-1])return null;let o=Math.max(s-.25*Zo,0);return[o,Math.min(o+Zo+t,this.duration)]}refine(e){this.part=Object.assign(Object.
+create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){
+return oo(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.length;s++){let i=t.at(-1);i&&i.mode===Es[e[s]]?i.to=this.t[s]:t.push({mode:Es[e[s]],
+from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,
+vy:i,omega:o}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=
+Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(s[l],i[l])+this.radius*Math.abs(o[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),
+a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-t>1;){let i=t+s>>1;this.t[i]<=e?t=i:s=i}return t}pieces(){let{part:e}=this;if(!e)
+return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],i=this.index(t);for(;i>0&&this.t[i]>=t;)i--;let o=this.t[i]>=t?0:i+1;return[{film:this,
+from:0,to:o},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.length}]}at(e){let t=E(e,0,this.duration),s=this.holding(t);if(s!==this)return s.
+at(t);let i=this.index(t),o=Math.min(i+1,this.length-1),a=this.t[o]-this.t[i],r=a>0?(t-this.t[i])/a:0,l={t,mode:Es[this.columns.mode[i]]};for(let[c,d]of Object.
+entries(this.columns)){if(c==="t"||c==="mode")continue;let h=d[i],m=d[o];if(r===0||!Number.isFinite(m))l[c]=h;else if(xh.has(c)){let p=this.columns[_h[c]];l[c]=
+Eh(h,m,p[i]*a,p[o]*a,r)}else l[c]=h+(m-h)*r}return l}derived(e,t){let s=this.cache.get(e)??t(this.columns);return this.cache.set(e,s),s}};function Eh(n,e,t,s,i){
+if(!Number.isFinite(t)||!Number.isFinite(s))return n+(e-n)*i;let o=1-i;return o*o*(1+2*i)*n+i*i*(3-2*i)*e+i*o*(o*t-i*s)}var Ts=n=>n-360*Math.floor(n/360);function Mh(n,e){let t=Math.abs(Ts(n-e+180)-180);return Math.round(100*E(1-(t-1)/89,0,1))}function Sh(n,e){let t=Math.max(...e)-
+Math.min(...e,0),s=e.reduce((i,o,a)=>i+Math.abs(o-n[a]),0)/e.length;return Math.round(100*E(1-2*s/(t||1),0,1))}var Th=0;function Mt(n,e,t=!1){let s=`hh-guess-${++Th}`,
+i="",o=n.map(([a,r])=>{let l=u("input",{type:"radio",name:s,value:a,onchange:()=>{i=a,e()}});return{key:a,radio:l,row:u("label",{class:"guess-choice"},l,u("span",
+{},r))}});return{element:u("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},o.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
+row:c}of o){l.disabled=!0;let d=t||r===a;d&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",d)}return t||i===a?100:0}}}var ge=168,Et=58,
+Ms=(n,e=Et)=>{let t=n*Math.PI/180;return[ge/2+e*Math.sin(t),ge/2-e*Math.cos(t)]};function As(n,e){let t=0,s=!1,i=null,o=u("canvas",{class:"dial-canvas"}),a=u("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":n,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},o),r=()=>{let d=getComputedStyle(
+a),{context:h}=K(o,Number.parseFloat(d.width)/ge||1),m=d.getPropertyValue("--ink").trim(),p=d.getPropertyValue("--soft").trim(),f=d.getPropertyValue("--accent").
+trim();h.clearRect(0,0,ge,ge),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ge/2+Et),h.lineTo(ge-8,ge/2+Et),h.stroke(),h.lineWidth=4,h.
+beginPath(),h.arc(ge/2,ge/2,Et,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Ms(b,Et-28);
+h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...Ms(b),y,0,2*Math.PI),h.fill()};i!==null&&(h.strokeStyle=m,h.lineWidth=2,h.beginPath(),
+h.arc(...Ms(i),12,0,2*Math.PI),h.stroke(),g(i,m,7)),g(t,s?f:p,9)},l=d=>{i===null&&(t=Ts(d),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
+"aria-valuetext",`${Math.round(t)}°`),r(),e())},c=d=>{let h=o.getBoundingClientRect(),[m,p]=[d.clientX-h.left-h.width/2,d.clientY-h.top-h.height/2];l(Math.atan2(
+m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",d=>{d.preventDefault(),a.focus({preventScroll:!0}),c(d),J(a,d,c)}),a.addEventListener("keydown",d=>{
+let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[d.key];h!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?h/5:h)))}),
+requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:d=>(i=Ts(d),r(),Mh(t,i))}}var _t=9,[fe,hn,He,Ss]=[34,12,12,26];function Xo({label:n,unit:e,most:t},s){
+let i=Array(_t).fill(t/4),o=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=i.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${n}\
+ with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:_=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
+ArrowLeft:-1}[_.key];T&&(_.preventDefault(),_.stopPropagation(),g(v,i[v]+T*t/(_.shiftKey?100:20)))}})),c=u("div",{class:"guess sketch",role:"group","aria-label":"\
+Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},m=y=>fe+y/(_t-1)*(h.width-fe-hn),p=y=>He+(1-y/t)*(h.
+height-He-Ss),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:_,width:T,height:L}=K(r,v);h={width:T,height:L,
+px:v};let R=A=>y.getPropertyValue(A).trim();_.clearRect(0,0,T,L),_.strokeStyle=R("--line"),_.fillStyle=R("--soft"),_.font="11px system-ui, sans-serif";for(let A=0;A<
+_t;A+=2)_.textAlign="center",_.fillText(`${45*A}°`,m(A),L-8),_.strokeRect(m(A),He,0,L-He-Ss);for(let A of[0,t/2,t])_.textAlign="right",_.fillText(String(A),fe-
+6,p(A)+4),_.strokeRect(fe,p(A),T-fe-hn,0);_.textAlign="left",_.fillText(e,fe+4,He+10);let F=(A,I,H)=>{_.strokeStyle=I,_.lineWidth=2.5,_.setLineDash(H),_.beginPath(),
+A.forEach((oe,De)=>{let Ot=fe+De/(A.length-1)*(T-fe-hn);De?_.lineTo(Ot,p(E(oe,0,t))):_.moveTo(Ot,p(E(oe,0,t)))}),_.stroke(),_.setLineDash([])};F(i,R("--accent"),
+[6,4]),a&&F(a,R("--ink"),[]),l.forEach((A,I)=>{A.style.transform=`translate(${v*m(I)}px, ${v*p(i[I])}px)`})},g=(y,v)=>{a||(i[y]=E(v,0,t),o=!0,l[y].setAttribute(
+"aria-valuenow",i[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${i[y].toPrecision(2)} ${e}`),f(),s())},b=null,w=y=>{let v=d(),[_,T]=[y.clientX-v.left,
+y.clientY-v.top].map(H=>H/h.px),L=E((_-fe)/(h.width-fe-hn),0,1),R=Math.round(L*(_t-1)),F=t*(1-(T-He)/(h.height-He-Ss)),A=b??R,I=i[A];for(let H=Math.min(A,R);H<=
+Math.max(A,R);H++)g(H,A===R?F:I+(F-I)*(H-A)/(R-A));b=R};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
+v.setAttribute("aria-valuenow",i[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>o,judge:y=>{a=y,f();let v=(y.length-1)/(_t-1);return Sh(
+i,i.map((_,T)=>y[Math.round(T*v)]))}}}var un=2*Math.PI,ee=(n,e)=>n.events.find(t=>t.kind===e),cn=n=>$(n-un*Math.floor(n/un));function Ah(n,e,t=72){let{angle:s}=n.columns,i=n.columns[e],o=[],a=0;for(let r=0;r<=
+t;r++){let l=n.columns.angle[0]+un*r/t;for(;a+1<n.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,n.length-1),d=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;o.push(i[a]+
+d*(i[c]-i[a]))}return o}var Lh=(n,e)=>n.t[n.columns.angle.findIndex(t=>t>=e)]??n.duration,Rh={R:"roll",S:"spin",K:"skid",H:"bounce"},je=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>Ct(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>Mt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],n),until:([n])=>{
-let[e,t]=[ne(n,"skim"),ne(n,"impact")];return e?e.t+.7*((t?.t??n.duration)-e.t):n.duration},answer:([n])=>{let e=ne(n,"skim")??ne(n,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:yn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+let[e,t]=[ee(n,"skim"),ee(n,"impact")];return e?e.t+.7*((t?.t??n.duration)-e.t):n.duration},answer:([n])=>{let e=ee(n,"skim")??ee(n,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:cn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:n=>fa({label:"Speed of the centre",unit:"m/s",most:10},
-n),until:([n])=>hc(n,vn),answer:([n])=>{let e=lc(n,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:n=>Xo({label:"Speed of the centre",unit:"m/s",most:10},
+n),until:([n])=>Lh(n,un),answer:([n])=>{let e=Ah(n,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:n=>Ws("Angle of the load where it begins to slip",n),until:([n])=>ne(n,"slip_start")?.t??n.duration,answer:([n])=>{let e=ne(n,"slip_start"),t=n.at(e.t).normal_force/
-(n.mass*n.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:yn(e.
+guess:n=>As("Angle of the load where it begins to slip",n),until:([n])=>ee(n,"slip_start")?.t??n.duration,answer:([n])=>{let e=ee(n,"slip_start"),t=n.at(e.t).normal_force/
+(n.mass*n.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:cn(e.
 angle),share:`${M(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:n=>Ws("Angle of the load\
- where it takes off",n),until:([n])=>ne(n,"takeoff")?.t??n.duration,answer:([n])=>{let e=ne(n,"takeoff"),t=n.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
-It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:yn(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:n=>As("Angle of the load\
+ where it takes off",n),until:([n])=>ee(n,"takeoff")?.t??n.duration,answer:([n])=>{let e=ee(n,"takeoff"),t=n.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
+It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:cn(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
 plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at \
 the top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does \
-it do just after it has landed?",queries:[""],guess:n=>Ct([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
-rns too fast."],["bounce","It bounces."]],n),until:([n])=>ne(n,"impact")?.t??n.duration,answer:([n])=>{let[e,t]=[ne(n,"takeoff"),ne(n,"impact")],s=n.events.find(
-i=>i.kind==="apex");return{truth:cc[n.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(s?.height??0),3),angle:yn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+it do just after it has landed?",queries:[""],guess:n=>Mt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
+rns too fast."],["bounce","It bounces."]],n),until:([n])=>ee(n,"impact")?.t??n.duration,answer:([n])=>{let[e,t]=[ee(n,"takeoff"),ee(n,"impact")],s=n.events.find(
+i=>i.kind==="apex");return{truth:Rh[n.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(s?.height??0),3),angle:cn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:n=>Ct([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(e=>ne(e,"impact")?.t??0)),
+"plane.mu=0.05","plane.mu=0.2",""],guess:n=>Mt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(e=>ee(e,"impact")?.t??0)),
 answer:n=>{let e=n.map(o=>Math.max(0,...o.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,i]=e.map(o=>M(100*o,3));return{truth:String(e.indexOf(Math.max(
 ...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:i}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>Ct([["flight","It flies off."],["impact","An impact stops the sli\
-de at once."],["both","Both agree with the laws."]],n),until:n=>Math.min(.8,...n.map(e=>e.duration)),answer:n=>({truth:n.every(e=>ne(e,"painleve_indeterminate"))?
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>Mt([["flight","It flies off."],["impact","An impact stops the sli\
+de at once."],["both","Both agree with the laws."]],n),until:n=>Math.min(.8,...n.map(e=>e.duration)),answer:n=>({truth:n.every(e=>ee(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var ga="hophoop-visit",xn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
-loop=null;this.asked=0;this.onchallenges=t,this.body=d("div",{class:"visit-body"}),this.said=d("div",{class:"visit-answer",role:"status"}),this.element=d("secti\
-on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){pe(ga)||(this.
-element.hidden=!1,P(this.said,""),this.body.replaceChildren(d("div",{class:"buttons offer"},d("p",{},d("b",{},"New here?")," ","Eight short questions: guess, th\
-en play."),d("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),d("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
-this.points.clear(),this.go(0)}leave(){fe(ga,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.
-remove("visiting"),this.veil(),this.lab.show()}async go(e){let t=Ge[e],s=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.
-guess=null,this.unwind(),P(this.said,""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<Ge.length-1);try{let o=await Promise.all(t.queries.map(a=>i.
-backend.call("film",{query:a})));if(s!==this.asked)return;this.films=o.map(a=>new ze(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.
+ the motion itself.",question:"",queries:[""]}];var Qo="hophoop-visit",dn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
+loop=null;this.asked=0;this.onchallenges=t,this.body=u("div",{class:"visit-body"}),this.said=u("div",{class:"visit-answer",role:"status"}),this.element=u("secti\
+on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ce(Qo)||(this.
+element.hidden=!1,P(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
+en play."),u("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),u("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
+this.points.clear(),this.go(0)}leave(){ue(Qo,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.
+remove("visiting"),this.veil(),this.lab.show()}async go(e){let t=je[e],s=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.
+guess=null,this.unwind(),P(this.said,""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<je.length-1);try{let o=await Promise.all(t.queries.map(a=>i.
+backend.call("film",{query:a})));if(s!==this.asked)return;this.films=o.map(a=>new Re(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.
 guessed())??null,this.veil(),i.changed(),i.motions.note(),this.fill(e)}catch(o){i.notice.fail(o)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),
-this.guessing&&this.lab.stage.element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=Ge[e];this.play=d("button",{type:"button",class:"\
-main",disabled:!!this.guess,onclick:()=>this.show()},"Play"),this.running=!1,this.skip=d("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.
-clock.seek(this.stop)},"Skip to the answer");let s=e===Ge.length-1,i=d("h2",{tabindex:"-1"},t.title);this.next=d("button",{type:"button",onclick:()=>this.go(e+1)},
-"Next"),this.body.replaceChildren(d("header",{},d("span",{class:"visit-count"},`Step ${e+1} of ${Ge.length}`),d("progress",{max:String(Ge.length),value:String(e+
-1),"aria-hidden":"true"}),d("button",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),i,d("p",{},t.text),t.question?
-d("p",{class:"visit-question"},t.question):"",this.guess?.element??"",d("div",{class:"buttons"},e>0&&d("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),
-this.guess&&this.play,this.guess&&this.skip,s?d("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&d("button",{type:"\
-button",onclick:()=>this.leave()},"Done"),this.guess&&d("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),
+this.guessing&&this.lab.stage.element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=je[e];this.play=u("button",{type:"button",class:"\
+main",disabled:!!this.guess,onclick:()=>this.show()},"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.
+clock.seek(this.stop)},"Skip to the answer");let s=e===je.length-1,i=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},
+"Next"),this.body.replaceChildren(u("header",{},u("span",{class:"visit-count"},`Step ${e+1} of ${je.length}`),u("progress",{max:String(je.length),value:String(e+
+1),"aria-hidden":"true"}),u("button",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),i,u("p",{},t.text),t.question?
+u("p",{class:"visit-question"},t.question):"",this.guess?.element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),
+this.guess&&this.play,this.guess&&this.skip,s?u("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&u("button",{type:"\
+button",onclick:()=>this.leave()},"Done"),this.guess&&u("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),
 i.focus({preventScroll:!0})}guessed(){this.play&&(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;
 if(!(!t||!this.guess)){if(this.stop!==null){e.clock.play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.
 seek(0),e.clock.run({to:this.stop}),this.frame()}}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.
 stop===null||(this.skip.hidden=!1,this.running!==e.playing&&(this.running=e.playing,P(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=
 !1;let t=this.stop;this.stop=null,this.unwind(),e.seek(t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:i,values:o={}}=e.
-answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(d("p",{},d("b",{},a?`${a} of 100 points.`:
-"Not so.")," ",xo(i,o)),d("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[
-...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(d("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.
-onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var kn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:ot};this.grips=new hn(this.lab);this.sound=new gn;this.present=new fn(this.lab);this.challenges=
-new an(this.lab);this.visit=new xn(e,()=>this.challenges.open()),this.table=new bn(e),this.more=new pn(e),this.teach=ma(t=>this.challenges.load(t),()=>this.visit.
+answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:
+"Not so.")," ",so(i,o)),u("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[
+...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.
+onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var mn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:Xe};this.grips=new Xt(this.lab);this.sound=new rn;this.present=new an(this.lab);this.challenges=
+new Jt(this.lab);this.visit=new dn(e,()=>this.challenges.open()),this.table=new ln(e),this.more=new on(e),this.teach=Yo(t=>this.challenges.load(t),()=>this.visit.
 start()),this.layOut(),this.spoken()}layOut(){let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.
 challenges.element):t.before(this.visit.element,this.challenges.element),t.after(this.more.element,this.table.element),e.transport.element.querySelector(".switc\
 hes")?.append(this.more.switch),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.querySelector(".\
-right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,i,o)=>d("button",
-{type:"button",title:i,"aria-label":i,"aria-pressed":"false",onclick:o},Q(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("\
+right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,i,o)=>u("button",
+{type:"button",title:i,"aria-label":i,"aria-pressed":"false",onclick:o},Y(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("\
 slow","Slow motion: a tenth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(
 !this.sound.on),this.mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),
-d("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(e.loop)),this.
+u("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(e.loop)),this.
 slow?.setAttribute("aria-pressed",String(e.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("aria-pressed",String(
-this.present.on))}menu(){let e=(s,i)=>d("button",{type:"button",onclick:()=>{t.open=!1,i()}},s),t=d("details",{class:"learn"},d("summary",{class:"button"},"Lear\
-n"),d("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.
+this.present.on))}menu(){let e=(s,i)=>u("button",{type:"button",onclick:()=>{t.open=!1,i()}},s),t=u("details",{class:"learn"},u("summary",{class:"button"},"Lear\
+n"),u("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.
 turn(!0)),e("Table of the motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.
 lab.root.addEventListener("pointerdown",s=>{t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),
-t.open=!1,t.querySelector("summary")?.focus())}),t}languages(){return Cs(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Re(),
-this.lab.hosted&&(document.documentElement.lang=Re(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.
+t.open=!1,t.querySelector("summary")?.focus())}),t}languages(){return bs(()=>{this.spoken(),jt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Te(),
+this.lab.hosted&&(document.documentElement.lang=Te(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.
 sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.
-lab.film()),this.more.changed(),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(n,e,t)=>d("button",{type:"button",title:e,"aria-label":e,onclick:t},n),_n=class{constructor(e,t,s){this.fresh=!1;let i=new Map;for(let a of e)i.set(a.group,
-[...i.get(a.group)??[],a]);this.presets=d("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
-value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},d("option",{value:""},"Motions to start from …"),[...i].
-map(([a,r])=>d("optgroup",{label:a},r.map(({key:l,title:c})=>d("option",{value:l},c))))),this.undo=zt(Q("undo"),"Undo (z)",s.undo),this.redo=zt(Q("redo"),"Redo \
-(y)",s.redo);let o=d("span",{},d("span",{class:"long"},"Compare"),d("span",{class:"short"},Q("two")));this.compare=zt(o,"Compare two hoops",s.compare),this.element=
-d("header",{class:"top"},d("h1",{},d("span",{class:"logo","aria-hidden":"true"}),d("span",{},"hophoop",d("span",{class:"long"}," lab"))),this.presets,d("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),d("div",{class:"buttons right"},t,zt(Q("theme"),"Dark or light (d)",s.theme),zt("?","Keys and help (?)",s.help)))}show(e,t){
-this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var uc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+lab.film()),this.more.changed(),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var St=(n,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},n),pn=class{constructor(e,t,s){this.fresh=!1;let i=new Map;for(let a of e)i.set(a.group,
+[...i.get(a.group)??[],a]);this.presets=u("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
+value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"Motions to start from …"),[...i].
+map(([a,r])=>u("optgroup",{label:a},r.map(({key:l,title:c})=>u("option",{value:l},c))))),this.undo=St(Y("undo"),"Undo (z)",s.undo),this.redo=St(Y("redo"),"Redo \
+(y)",s.redo);let o=u("span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=St(o,"Compare two hoops",s.compare),this.element=
+u("header",{class:"top"},u("h1",{},u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"\
+buttons"},this.undo,this.redo,this.compare),u("div",{class:"buttons right"},t,St(Y("theme"),"Dark or light (d)",s.theme),St("?","Keys and help (?)",s.help)))}show(e,t){
+this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Ph=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
-["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],dc=[["R","roll","the rim does n\
+["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Ch=[["R","roll","the rim does n\
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
- +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],mc=[["▲ ▼","\
+ +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],zh=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Gs=(n,e,t=()=>!1)=>d("table",{},d("caption",{},n),e.map(([s,...i])=>d("\
-tr",{},d("th",{scope:"row"},t(s),s),i.map(o=>d("td",{},o)))));function ba(n,e,t){let s=d("dialog",{class:"help","aria-label":"Keys and help"},d("h2",{},"The hoo\
-p"),d("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),Gs("Modes",dc,i=>d("i",{class:"dot",style:`background:${e.modes[i]}`})),Gs("Marks on t\
-he bar of time",mc),Gs("Keys",uc),t,d("p",{class:"hint"},`hophoop ${n}`),d("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var En=class{constructor(e){this.tabs=["A","B"].map((t,s)=>d("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=d("div",{class:"\
-tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=d("p",{class:"preset-text"}),this.element=d("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===t))}};var wa="hophoop-single-keys",pc=(n,e)=>({" ":()=>n.clock.play(),ArrowLeft:()=>e?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>e?n.transport.jump(1):
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Ls=(n,e,t=()=>!1)=>u("table",{},u("caption",{},n),e.map(([s,...i])=>u("\
+tr",{},u("th",{scope:"row"},t(s),s),i.map(o=>u("td",{},o)))));function ea(n,e,t){let s=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The hoo\
+p"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
+mething that rigid-body mechanics cannot decide. Move a slider and see."),Ls("Modes",Ch,i=>u("i",{class:"dot",style:`background:${e.modes[i]}`})),Ls("Marks on t\
+he bar of time",zh),Ls("Keys",Ph),t,u("p",{class:"hint"},`hophoop ${n}`),u("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var fn=class{constructor(e){this.tabs=["A","B"].map((t,s)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=u("div",{class:"\
+tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=u("p",{class:"preset-text"}),this.element=u("div",{class:"lanes"},
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===t))}};var ta="hophoop-single-keys",Nh=(n,e)=>({" ":()=>n.clock.play(),ArrowLeft:()=>e?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>e?n.transport.jump(1):
 n.transport.nudge(1),Home:()=>n.clock.seek(0),End:()=>n.clock.seek(n.clock.duration),h:()=>n.transport.jump(1,"takeoff"),l:()=>n.transport.jump(1,"impact"),"[":()=>n.
 clock.faster(-1),"]":()=>n.clock.faster(1),t:()=>n.toggle("traces"),f:()=>n.toggle("forces"),c:()=>n.toggle("speed"),a:()=>n.extras.more.turn(),w:()=>n.toggle("\
 whole"),3:()=>n.toggle("three"),"+":()=>n.stage.zoom(1.25),"=":()=>n.stage.zoom(1.25),"-":()=>n.stage.zoom(.8),0:()=>n.stage.zoom(0),z:()=>n.travel(-1),y:()=>n.
-travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function fc(n,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),n.travel(t==="y"||e.shiftKey?1:-1))}function gc(n){let e=n.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var Mn=class{constructor(e){
-this.on=!e||pe(wa)!=="off";let t=d("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&fe(wa,this.on?"on":"off")}});this.element=d("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function bc(n,e){let t=e.target;if(n.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){gc(n);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){fc(n,e);return}if(e.altKey||
+travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function Ih(n,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),n.travel(t==="y"||e.shiftKey?1:-1))}function Dh(n){let e=n.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var gn=class{constructor(e){
+this.on=!e||ce(ta)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&ue(ta,this.on?"on":"off")}});this.element=u("labe\
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Oh(n,e){let t=e.target;if(n.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){Dh(n);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Ih(n,e);return}if(e.altKey||
 t.matches?.("select")&&!(e.key===" "&&n.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!n.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=pc(n,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function ya(n,e){
-let t=e?document:n.root,s=i=>{bc(n,i),e||i.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}function va(n,e){let t=d("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
+ summary, input[type=checkbox]")||!n.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let i=Nh(n,e.shiftKey)[e.key];i&&(e.preventDefault(),i())}function na(n,e){
+let t=e?document:n.root,s=i=>{Oh(n,i),e||i.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}function sa(n,e){let t=u("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([i])=>{let o=!i.isIntersecting&&i.boundingClientRect.top<0;if(o===
 n.classList.contains("stuck"))return;let a=n.offsetHeight;n.style.marginBottom="",n.classList.toggle("stuck",o),o&&(n.style.marginBottom=`${a-n.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=o?`${n.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}function xa(n,e){n.classList.add("hophoop"),n.dir="ltr",!e&&(n.classList.add("embedded"),n.dataset.lmSuppressShortcuts="true",n.dataset.pSuppressShortcuts="true")}
-function ka(n,e){let{root:t,notice:s,hosted:i}=n,o=h=>!e||e.includes(h),a=d("aside",{class:"side","aria-label":"Parameters"},n.hoops.element,s.message,n.controls.
-element),r=d("div",{class:"player"},n.stage.element,n.timeline.element,n.transport.element),l=i?va(r,()=>n.request()):null,c=d("div",{class:"middle"},l?.edge,r,
-d("div",{class:"words"},n.story.element,o("theory")&&n.theory.element),o("map")&&n.map.element),u=d("div",{class:"why"},o("plots")&&n.plots.element,o("plots")&&
-n.phase.element);return t.replaceChildren(d("div",{class:"page"},i&&wc(n.timeline.element),n.header.element,d("div",{class:"columns"},o("controls")&&a,c,u)),s.toast,
-n.share.dialog,n.help),t.classList.toggle("no-controls",!o("controls")),l}function wc(n){n.id="hh-player";let e=d("a",{class:"skip button",href:"#hh-player"},"S\
-kip to the player");return e.onclick=t=>{t.preventDefault(),n.focus()},e}var[_a,yc]=[62,92],vc=12,Ue=10,xc=36,Ea=Math.PI/180,xe=["x","y"],Sn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
-t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=_a}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of xe)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+document.documentElement.style.scrollPaddingTop=o?`${n.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}function ia(n,e){n.classList.add("hophoop"),n.dir="ltr",!e&&(n.classList.add("embedded"),n.dataset.lmSuppressShortcuts="true",n.dataset.pSuppressShortcuts="true")}
+function oa(n,e){let{root:t,notice:s,hosted:i}=n,o=h=>!e||e.includes(h),a=u("aside",{class:"side","aria-label":"Parameters"},n.hoops.element,s.message,n.controls.
+element),r=u("div",{class:"player"},n.stage.element,n.timeline.element,n.transport.element),l=i?sa(r,()=>n.request()):null,c=u("div",{class:"middle"},l?.edge,r,
+u("div",{class:"words"},n.story.element,o("theory")&&n.theory.element),o("map")&&n.map.element),d=u("div",{class:"why"},o("plots")&&n.plots.element,o("plots")&&
+n.phase.element);return t.replaceChildren(u("div",{class:"page"},i&&qh(n.timeline.element),n.header.element,u("div",{class:"columns"},o("controls")&&a,c,d)),s.toast,
+n.share.dialog,n.help),t.classList.toggle("no-controls",!o("controls")),l}function qh(n){n.id="hh-player";let e=u("a",{class:"skip button",href:"#hh-player"},"S\
+kip to the player");return e.onclick=t=>{t.preventDefault(),n.focus()},e}var[aa,Fh]=[62,92],Hh=12,Be=10,jh=36,ra=Math.PI/180,be=["x","y"],bn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
+t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=aa}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of be)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[s,i]=this.windows[e];return{path:this.paths[e],from:s,to:i,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),i=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
-i),Math.min(s[1],t[1]+i)]}zoom(e,t){let s={x:[],y:[]};for(let i of xe){let[o,a]=this.windows[i],r=t?.[i]??.5*(o+a);s[i]=Ke([r-(r-o)*e,r+(a-r)*e],this.bounds(i));
-let l=Math.max(Math.abs(s[i][0]),Math.abs(s[i][1]),1e-9);if(s[i][1]-s[i][0]<400*Number.EPSILON*l)return!1}return xe.every(i=>s[i].every((o,a)=>o===this.windows[i][a]))?
-!1:(this.windows=s,!0)}drag(e,t,s){let i=(o,a)=>Ke(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",s/this.box.
-height)}}restore(e){if(!xe.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of xe)this.paths[t]=e[t][0];for(let t of xe)this.windows[t]=Ke(
-e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return xe.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?yc:_a,this.box={width:e-this.left-vc,height:t-Ue-xc}}clip(e){e.beginPath(),e.rect(this.
-left,Ue,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return Ue+
-(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([i,o],a)=>i+_(a,0,1)*(o-i);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-Ue)/
+i),Math.min(s[1],t[1]+i)]}zoom(e,t){let s={x:[],y:[]};for(let i of be){let[o,a]=this.windows[i],r=t?.[i]??.5*(o+a);s[i]=$e([r-(r-o)*e,r+(a-r)*e],this.bounds(i));
+let l=Math.max(Math.abs(s[i][0]),Math.abs(s[i][1]),1e-9);if(s[i][1]-s[i][0]<400*Number.EPSILON*l)return!1}return be.every(i=>s[i].every((o,a)=>o===this.windows[i][a]))?
+!1:(this.windows=s,!0)}drag(e,t,s){let i=(o,a)=>$e(e[o].map(r=>r+a*(e[o][1]-e[o][0])),this.bounds(o));this.windows={x:i("x",-t/this.box.width),y:i("y",s/this.box.
+height)}}restore(e){if(!be.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of be)this.paths[t]=e[t][0];for(let t of be)this.windows[t]=$e(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return be.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Fh:aa,this.box={width:e-this.left-Hh,height:t-Be-jh}}clip(e){e.beginPath(),e.rect(this.
+left,Be,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return Be+
+(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([i,o],a)=>i+E(a,0,1)*(o-i);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-Be)/
 this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let i=this.info(s),[o,a]=this.windows[s],
-r=Math.max(Math.abs(o),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${x(i.label)} = ${F(M(i.degrees?e[s]/Ea:e[s],l),i.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ue+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
-font}`;for(let i of xe){let o=this.info(i),a=o.degrees?1/Ea:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,u=Y(l-r,c),h=this.
-deep(i),m=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?le(r-m,l-m,c).map(b=>b+m):le(r,l,c);for(let b of p){let w=h?M(b-m,3):oe(b,u);i==="x"?(e.textAlign="center",
-e.fillText(w,this.x(b/a),Ue+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
+r=Math.max(Math.abs(o),Math.abs(a)),l=E(Math.ceil(Math.log10(r/(a-o)))+4,4,16);return`${x(i.label)} = ${O(M(i.degrees?e[s]/ra:e[s],l),i.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Be+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
+font}`;for(let i of be){let o=this.info(i),a=o.degrees?1/ra:1,[r,l]=this.windows[i].map(b=>b*a),c=i==="x"?this.box.width/80:this.box.height/40,d=V(l-r,c),h=this.
+deep(i),m=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?ae(r-m,l-m,c).map(b=>b+m):ae(r,l,c);for(let b of p){let w=h?M(b-m,3):se(b,d);i==="x"?(e.textAlign="center",
+e.fillText(w,this.x(b/a),Be+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
 let f=h?` − ${String(m).replace("-","−")}`:"",g=`${x(o.label)}${f}${o.unit?` [${o.unit}]`:""}`;e.save(),e.textAlign="center",i==="x"?e.translate(this.left+.5*
-this.box.width,t-5):(e.translate(12,Ue+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(g,0,0),e.restore()}}};function Ke([n,e],[t,s]){let i=Math.min(e-n,s-
-t);return n<t?[t,t+i]:e>s?[s-i,s]:[n,e]}function Us(n,e,t,s,i){for(let[o,a]of[[i,4],[s,1.8]])n.strokeStyle=o,n.lineWidth=a,n.beginPath(),n.arc(e,t,7,0,2*Math.PI),
-n.moveTo(e-13,t),n.lineTo(e-4,t),n.moveTo(e+4,t),n.lineTo(e+13,t),n.moveTo(e,t-13),n.lineTo(e,t-4),n.moveTo(e,t+4),n.lineTo(e,t+13),n.stroke()}var ct=n=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${n&&`; ${n}`}; double-click for all`,kc=.0018,Ma=200,
-[_c,Ec]=[1/.6,1/1.7];function ae(n,{zoom:e,home:t,chosen:s=()=>n,keys:i=!1}){return n.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Qt(s()))&&(o.preventDefault(),
-e(Math.exp(-Math.min(Math.max(o.deltaY,-Ma),Ma)*kc),o))},{passive:!1}),n.addEventListener("dblclick",t),i&&n.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
-"=")e(_c);else if(o.key==="-")e(Ec);else if(o.key==="0")t();else if(o.key==="Escape")n.blur();else return;o.preventDefault(),o.stopPropagation()}),jo(n,e)}var Sa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ta=48;function Aa(n){let{body:e}=n,t=!1,s=ae(e,{zoom:(i,o)=>n.axes.box&&n.zoom(1/i,o?Ks(
-n,o):n.pointed??void 0),home:()=>n.home(),keys:!0});e.addEventListener("pointerdown",i=>Sc(n,i,s,o=>t=o)),e.addEventListener("pointermove",i=>{n.axes.box&&!t&&i.
-pointerType!=="touch"&&Mc(n,i)}),e.addEventListener("pointerleave",()=>n.tip.hidden=!0),e.addEventListener("keydown",i=>Tc(n,i))}function Ks(n,e){let t=n.body.getBoundingClientRect(),
-{px:s}=n.look;return n.axes.place((e.clientX-t.left)/s,(e.clientY-t.top)/s)}function Mc(n,e){n.tip.textContent=n.said(Ks(n,e)),n.tip.hidden=!1;let t=n.body.getBoundingClientRect();
-n.tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,n.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Sc(n,e,t,s){e.preventDefault(),
-n.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...n.axes.windows.x],y:[...n.axes.windows.y]};n.pointed=Ks(n,e);let a=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[u,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(u,h)<5&&!a||(a=!0,s(!0),n.tip.hidden=!0,n.axes.drag(o,u/n.look.px,h/n.look.px),n.redraw(),n.soon())};
-Z(n.body,e,l,(c,u)=>{u&&!a&&!r&&n.pointed&&n.take(n.pointed),s(!1)})}function Tc(n,e){let t=n.pointed??n.here()??n.axes.middle();if(n.pointed=t,Sa[e.key]){let[s,
-i]=Sa[e.key],{x:o,y:a}=n.axes.windows;n.pointed={x:_(t.x+s*(o[1]-o[0])/Ta,o[0],o[1]),y:_(t.y+i*(a[1]-a[0])/Ta,a[0],a[1])},n.state.textContent=n.said(n.pointed),
-n.say(n.said(n.pointed))}else if(e.key==="Enter")n.take(t);else return;e.preventDefault(),e.stopPropagation(),n.redraw()}var Ac=["start.height","start.vx","start.vy","start.omega"];function La(n,e){let t="speed"in n.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>Ac.includes(s))?"of starts in any state, though this motion starts rolling":""}var Lc=Math.PI/180,Rc=12,Pc=["hop_height","flight_time","energy_lost","greatest_utilization"];function Ra(n){return n.unit==="rad"?[1/Lc,"°"]:[1,n.unit==="1"?"":
-n.unit]}function Cc({classes:n,what:e},t){let[s,i]=[1/0,-1/0];if(n)return[s,i];for(let o of t)o<s&&(s=o),o>i&&(i=o);return[Pc.includes(e)?Math.min(s,0):s,i]}function Pa(n){
-let{values:e}=n.arrays,t=n.header,{x:s,y:i,classes:o}=t,a=new ImageData(s.cells,i.cells),[r,l]=Cc(t,e),c=o?.map(({color:h})=>Ee(h));for(let h=0;h<i.cells;h++)for(let m=0;m<
+this.box.width,t-5):(e.translate(12,Be+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(g,0,0),e.restore()}}};function $e([n,e],[t,s]){let i=Math.min(e-n,s-
+t);return n<t?[t,t+i]:e>s?[s-i,s]:[n,e]}function Rs(n,e,t,s,i){for(let[o,a]of[[i,4],[s,1.8]])n.strokeStyle=o,n.lineWidth=a,n.beginPath(),n.arc(e,t,7,0,2*Math.PI),
+n.moveTo(e-13,t),n.lineTo(e-4,t),n.moveTo(e+4,t),n.lineTo(e+13,t),n.moveTo(e,t-13),n.lineTo(e,t-4),n.moveTo(e,t+4),n.lineTo(e,t+13),n.stroke()}var nt=n=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${n&&`; ${n}`}; double-click for all`,Bh=.0018,la=200,
+[$h,Wh]=[1/.6,1/1.7];function ie(n,{zoom:e,home:t,chosen:s=()=>n,keys:i=!1}){return n.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Bt(s()))&&(o.preventDefault(),
+e(Math.exp(-Math.min(Math.max(o.deltaY,-la),la)*Bh),o))},{passive:!1}),n.addEventListener("dblclick",t),i&&n.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
+"=")e($h);else if(o.key==="-")e(Wh);else if(o.key==="0")t();else if(o.key==="Escape")n.blur();else return;o.preventDefault(),o.stopPropagation()}),_o(n,e)}var ha={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},ca=48;function ua(n){let{body:e}=n,t=!1,s=ie(e,{zoom:(i,o)=>n.axes.box&&n.zoom(1/i,o?Ps(
+n,o):n.pointed??void 0),home:()=>n.home(),keys:!0});e.addEventListener("pointerdown",i=>Uh(n,i,s,o=>t=o)),e.addEventListener("pointermove",i=>{n.axes.box&&!t&&i.
+pointerType!=="touch"&&Gh(n,i)}),e.addEventListener("pointerleave",()=>n.tip.hidden=!0),e.addEventListener("keydown",i=>Kh(n,i))}function Ps(n,e){let t=n.body.getBoundingClientRect(),
+{px:s}=n.look;return n.axes.place((e.clientX-t.left)/s,(e.clientY-t.top)/s)}function Gh(n,e){n.tip.textContent=n.said(Ps(n,e)),n.tip.hidden=!1;let t=n.body.getBoundingClientRect();
+n.tip.style.left=`${E(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,n.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Uh(n,e,t,s){e.preventDefault(),
+n.body.focus({preventScroll:!0});let i=[e.clientX,e.clientY],o={x:[...n.axes.windows.x],y:[...n.axes.windows.y]};n.pointed=Ps(n,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+r)return;let[d,h]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(d,h)<5&&!a||(a=!0,s(!0),n.tip.hidden=!0,n.axes.drag(o,d/n.look.px,h/n.look.px),n.redraw(),n.soon())};
+J(n.body,e,l,(c,d)=>{d&&!a&&!r&&n.pointed&&n.take(n.pointed),s(!1)})}function Kh(n,e){let t=n.pointed??n.here()??n.axes.middle();if(n.pointed=t,ha[e.key]){let[s,
+i]=ha[e.key],{x:o,y:a}=n.axes.windows;n.pointed={x:E(t.x+s*(o[1]-o[0])/ca,o[0],o[1]),y:E(t.y+i*(a[1]-a[0])/ca,a[0],a[1])},n.state.textContent=n.said(n.pointed),
+n.say(n.said(n.pointed))}else if(e.key==="Enter")n.take(t);else return;e.preventDefault(),e.stopPropagation(),n.redraw()}var Vh=["start.height","start.vx","start.vy","start.omega"];function da(n,e){let t="speed"in n.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(s=>Vh.includes(s))?"of starts in any state, though this motion starts rolling":""}var Jh=Math.PI/180,Yh=12,Zh=["hop_height","flight_time","energy_lost","greatest_utilization"];function ma(n){return n.unit==="rad"?[1/Jh,"°"]:[1,n.unit==="1"?"":
+n.unit]}function Xh({classes:n,what:e},t){let[s,i]=[1/0,-1/0];if(n)return[s,i];for(let o of t)o<s&&(s=o),o>i&&(i=o);return[Zh.includes(e)?Math.min(s,0):s,i]}function pa(n){
+let{values:e}=n.arrays,t=n.header,{x:s,y:i,classes:o}=t,a=new ImageData(s.cells,i.cells),[r,l]=Xh(t,e),c=o?.map(({color:h})=>xe(h));for(let h=0;h<i.cells;h++)for(let m=0;m<
 s.cells;m++){let p=e[h*s.cells+m],f=4*((i.cells-1-h)*s.cells+m);if(!Number.isFinite(p))continue;let g=c&&(m+1<s.cells&&e[h*s.cells+m+1]!==p||h+1<i.cells&&e[(h+1)*
-s.cells+m]!==p),b=c?c[p].map(w=>g?.72*w:w):it[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let u=d("canvas",{width:s.cells,height:i.cells});
-return be(u).putImageData(a,0,0),{picture:u,header:t,values:e,x:[s.from,s.to],y:[i.from,i.to],low:r,high:l}}function Ca(n,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
-o[1]+1e-300;return[...n.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Rc)}function za({header:n,low:e,high:t,values:s}){let{classes:i}=n;if(!i){let r=d("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=be(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${it[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,u]=Ra(n);return[d("span",{},n.label,": ",t>=e?M(e*c,3):"none"," "),r,d("span",{},t>=e?F(M(t*c,3),u):""),s.some(h=>!Number.isFinite(h))?d("span",{},d("\
+s.cells+m]!==p),b=c?c[p].map(w=>g?.72*w:w):Ze[E(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let d=u("canvas",{width:s.cells,height:i.cells});
+return me(d).putImageData(a,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[i.from,i.to],low:r,high:l}}function fa(n,e){let t=(i,o)=>i[0]>=o[0]-1e-300&&i[1]<=
+o[1]+1e-300;return[...n.filter(i=>!(t(i.x,e.x)&&t(i.y,e.y))),e].slice(-Yh)}function ga({header:n,low:e,high:t,values:s}){let{classes:i}=n;if(!i){let r=u("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${Ze[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
+10);let[c,d]=ma(n);return[u("span",{},n.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?O(M(t*c,3),d):""),s.some(h=>!Number.isFinite(h))?u("span",{},u("\
 i",{class:"blank"}),"none"):""]}let o=new Map;for(let r of s)o.set(r,(o.get(r)??0)+1);let a=[...o].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
-0,10).map(([r])=>{let{color:l,text:c}=i[r];return d("span",{},d("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?d("span",{},`and ${a.length-
-10} more`):""]}function Na(n,e){for(let{header:t,values:s}of[...n].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
-(e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=s[l*i.cells+r];if(a)return x(a[c]?.text??"not allowed");let[u,h]=Ra(t);return Number.
-isFinite(c)?F(M(c*u,4),h):x("none")}return"…"}var Oa=[[24,16],[72,48],[216,144]],Tn=class{constructor(e,t,{take:s,say:i,changed:o}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=s,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new Sn(a),this.canvas=d("canvas",{class:"plot-canvas"}),this.tip=d("div",{
-class:"tip",hidden:!0}),this.body=d("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
-the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=d("div",{class:"map-keys"}),this.state=d("span",{class:"hint"});let r=l=>{let c=d("select",{"\
-data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:u,label:h})=>d("option",{value:u},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
-d("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,c])=>d("option",{value:l},c))),
-this.element=d("section",{class:"map","aria-label":"Map of motions"},d("div",{class:"map-head"},d("h2",{},"Map"),d("label",{},"of",this.quantity),d("label",{},"\
-Across",this.selects.x),d("label",{},"Up",this.selects.y),d("span",{class:"buttons"},d("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
-zoom(.5)},"+"),d("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),d("button",{type:"button",onclick:()=>this.home()},
-"Whole map")),this.state),this.body,this.keys,d("p",{class:"hint"},`Click to take that motion into the player; ${ct("drag to move")}.`)),Aa(this),this.soon=ie(()=>this.
+0,10).map(([r])=>{let{color:l,text:c}=i[r];return u("span",{},u("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?u("span",{},`and ${a.length-
+10} more`):""]}function ba(n,e){for(let{header:t,values:s}of[...n].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
+(e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=s[l*i.cells+r];if(a)return x(a[c]?.text??"not allowed");let[d,h]=ma(t);return Number.
+isFinite(c)?O(M(c*d,4),h):x("none")}return"…"}var wa=[[24,16],[72,48],[216,144]],wn=class{constructor(e,t,{take:s,say:i,changed:o}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=s,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new bn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
+class:"tip",hidden:!0}),this.body=u("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
+the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=u("div",{class:"map-keys"}),this.state=u("span",{class:"hint"});let r=l=>{let c=u("select",{"\
+data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:d,label:h})=>u("option",{value:d},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
+u("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,c])=>u("option",{value:l},c))),
+this.element=u("section",{class:"map","aria-label":"Map of motions"},u("div",{class:"map-head"},u("h2",{},"Map"),u("label",{},"of",this.quantity),u("label",{},"\
+Across",this.selects.x),u("label",{},"Up",this.selects.y),u("span",{class:"buttons"},u("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
+zoom(.5)},"+"),u("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),u("button",{type:"button",onclick:()=>this.home()},
+"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${nt("drag to move")}.`)),ua(this),this.soon=ne(()=>this.
 refresh(),140),this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.
-syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of xe)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
+syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of be)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
 choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let s of Object.values(this.axes.paths)){
 let[i,o]=s.split(".");t[i]&&delete t[i][o]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(e.scenario);s!==this.key_now&&(this.key_now=
 s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&e.x==="start.speed"&&e.y==="plane.mu")return;
 let s=i=>[e[i],...t[i]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===e.what)||!this.axes.restore(e)||(this.
 quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.stale=!0;return}this.stale=!1,this.asked?.
 abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;
-let i=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.kind=i,this.redraw();try{for(let[o,a]of Oa){
+let i=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.kind=i,this.redraw();try{for(let[o,a]of wa){
 P(this.state,`computing ${o*a} motions …`);let r={x:this.axes.asked("x",o),y:this.axes.asked("y",a)},l={scenario:t,changes:s,...r,what:this.what},c=await this.
-backend.call("map",l,e),u=Pa(c);this.layers=Ca(this.layers,u),this.keys.replaceChildren(...za(u));let h=La(t,Object.values(this.axes.paths)),m=x(s.length?"{coun\
-t} motions, with rigid contact":"{count} motions",{count:o*a});P(this.state,h?`${m}; ${x(h)}`:m),this.redraw()}this.level=Oa.length}catch(o){let{name:a,message:r}=o;
-if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:s,height:i}=J(this.canvas,e.px);this.
+backend.call("map",l,e),d=pa(c);this.layers=fa(this.layers,d),this.keys.replaceChildren(...ga(d));let h=da(t,Object.values(this.axes.paths)),m=x(s.length?"{coun\
+t} motions, with rigid contact":"{count} motions",{count:o*a});P(this.state,h?`${m}; ${x(h)}`:m),this.redraw()}this.level=wa.length}catch(o){let{name:a,message:r}=o;
+if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:s,height:i}=K(this.canvas,e.px);this.
 axes.fit(s,i),t.clearRect(0,0,s,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(m=>o.x(m)),
-[u,h]=r.y.map(m=>o.y(m));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&Us(t,o.x(a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Qt(this.body)&&Us(t,o.x(this.
+[d,h]=r.y.map(m=>o.y(m));t.drawImage(r.picture,l,h,c-l,d-h)}let a=this.here();a&&Rs(t,o.x(a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Bt(this.body)&&Rs(t,o.x(this.
 pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=s=>{let[i,o]=s.split(".");return this.film.values[s]??this.film.scenario[i]?.[o]},
-t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Na(this.layers,
-e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Ln=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",s=performance.now()){let i=this.now;if(this.now=e,i===
-null||An(i,e))return"same";let o=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],o?"again":(this.past.push(
-i),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&An(this.now,e)}next(e){
+t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${ba(this.layers,
+e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var vn=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",s=performance.now()){let i=this.now;if(this.now=e,i===
+null||yn(i,e))return"same";let o=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],o?"again":(this.past.push(
+i),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&yn(this.now,e)}next(e){
 return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,this.past],i=t.pop();!i||!this.now||(s.push(this.now),this.
-now=i,this.what="")}arrive(e){if(!(this.now&&An(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:this.future,i=s.length-s.findLastIndex(o=>An(o,e));if(!(i>
-s.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},An=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var Rn=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new Ln;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
+now=i,this.what="")}arrive(e){if(!(this.now&&yn(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:this.future,i=s.length-s.findLastIndex(o=>yn(o,e));if(!(i>
+s.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},yn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var xn=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new vn;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new ze(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Re(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.moved=performance.now(),s.since??=s.moved,s.pending=[...(s.pending??
 []).filter(([i])=>!e.some(([o])=>o===i)),...e],s.commit||=t,s.what=e.map(([i])=>i).join(),t&&this.history.touch(s.what,s.moved),this.pump(s)}async pump(e){if(e.
 busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
-new ze(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(i){this.lanes.includes(e)&&this.
+new Re(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(i){this.lanes.includes(e)&&this.
 listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let s of this.lanes){let{film:i}=s,o=s.refining||s.coarse===i?null:i.wanted(e,t);o&&(s.refining=
 !0,this.backend.call("samples",{scenario:i.scenario,window:o}).then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{s.coarse=i}).finally(()=>{s.
 refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(
-this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new ze(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
+this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Re(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
 let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){
 return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.
 going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
 active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
 "same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
-0).query,s&&`#${s}`)}};var zc=6e3,Pn=class{constructor(){this.message=d("p",{class:"message",role:"alert",hidden:!0});this.toast=d("div",{class:"toast",role:"status",hidden:!0});this.
+0).query,s&&`#${s}`)}};var Qh=6e3,kn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
 timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
 message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},zc)}};var q=52,Ne=10,C=8,Cn=30;function Ia(n,e){if(!n.length)return[0,1];let t=Float64Array.from(n).sort(),[s,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Qh)}};var D=52,Pe=10,C=8,_n=30;function ya(n,e){if(!n.length)return[0,1];let t=Float64Array.from(n).sort(),[s,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),s<o-4*r&&(s=o-.6*r),s=Math.min(s,0),i=Math.max(i,0),e&&([s,i]=[-Math.max(-s,i),Math.max(
--s,i)]);let l=.06*(i-s)||1;return[s<0?s-l:s,i+l]}function qa(n,e,t,s){let{look:i,box:o,heights:a,range:r}=e;n.font=`11px ${i.font}`,n.strokeStyle=i.line,n.fillStyle=
-i.soft,n.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=Y(a[1]-a[0],l);n.textAlign="right",n.textBaseline="middle";for(let g of le(
-a[0],a[1],l)){let b=Math.round(e.y(g))+.5;n.globalAlpha=Math.abs(g)<1e-9*c?1:.55,n.beginPath(),n.moveTo(q,b),n.lineTo(t-Ne,b),n.stroke(),n.globalAlpha=1,n.fillText(
-oe(g,c),q-6,b)}let u=o.width/70,h=Y(r[1]-r[0],u);n.textAlign="center",n.textBaseline="alphabetic";let{name:m,unit:p}=K[e.shared.axis],f=p?`${x(m)} [${p}]`:x(m);
-for(let g of le(r[0],r[1],u)){let b=e.x(g);n.beginPath(),n.moveTo(b,C+o.height),n.lineTo(b,C+o.height+4),n.stroke(),n.fillText(oe(g,h),b,C+o.height+15)}n.textAlign=
-"right",n.fillText(f,t-Ne,s-3),n.save(),n.translate(11,C+.5*o.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(x(e.unit),0,0),n.restore()}var Nc="RSKHM?";function Fa(n,e,t){let s=n.length/e,i=d("canvas",{width:e,height:s}),o=new ImageData(e,s);for(let a=0;a<s;a++)for(let r=0;r<e;r++){let l=Nc[n[a*
-e+r]],c=Ee(t[l]??"#6E6E6E"),u=4*((s-1-a)*e+r);o.data.set([...c,255],u)}return be(i).putImageData(o,0,0),i}function Da(n,e,t){let s=t.length;n.strokeStyle=vt(e.look.
+-s,i)]);let l=.06*(i-s)||1;return[s<0?s-l:s,i+l]}function va(n,e,t,s){let{look:i,box:o,heights:a,range:r}=e;n.font=`11px ${i.font}`,n.strokeStyle=i.line,n.fillStyle=
+i.soft,n.lineWidth=1;let l=Math.max(o.height/28,4);for(;ae(a[0],a[1],l).length<3&&l<12;)l+=1;let c=V(a[1]-a[0],l);n.textAlign="right",n.textBaseline="middle";for(let g of ae(
+a[0],a[1],l)){let b=Math.round(e.y(g))+.5;n.globalAlpha=Math.abs(g)<1e-9*c?1:.55,n.beginPath(),n.moveTo(D,b),n.lineTo(t-Pe,b),n.stroke(),n.globalAlpha=1,n.fillText(
+se(g,c),D-6,b)}let d=o.width/70,h=V(r[1]-r[0],d);n.textAlign="center",n.textBaseline="alphabetic";let{name:m,unit:p}=W[e.shared.axis],f=p?`${x(m)} [${p}]`:x(m);
+for(let g of ae(r[0],r[1],d)){let b=e.x(g);n.beginPath(),n.moveTo(b,C+o.height),n.lineTo(b,C+o.height+4),n.stroke(),n.fillText(se(g,h),b,C+o.height+15)}n.textAlign=
+"right",n.fillText(f,t-Pe,s-3),n.save(),n.translate(11,C+.5*o.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(x(e.unit),0,0),n.restore()}var{letters:ec}=S.words;function xa(n,e,t){let s=n.length/e,i=u("canvas",{width:e,height:s}),o=new ImageData(e,s);for(let a=0;a<s;a++)for(let r=0;r<e;r++){let l=ec[n[a*
+e+r]],c=xe(t[l]??"#6E6E6E"),d=4*((s-1-a)*e+r);o.data.set([...c,255],d)}return me(i).putImageData(o,0,0),i}function ka(n,e,t){let s=t.length;n.strokeStyle=ut(e.look.
 dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let i=0;i<s;i++){if(!t[i])continue;let o=i;for(;o<s&&t[o]===t[i];)o++;let a=e.x(i*2*Math.PI/s),r=e.x(o*2*Math.PI/
 s);n.save(),n.beginPath(),n.rect(a,C,r-a,e.box.height),n.clip(),n.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)n.moveTo(a+c,l>0?C+e.box.
-height:C),n.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);n.stroke(),n.restore(),i=o}}function ja(n,e,t,s){let{look:i}=e;n.font=`11px ${i.font}`,n.strokeStyle=i.
-soft,n.fillStyle=i.soft,n.lineWidth=1,n.strokeRect(q+.5,C+.5,e.box.width-1,e.box.height-1),n.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
-PI,r=a-o>200?45:Y(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);n.beginPath(),n.moveTo(u,C+e.box.height),n.lineTo(u,C+e.box.height+
-4),n.stroke(),n.fillText(oe(c*r,r),u,C+e.box.height+15)}n.textAlign="right",n.fillText(x("angle θ within a turn [°]"),t-Ne,s-3),n.textBaseline="middle";let l=e.
-top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))n.fillText(oe(c,Y(l,5)),q-6,e.y(c));n.textBaseline="alphabetic",n.save(),n.translate(11,C+.5*e.box.height),
-n.rotate(-Math.PI/2),n.textAlign="center",n.fillText("θ̇ [rad/s]",0,0),n.restore()}var zn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Nn(n,e="solid"){let t=d("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-n??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,i=zn[e].map((o,a)=>(s+=
+height:C),n.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);n.stroke(),n.restore(),i=o}}function _a(n,e,t,s){let{look:i}=e;n.font=`11px ${i.font}`,n.strokeStyle=i.
+soft,n.fillStyle=i.soft,n.lineWidth=1,n.strokeRect(D+.5,C+.5,e.box.width-1,e.box.height-1),n.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
+PI,r=a-o>200?45:V(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let d=e.x(c*r*Math.PI/180);n.beginPath(),n.moveTo(d,C+e.box.height),n.lineTo(d,C+e.box.height+
+4),n.stroke(),n.fillText(se(c*r,r),d,C+e.box.height+15)}n.textAlign="right",n.fillText(x("angle θ within a turn [°]"),t-Pe,s-3),n.textBaseline="middle";let l=e.
+top()-e.bottom();for(let c of ae(e.bottom(),e.top(),5))n.fillText(se(c,V(l,5)),D-6,e.y(c));n.textBaseline="alphabetic",n.save(),n.translate(11,C+.5*e.box.height),
+n.rotate(-Math.PI/2),n.textAlign="center",n.fillText("θ̇ [rad/s]",0,0),n.restore()}var En={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Mn(n,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+n??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,i=En[e].map((o,a)=>(s+=
 o,`${a%2?"transparent":n??"var(--ink)"} ${s-o}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
-join(", ")})`}return t}var On=class{constructor(e,t,s){this.backend=e;this.clock=t;this.colors=s;this.canvas=d("canvas",{class:"plot-canvas"});this.over=d("canvas",{class:"plot-canvas\
- plot-over"});this.keys=d("div",{class:"plot-keys"});this.asked="";this.body=d("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle \
-and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=d("section",{class:"phase"},d("header",{},d("h3",{},"Pla\
-ne of θ and θ̇"),this.keys),this.body,d("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
-" ",`Click to go there; ${ct("")}.`)),this.body.addEventListener("pointerdown",i=>this.seek(i)),this.pinched=ae(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(
-o?this.point(o):this.middle(),1/i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ie(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),
+join(", ")})`}return t}var Sn=class{constructor(e,t,s){this.backend=e;this.clock=t;this.colors=s;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
+ plot-over"});this.keys=u("div",{class:"plot-keys"});this.asked="";this.body=u("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle \
+and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},"Pla\
+ne of θ and θ̇"),this.keys),this.body,u("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
+" ",`Click to go there; ${nt("")}.`)),this.body.addEventListener("pointerdown",i=>this.seek(i)),this.pinched=ie(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(
+o?this.point(o):this.middle(),1/i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ne(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),
 i=JSON.stringify([e.hoop,e.plane,s]);if(i!==this.asked){let o=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=i,this.pictures=[o],this.redraw()}this.window&&
 await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(
 this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.
 name!=="AbortError")throw e}}}async painted(e,t,s){let{header:i,arrays:o}=await this.backend.call("regions",{scenario:e,window:t},s);return s?.throwIfAborted(),
-{window:i.window,paradox:o.paradox,picture:Fa(o.modes,o.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??
-[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,i[Math.floor(.99*(i.length-1))]??0)}let t=Y(Math.max(e,1)*1.15,
+{window:i.window,paradox:o.paradox,picture:xa(o.modes,o.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??
+[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,i[Math.floor(.99*(i.length-1))]??0)}let t=V(Math.max(e,1)*1.15,
 4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-
 e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.
-body.getBoundingClientRect(),s=((e.clientX-t.left)/this.look.px-q)/this.box.width,i=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+s*
+body.getBoundingClientRect(),s=((e.clientX-t.left)/this.look.px-D)/this.box.width,i=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+s*
 (this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([
 e,t],s){let i=Math.max(e-(e-this.range[0])*s,0),o=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.
 top()-t)*s,a);this.range=[i,o],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?
 -this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=
 this.findReach(),this.forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.some(o=>o<-.3)),!this.forwards&&!this.backwards&&
-(this.forwards=!0),this.redraw()}x(e){return q+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.
-bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:i,height:o}=J(this.canvas,t.px);if(this.box={width:i-q-Ne,height:o-
-C-Cn},s.clearRect(0,0,i,o),s.save(),s.beginPath(),s.rect(q,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,
-window:r}of this.pictures){let[l,c,u,h]=r,m=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.
-globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}Da(s,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.
-restore(),ja(s,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.
-map(([r,l])=>d("span",{class:"plot-key"},Nn(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,s){let{angle:i,omega:o,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
-s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?me(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
-isFinite(o[c])){l=null;continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==l.lap){let m=u>l.lap?r:0;e.lineTo(this.
-x(m),this.y(o[c])),e.moveTo(this.x(r-m),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));l={lap:u,mode:a[c]}}e.stroke(),e.setLineDash(
-[])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:i}=J(this.over,this.look.px);t.clearRect(0,0,s,i),this.films.forEach((o,a)=>{let r=o.
-at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=q&&u<=q+this.box.width&&h>=C&&h<=C+this.box.height&&(t.beginPath(),t.arc(u,
-h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?me(a,this.look.dark):this.look.ink,t.stroke(),
-!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){let t=this.body.
-getBoundingClientRect(),[s,i]=[e.clientX-t.left,e.clientY-t.top].map(u=>u/this.look.px);if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.
-columns,l=2*Math.PI,c={distance:1/0,t:0};for(let u=0;u<o.length;u++){let h=a[u]-Math.floor(a[u]/l)*l,m=Math.hypot(this.x(h)-s,this.y(r[u])-i);m<c.distance&&(c={
-distance:m,t:o.t[u]})}c.distance<40&&this.clock.seek(_(c.t,0,o.duration))}};var ut=class{constructor({key:e,title:t,unit:s,curves:i,limits:o,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=s,this.curves=i,this.limits=
-o,this.symmetric=a,this.canvas=d("canvas",{class:"plot-canvas"}),this.over=d("canvas",{class:"plot-canvas plot-over"}),this.keys=d("div",{class:"plot-keys"}),this.
-body=d("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=d("section",{class:"plot","data-plot":e},d("heade\
-r",{},d("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
-c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return K[this.shared.axis].values(e)}fullRange(){if(this.
+(this.forwards=!0),this.redraw()}x(e){return D+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.
+bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:i,height:o}=K(this.canvas,t.px);if(this.box={width:i-D-Pe,height:o-
+C-_n},s.clearRect(0,0,i,o),s.save(),s.beginPath(),s.rect(D,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,
+window:r}of this.pictures){let[l,c,d,h]=r,m=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(d)-this.y(h)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.
+globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}ka(s,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.
+restore(),_a(s,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.
+map(([r,l])=>u("span",{class:"plot-key"},Mn(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,s){let{angle:i,omega:o,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
+s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?he(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
+isFinite(o[c])){l=null;continue}let d=Math.floor(i[c]/r),h=i[c]-d*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.
+x(m),this.y(o[c])),e.moveTo(this.x(r-m),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));l={lap:d,mode:a[c]}}e.stroke(),e.setLineDash(
+[])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:i}=K(this.over,this.look.px);t.clearRect(0,0,s,i),this.films.forEach((o,a)=>{let r=o.
+at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,d=this.x(c),h=this.y(r.omega);d>=D&&d<=D+this.box.width&&h>=C&&h<=C+this.box.height&&(t.beginPath(),t.arc(d,
+h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?he(a,this.look.dark):this.look.ink,t.stroke(),
+!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,h-6)))})}seek(e){let t=this.body.
+getBoundingClientRect(),[s,i]=[e.clientX-t.left,e.clientY-t.top].map(d=>d/this.look.px);if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.
+columns,l=2*Math.PI,c={distance:1/0,t:0};for(let d=0;d<o.length;d++){let h=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(h)-s,this.y(r[d])-i);m<c.distance&&(c={
+distance:m,t:o.t[d]})}c.distance<40&&this.clock.seek(E(c.t,0,o.duration))}};var st=class{constructor({key:e,title:t,unit:s,curves:i,limits:o,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=s,this.curves=i,this.limits=
+o,this.symmetric=a,this.canvas=u("canvas",{class:"plot-canvas"}),this.over=u("canvas",{class:"plot-canvas plot-over"}),this.keys=u("div",{class:"plot-keys"}),this.
+body=u("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=u("section",{class:"plot","data-plot":e},u("heade\
+r",{},u("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=ie(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
+c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return W[this.shared.axis].values(e)}fullRange(){if(this.
 shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let i of this.abscissa(s))i<e&&(e=
 i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}take(e,t,s){this.films=e,this.active=t,this.look=s,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
-e[t],t),s.dark)}draw(e){let{films:t,active:s}=this,{context:i,width:o,height:a}=J(this.canvas,this.look.px);this.box={width:o-q-Ne,height:a-C-Cn},i.clearRect(0,
-0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="ti\
-me"&&this.bands(i,t[s],e),qa(i,this,o,a),i.save(),i.beginPath(),i.rect(q,C,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,l);if(t.length>1)
+e[t],t),s.dark)}draw(e){let{films:t,active:s}=this,{context:i,width:o,height:a}=K(this.canvas,this.look.px);this.box={width:o-D-Pe,height:a-C-_n},i.clearRect(0,
+0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((d,h)=>({...d,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="ti\
+me"&&this.bands(i,t[s],e),va(i,this,o,a),i.save(),i.beginPath(),i.rect(D,C,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,l);if(t.length>1)
 for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.describe(r)}shades(e,t){let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(o=>({
-...o,color:o.color&&xt(o.color,s)}));let i=Object.keys(zn);return this.curves(e).map((o,a)=>({...o,color:me(t,s),dash:i[a%i.length]}))}x(e){return q+(e-this.range[0])/
+...o,color:o.color&&dt(o.color,s)}));let i=Object.keys(En);return this.curves(e).map((o,a)=>({...o,color:he(t,s),dash:i[a%i.length]}))}x(e){return D+(e-this.range[0])/
 (this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{
-film:s,values:i}of e){let o=this.abscissa(s);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(i[a])}return Ia(
-t,this.symmetric)}bands(e,t,s){for(let i of t.phases){let o=_(this.x(i.from),q,q+this.box.width),a=_(this.x(i.to),q,q+this.box.width);a<=o||(e.fillStyle=vt(s.modes[i.
-mode],.14),e.fillRect(o,C,a-o,this.box.height))}}curve(e,{film:t,color:s,dash:i,number:o}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(zn[i??"s\
-olid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.isFinite(
-c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),m=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,m):e.moveTo(h,m),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{
+film:s,values:i}of e){let o=this.abscissa(s);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(i[a])}return ya(
+t,this.symmetric)}bands(e,t,s){for(let i of t.phases){let o=E(this.x(i.from),D,D+this.box.width),a=E(this.x(i.to),D,D+this.box.width);a<=o||(e.fillStyle=ut(s.modes[i.
+mode],.14),e.fillRect(o,C,a-o,this.box.height))}}curve(e,{film:t,color:s,dash:i,number:o}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(En[i??"s\
+olid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(
+c[d])||!Number.isFinite(l[d])){a=!1;continue}let h=this.x(l[d]),m=E(this.y(c[d]),-1e4,1e4);a?e.lineTo(h,m):e.moveTo(h,m),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{
 film:t,lane:s,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(
-i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=
-this.look.panel,e.strokeText("AB"[s],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[s],c,u)}legend(e,t){let s=e.map(i=>i.name+i.color+i.dash).join()+t;this.named!==
-s&&(this.named=s,this.values=e.map(()=>d("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>d("span",{class:"plot-key"},Nn(i.color,i.dash),i.name,
+i[l]))return;let[c,d]=[this.x(a[l]),E(this.y(i[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=
+this.look.panel,e.strokeText("AB"[s],c,d),e.fillStyle=o??this.look.ink,e.fillText("AB"[s],c,d)}legend(e,t){let s=e.map(i=>i.name+i.color+i.dash).join()+t;this.named!==
+s&&(this.named=s,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>u("span",{class:"plot-key"},Mn(i.color,i.dash),i.name,
 " ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.films.
-length>1?`${"AB"[a]}: `:"",u={name:x(i),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",u)}`:""}),s=x("Diagram: {title} in {unit}.",{
+length>1?`${"AB"[a]}: `:"",d={name:x(i),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",d)}`:""}),s=x("Diagram: {title} in {unit}.",{
 title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,
-width:s,height:i}=J(this.over,this.look.px);if(t.clearRect(0,0,s,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-
-1),h=r.t[u]>r.t[c]?(l.t-r.t[c])/(r.t[u]-r.t[c]):0,m=this.abscissa(r),p=this.x(m[c]+h*(m[u]-m[c])),f=p>=q-1&&p<=q+this.box.width+1;f&&(t.strokeStyle=this.look.soft,
-t.lineWidth=1,t.beginPath(),t.moveTo(p,C),t.lineTo(p,C+this.box.height),t.stroke()),this.shades(r,a).forEach((g,b)=>{let w=g.values[u],y=Number.isFinite(w)?g.values[c]+
+width:s,height:i}=K(this.over,this.look.px);if(t.clearRect(0,0,s,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),d=Math.min(c+1,r.length-
+1),h=r.t[d]>r.t[c]?(l.t-r.t[c])/(r.t[d]-r.t[c]):0,m=this.abscissa(r),p=this.x(m[c]+h*(m[d]-m[c])),f=p>=D-1&&p<=D+this.box.width+1;f&&(t.strokeStyle=this.look.soft,
+t.lineWidth=1,t.beginPath(),t.moveTo(p,C),t.lineTo(p,C+this.box.height),t.stroke()),this.shades(r,a).forEach((g,b)=>{let w=g.values[d],y=Number.isFinite(w)?g.values[c]+
 h*(w-g.values[c]):g.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=M(y,3));let v=this.y(y);!f||!(v>=C-1&&v<=C+this.box.height+1)||(t.fillStyle=
-g.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=vt("#0072B2",.2),t.fillRect(Math.min(
-o,a),C,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),s=_(((e.clientX-t.left)/this.look.px-q)/this.box.width,0,1);return this.
+g.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=ut("#0072B2",.2),t.fillRect(Math.min(
+o,a),C,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),s=E(((e.clientX-t.left)/this.look.px-D)/this.box.width,0,1);return this.
 range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left)/this.look.px,i=this.valueAt(
 e),o=this.pinched(),a=r=>{if(o||=this.pinched(),o)return;let l=(r.clientX-t.left)/this.look.px;this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.
-pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};Z(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=
-null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(this.shared.clock.time):l&&!o&&this.seek(e.pointerType==="mouse"?i:c)})}seek(e){if(this.shared.axis==="time")
+pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:d}=this;this.picked=
+null,d&&l?this.zoomTo(i<c?[i,c]:[c,i]):d?this.cursor(this.shared.clock.time):l&&!o&&this.seek(e.pointerType==="mouse"?i:c)})}seek(e){if(this.shared.axis==="time")
 return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),i=0;for(let o=0;o<s.length;o++)Math.abs(s[o]-e)<Math.abs(s[i]-e)&&(i=o);return this.onseek(
 t.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),i=Math.max(e-(e-this.range[0])*t,s[0]),o=Math.min(e+(this.range[1]-
-e)*t,s[1]);this.zoomTo(i<=s[0]&&o>=s[1]?null:[i,o])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Vs=n=>Object.entries(K).map(([e,t])=>d("option",{value:e},n(t)));function Ha(n){let e="height",t=new ut({key:"own",title:"Your choice",unit:"",curves:o=>[{name:x(
-K[e].name),values:K[e].values(o)}]},n),s=()=>{let{symbol:o,unit:a}=K[e];t.unit=a?`${o} [${a}]`:o},i=d("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=i.value,s(),n.changed()}},Vs(ca));return i.value=e,s(),t.element.querySelector("h3")?.after(i),t}function Oc(n){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:n.center_speed,values:e.columns.vx},{name:"\
+e)*t,s[1]);this.zoomTo(i<=s[0]&&o>=s[1]?null:[i,o])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Cs=n=>Object.entries(W).map(([e,t])=>u("option",{value:e},n(t)));function Ea(n){let e="height",t=new st({key:"own",title:"Your choice",unit:"",curves:o=>[{name:x(
+W[e].name),values:W[e].values(o)}]},n),s=()=>{let{symbol:o,unit:a}=W[e];t.unit=a?`${o} [${a}]`:o},i=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=i.value,s(),n.changed()}},Cs(Ko));return i.value=e,s(),t.element.querySelector("h3")?.after(i),t}function tc(n){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:n.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:n.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:n.kinetic,values:e.columns.kinetic},{name:"potential",color:n.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:s,potential:i})=>Float64Array.from(t,(o,a)=>s[a]+i[a])),dash:"dash"},{name:"lost to friction",color:n.friction_loss,
@@ -1968,128 +1964,128 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:n.normal_force,values:e.columns.normal_force},{name:"friction F",color:n.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:n.
-friction_force,values:e.columns.utilization}]}]}var In=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
-this.plots=[...Oc(t).map(i=>new ut(i,this.shared)),Ha(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[i.element,
+friction_force,values:e.columns.utilization}]}]}var Tn=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
+this.plots=[...tc(t).map(i=>new st(i,this.shared)),Ea(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[i.element,
 !0]));let s=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.plots)
-s.observe(i.element);this.axis=d("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
-this.redraw()}},Vs(({name:i})=>`over ${i}`)),this.back=d("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=d("\
-span",{class:"hint"}),this.element=d("div",{class:"plots"},d("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(e,t,s){
-this.films=e,this.active=t,this.look=s;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${ct("")}`,
+s.observe(i.element);this.axis=u("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
+this.redraw()}},Cs(({name:i})=>`over ${i}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
+span",{class:"hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(e,t,s){
+this.films=e,this.active=t,this.look=s;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${nt("")}`,
 o=e.length>1;P(this.hint,o?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${i}`:i),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ic={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},qc={python:"The bits differ: {own} here, {other} in Python.",link:"\
-The bits differ: {own} here, {other} where the link was made, perhaps with another version."},qn=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var nc={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},sc={python:"The bits differ: {own} here, {other} in Python.",link:"\
+The bits differ: {own} here, {other} where the link was made, perhaps with another version."},An=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
 ({key:t,query:s})=>[s,S.fingerprints[t]]))}expect(e,t){for(let[s,{query:i}]of e.entries())t[s]&&this.link.set(i,t[s])}expected(e){return e.map(({query:t})=>this.
-link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(s=>{let i=this[s].get(e);if(!i)return[];let o=t===i;return[{same:o,text:o?Ic[s]:
-qc[s].replace("{own}",t).replace("{other}",i)}]}):[]}};var Ua=Gl(Ga(),1);var Fc=3840;async function Ka(n){let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=Math.max(Fc/e,globalThis.devicePixelRatio||1),i=d("canvas",{width:Math.
-round(e*s),height:Math.round(t*s)}),o=be(i);return o.setTransform(s,0,0,s,0,0),Ys(o,n,e,t),n.stage.options.three?(o.drawImage(n.stage.sharp(n,s),0,0,e,t),n.drawStage()):
-Ya(o,n,e,t),Zs(o,n,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Va(n){if(n.stage.options.three)
-throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=new Ua.Context(
-{width:e,height:t,document});return Ys(s,n,e,t),Ya(s,n,e,t),Zs(s,n,t),new Blob([s.getSerializedSvg()],{type:"image/svg+xml"})}function Ja(n,e){let t=n.stage.canvas(),
-{width:s,height:i}=t.getBoundingClientRect(),o=be(e);o.setTransform(e.width/s,0,0,e.height/i,0,0),Ys(o,n,s,i),o.drawImage(t,0,0,s,i),Zs(o,n,i)}function Ys(n,{theme:e},t,s){
-n.fillStyle=e.look.paper,n.fillRect(0,0,t,s)}function Ya(n,e,t,s){let{stage:i,clock:o,theme:a}=e;i.flat.paint(n,t,s,e.films(),o.time,i.options,a.look,a.inks)}function Zs(n,e,t){
-let{theme:s,stage:i,clock:o}=e,{px:a}=s.look,r=e.films();n.textBaseline="top",n.textAlign="left";for(let[l,c]of r.entries()){let u=c.at(o.time),h=r.length>1?`${"\
-AB"[l]}: `:"",m=x(s.colors.mode_names[u.mode]),p=`t = ${u.t.toFixed(3)} s, θ = ${U(u.angle)}, v = ${M(u.vx,3)} m/s`,f=i.options.three?10+20*a*l:10+l*t/r.length;
-n.fillStyle=s.colors.modes[u.mode],n.fillRect(12,f+2*a,11*a,11*a),n.fillStyle=s.look.ink,n.font=`${13*a}px ${s.look.font}`,n.fillText(`${h}${m}, ${p}`,12+18*a,f)}
-n.textBaseline="alphabetic"}async function Za(n){let e=n.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
-stead.");let t=d("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),s=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),i=[];
+link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(s=>{let i=this[s].get(e);if(!i)return[];let o=t===i;return[{same:o,text:o?nc[s]:
+sc[s].replace("{own}",t).replace("{other}",i)}]}):[]}};var La=cl(Aa(),1);var ic=3840;async function Ra(n){let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=Math.max(ic/e,globalThis.devicePixelRatio||1),i=u("canvas",{width:Math.
+round(e*s),height:Math.round(t*s)}),o=me(i);return o.setTransform(s,0,0,s,0,0),Ns(o,n,e,t),n.stage.options.three?(o.drawImage(n.stage.sharp(n,s),0,0,e,t),n.drawStage()):
+za(o,n,e,t),Is(o,n,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Pa(n){if(n.stage.options.three)
+throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=new La.Context(
+{width:e,height:t,document});return Ns(s,n,e,t),za(s,n,e,t),Is(s,n,t),new Blob([s.getSerializedSvg()],{type:"image/svg+xml"})}function Ca(n,e){let t=n.stage.canvas(),
+{width:s,height:i}=t.getBoundingClientRect(),o=me(e);o.setTransform(e.width/s,0,0,e.height/i,0,0),Ns(o,n,s,i),o.drawImage(t,0,0,s,i),Is(o,n,i)}function Ns(n,{theme:e},t,s){
+n.fillStyle=e.look.paper,n.fillRect(0,0,t,s)}function za(n,e,t,s){let{stage:i,clock:o,theme:a}=e;i.flat.paint(n,t,s,e.films(),o.time,i.options,a.look,a.inks)}function Is(n,e,t){
+let{theme:s,stage:i,clock:o}=e,{px:a}=s.look,r=e.films();n.textBaseline="top",n.textAlign="left";for(let[l,c]of r.entries()){let d=c.at(o.time),h=r.length>1?`${"\
+AB"[l]}: `:"",m=x(s.colors.mode_names[d.mode]),p=`t = ${d.t.toFixed(3)} s, θ = ${$(d.angle)}, v = ${M(d.vx,3)} m/s`,f=i.options.three?10+20*a*l:10+l*t/r.length;
+n.fillStyle=s.colors.modes[d.mode],n.fillRect(12,f+2*a,11*a,11*a),n.fillStyle=s.look.ink,n.font=`${13*a}px ${s.look.font}`,n.fillText(`${h}${m}, ${p}`,12+18*a,f)}
+n.textBaseline="alphabetic"}async function Na(n){let e=n.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
+stead.");let t=u("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),s=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),i=[];
 s.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>s.onstop=r),{loop:a}=n.clock;return n.clock.loop=!1,n.clock.seek(0),n.notice.say("Recording one run …"),
-n.afterFrame=()=>{Ja(n,t),!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await o,n.afterFrame=null,n.clock.loop=a,new Blob(i,{type:s.
-mimeType})}var Dc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],Dn=class{constructor(e){this.lab=e;this.menu=d("details",{class:"menu"},d("summary",{class:"button"},"Keep"),d("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),Dc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Pic\
-ture (PNG)",()=>this.picture("png",Ka)),this.item("Picture (SVG)",()=>this.picture("svg",Va)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
-"Show me the Python",()=>this.code()))),this.dialog=d("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
-own",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return d("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(s){
+n.afterFrame=()=>{Ca(n,t),!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await o,n.afterFrame=null,n.clock.loop=a,new Blob(i,{type:s.
+mimeType})}var oc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+)"]],Rn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},"Keep"),u("div",{class:"menu-body"},e.backend.shares&&
+this.item("Copy the link",()=>this.copyLink()),oc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Pic\
+ture (PNG)",()=>this.picture("png",Ra)),this.item("Picture (SVG)",()=>this.picture("svg",Pa)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
+"Show me the Python",()=>this.code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
+own",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return u("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(s){
 this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.clipboard.writeText(e),
 this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith(
-"mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),rt(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e}\
- is there.`)}async picture(e,t){rt(await t(this.lab),`hophoop.${e}`)}async record(){rt(await Za(this.lab),"hophoop.webm"),this.lab.notice.say("The film is there\
+"mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),et(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e}\
+ is there.`)}async picture(e,t){et(await t(this.lab),`hophoop.${e}`)}async record(){et(await Na(this.lab),"hophoop.webm"),this.lab.notice.say("The film is there\
 .")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,"The scena\
-rio as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let i=e[s+1],o=d("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.
-writeText(i).catch(()=>{}),P(o,"Copied")},t.push(d("header",{},d("h2",{},e[s]),o),d("pre",{tabindex:"0"},d("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(
-...t,d("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Qa=120,jn=class{constructor(e,t,s,i,o,a,r,l,c,u,h){this.context=e;this.width=t;this.height=s;this.film=i;this.options=a;this.look=r;this.colors=l;this.common=
+rio as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let i=e[s+1],o=u("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.
+writeText(i).catch(()=>{}),P(o,"Copied")},t.push(u("header",{},u("h2",{},e[s]),o),u("pre",{tabindex:"0"},u("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(
+...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Ia=120,Pn=class{constructor(e,t,s,i,o,a,r,l,c,d,h){this.context=e;this.width=t;this.height=s;this.film=i;this.options=a;this.look=r;this.colors=l;this.common=
 h;this.top=0;this.pose=i.at(o);let m=i.radius,{left:p,right:f}=i.extent,{top:g}=h;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let b=2*h.radius+Math.
 min(g,6*h.radius),w=Math.min(.66*s/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*m,v=(f-p)*Math.abs(this.sine)+2.6*m+g;this.scale=Math.min(t/y,.86*s/
-v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+u[0],(i.slope?.62:.8)*s+u[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
-place=[(t<520?.6:.46)*t+u[0],.82*s+u[1]]}point(e,t){let s=e-this.focus[0],i=t-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+i*this.sine),this.place[1]-
+v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+d[0],(i.slope?.62:.8)*s+d[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
+place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],i=t-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+i*this.sine),this.place[1]-
 this.scale*(i*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/this.scale,i=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-i*this.
 sine,this.focus[1]+s*this.sine+i*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
 forces()}ground(){let{context:e,look:t,width:s,height:i}=this,o=(Math.hypot(s,i)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
-this.focus[0]-o,0),[l,c]=this.point(this.focus[0]+o,0),u=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
-l+u[0],c+u[1]),e.lineTo(a+u[0],r+u[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=Y(s/this.scale,s/
+this.focus[0]-o,0),[l,c]=this.point(this.focus[0]+o,0),d=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
+l+d[0],c+d[1]),e.lineTo(a+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=V(s/this.scale,s/
 (90*t.px));e.fillStyle=t.soft,e.font=`${11*t.px}px ${t.font}`,e.textAlign="center",e.lineWidth=1;let m=Math.ceil((this.focus[0]-o)/h),p=Math.min(Math.floor((this.
 focus[0]+o)/h),m+400);for(let f=m;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>s+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
-e.fillText(`${oe(f*h,h)} m`,g-18*t.px*this.sine,b+8+10*t.px*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:i}=this,o=e.radius,a=this.options.ahead?e.
-duration:this.pose.t,r=(l,c,u,h)=>{t.strokeStyle=c,t.lineWidth=u,t.lineJoin="round",t.beginPath();let m=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),o+g+l*
+e.fillText(`${se(f*h,h)} m`,g-18*t.px*this.sine,b+8+10*t.px*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:i}=this,o=e.radius,a=this.options.ahead?e.
+duration:this.pose.t,r=(l,c,d,h)=>{t.strokeStyle=c,t.lineWidth=d,t.lineJoin="round",t.beginPath();let m=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),o+g+l*
 Math.cos(b));m?t.lineTo(w,y):t.moveTo(w,y),m=!0};for(let f of e.pieces()){let{x:g,height:b,angle:w,mode:y}=f.film.columns;for(let v=f.from;v<f.to&&f.film.t[v]<=
 a;v++)h===void 0||y[v]===3===h?p(g[v],b[v],w[v]):m=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),
 t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(o,s.ink,1.3),r(e.eccentricity*o,i.gravity_center,1.8,!1),r(e.eccentricity*o,i.airborne,2.4,!0),t.globalAlpha=
 1}mark(e,t){let{context:s,film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),s.arc(r,l,Math.max(i.radius*
-a-_(.07*i.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 ${17*this.look.px}px ${this.look.font}`,s.textAlign="center",s.fillText(e,r-14,l+
-20)}hoop(){let{film:e,pose:t,context:s,look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.
-sin(b),u[1]+w*Math.cos(b));if(s.lineCap="butt",i.dark&&(s.strokeStyle=i.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),s.stroke()),
-this.options.speed){let b=this.common.speed;s.lineWidth=l;let w=2*Math.PI/Qa;for(let y=0;y<Qa;y++){let v=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),
-t.vy-r*t.omega*Math.sin(v+.5*w));s.strokeStyle=Jt[_(Math.round(255*E/b)||0,0,255)],s.beginPath(),s.moveTo(...h(v-.04*w)),s.lineTo(...h(v+1.04*w)),s.stroke()}}else
-s.strokeStyle=o.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=i.soft,s.lineWidth=1,s.beginPath(),
-s.moveTo(...this.point(u[0],u[1])),s.lineTo(...h(t.angle)),s.stroke();let m=(b,w,y,v)=>{s.beginPath(),s.arc(...b,w,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=
-1.5,s.strokeStyle=v,s.stroke()};m(this.point(u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):m(h(t.angle),_(.1*r*a,4,16),i.ink,i.paper);
-let f=e.eccentricity*r,g=this.point(u[0]+f*Math.sin(t.angle),u[1]+f*Math.cos(t.angle));m(g,_(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){
-let{film:s,pose:i,context:o,look:a,scale:r}=this,c=e.reduce((u,h)=>u+h.mass*(h.at??0),0)<0?-1:1;o.strokeStyle=a.ink;for(let u of e){let h=c*(u.at??0),m=this.point(
-t[0]+h*Math.sin(i.angle),t[1]+h*Math.cos(i.angle));if(o.fillStyle=a.ink,o.lineWidth=1,o.beginPath(),u.shape==="ring")o.globalAlpha=.22,o.arc(...m,u.outer_radius*
-r,0,2*Math.PI),o.arc(...m,u.inner_radius*r,0,2*Math.PI,!0),o.fill(),o.globalAlpha=1;else if(u.shape==="rod"){let p=.5*u.length,f=g=>this.point(t[0]+g*Math.sin(i.
-angle),t[1]+g*Math.cos(i.angle));o.lineWidth=4,o.moveTo(...f(h-p)),o.lineTo(...f(h+p)),o.stroke()}else{let p=u.shape==="disk"?u.radius*r:_(.08*s.radius*r,3,12);
-o.globalAlpha=u.shape==="disk"?.55:1,o.arc(...m,p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,i=e.radius,o=e.mass*(e.gravity||
+a-E(.07*i.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 ${17*this.look.px}px ${this.look.font}`,s.textAlign="center",s.fillText(e,r-14,l+
+20)}hoop(){let{film:e,pose:t,context:s,look:i,colors:o,scale:a}=this,r=e.radius,l=E(.07*r*a,2,14),c=r-.5*l/a,d=[t.x,r+t.height],h=(b,w=c)=>this.point(d[0]+w*Math.
+sin(b),d[1]+w*Math.cos(b));if(s.lineCap="butt",i.dark&&(s.strokeStyle=i.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*a,0,2*Math.PI),s.stroke()),
+this.options.speed){let b=this.common.speed;s.lineWidth=l;let w=2*Math.PI/Ia;for(let y=0;y<Ia;y++){let v=t.angle+y*w,_=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),
+t.vy-r*t.omega*Math.sin(v+.5*w));s.strokeStyle=Ft[E(Math.round(255*_/b)||0,0,255)],s.beginPath(),s.moveTo(...h(v-.04*w)),s.lineTo(...h(v+1.04*w)),s.stroke()}}else
+s.strokeStyle=o.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=i.soft,s.lineWidth=1,s.beginPath(),
+s.moveTo(...this.point(d[0],d[1])),s.lineTo(...h(t.angle)),s.stroke();let m=(b,w,y,v)=>{s.beginPath(),s.arc(...b,w,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=
+1.5,s.strokeStyle=v,s.stroke()};m(this.point(d[0],d[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,d):m(h(t.angle),E(.1*r*a,4,16),i.ink,i.paper);
+let f=e.eccentricity*r,g=this.point(d[0]+f*Math.sin(t.angle),d[1]+f*Math.cos(t.angle));m(g,E(.05*r*a,3.5,7),t.mode==="H"?o.airborne:o.gravity_center,i.paper)}parts(e,t){
+let{film:s,pose:i,context:o,look:a,scale:r}=this,c=e.reduce((d,h)=>d+h.mass*(h.at??0),0)<0?-1:1;o.strokeStyle=a.ink;for(let d of e){let h=c*(d.at??0),m=this.point(
+t[0]+h*Math.sin(i.angle),t[1]+h*Math.cos(i.angle));if(o.fillStyle=a.ink,o.lineWidth=1,o.beginPath(),d.shape==="ring")o.globalAlpha=.22,o.arc(...m,d.outer_radius*
+r,0,2*Math.PI),o.arc(...m,d.inner_radius*r,0,2*Math.PI,!0),o.fill(),o.globalAlpha=1;else if(d.shape==="rod"){let p=.5*d.length,f=g=>this.point(t[0]+g*Math.sin(i.
+angle),t[1]+g*Math.cos(i.angle));o.lineWidth=4,o.moveTo(...f(h-p)),o.lineTo(...f(h+p)),o.stroke()}else{let p=d.shape==="disk"?d.radius*r:E(.08*s.radius*r,3,12);
+o.globalAlpha=d.shape==="disk"?.55:1,o.arc(...m,p,0,2*Math.PI),o.fill(),o.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,i=e.radius,o=e.mass*(e.gravity||
 9.81),a=l=>.55*i*l/o;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N = ${M(t.normal_force,
-3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${M(t.friction_force,3)} N`,!0)}arrow([e,t],[s,i],o,a,r){let{context:l,look:c,width:u}=this,
-h=2.2*this.film.radius,m=Math.abs(s)>h||Math.abs(i)>h;[s,i]=[_(s,-h,h),_(i,-h,h)];let p=this.point(e,t),f=this.point(e+s,t+i),g=Math.hypot(f[0]-p[0],f[1]-p[1]);
+3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${M(t.friction_force,3)} N`,!0)}arrow([e,t],[s,i],o,a,r){let{context:l,look:c,width:d}=this,
+h=2.2*this.film.radius,m=Math.abs(s)>h||Math.abs(i)>h;[s,i]=[E(s,-h,h),E(i,-h,h)];let p=this.point(e,t),f=this.point(e+s,t+i),g=Math.hypot(f[0]-p[0],f[1]-p[1]);
 if(g<2)return;let b=(f[0]-p[0])/g,w=(f[1]-p[1])/g,y=Math.min(11,g);for(let[T,L]of[[c.paper,6],[o,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=L,l.beginPath(),l.
 moveTo(...p),l.lineTo(f[0]-b*y,f[1]-w*y),l.stroke();if(l.beginPath(),l.moveTo(...f),l.lineTo(f[0]-b*y-w*y*.5,f[1]-w*y+b*y*.5),l.lineTo(f[0]-b*y+w*y*.5,f[1]-w*y-
 b*y*.5),l.fill(),m){let[T,L]=[p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let R of[-3,3])l.moveTo(T+b*(R-3)-w*7,L+w*(R-3)+b*
 7),l.lineTo(T+b*(R+3)+w*7,L+w*(R+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,
-l.textAlign="left";let E=r?[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,_(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-v-
-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Hn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.grab=()=>!1,this.over=()=>{},e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=ae(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
+l.textAlign="left";let _=r?[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,E(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];_[0]=E(_[0],4,d-v-
+4),l.strokeText(a,_[0],_[1]),l.fillText(a,_[0],_[1])}};var Cn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=ie(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,s]=[0,0]){let{width:i,
-height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,s*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
-let t=[e.clientX,e.clientY],s=this.shift;Z(this.canvas,e,i=>{this.pinched()||(this.shift=[s[0]+i.clientX-t[0],s[1]+i.clientY-t[1]],this.onview())})}draw(e,t,s,i,o){
-let{context:a,width:r,height:l}=J(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,s,i,o))}paint(e,t,s,i,o,a,r,l){let c=s/i.length,
-u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,m)=>{e.save(),e.beginPath(),
-e.rect(0,m*c,t,c),e.clip(),e.translate(0,m*c);let p=new jn(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=m*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
-p,m),i.length>1&&(p.mark("AB"[m],me(m,r.dark)),e.fillStyle=me(m,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,e.textAlign="left",e.fillText("AB"[m],12,c-12)),e.restore(),
-m>0&&(e.fillStyle=r.line,e.fillRect(0,m*c-.5,t,1)),p})}};function Xs(n,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=n[4*a+i]*e[4*s+a];t[4*s+i]=o}return t}function Xa(n,e,t,s){
-let i=1/Math.tan(n/2),o=1/(t-s);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(s+t)*o,-1,0,0,2*s*t*o,0])}function er(n,e){let t=Ve(ei(n,e)),s=Ve($n([0,1,0],t)),
-i=$n(t,s);return new Float32Array([s[0],i[0],t[0],0,s[1],i[1],t[1],0,s[2],i[2],t[2],0,-Qs(s,n),-Qs(i,n),-Qs(t,n),1])}var ei=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],
-Qs=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],$n=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]];function Ve(n){let e=Math.hypot(...n)||1;return[
-n[0]/e,n[1]/e,n[2]/e]}function Bn(n,e,t,s){let i=Ve(e),o=Ve($n(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=$n(o,i);return new Float32Array([...o.map(r=>r*s),0,...i.
-map(r=>r*t),0,...a.map(r=>r*s),0,...n,1])}function ti(n){let[e,t]=[Math.cos(n),Math.sin(n)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(n){let e=Number.parseInt(n.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function dt(n,e,t){let s=n.createProgram(),i=[[n.VERTEX_SHADER,e],[n.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=n.createShader(a);if(n.shaderSource(l,r),n.compileShader(
+height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,s*o]}zoomBy(e){this.zoom=E(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
+let t=[e.clientX,e.clientY],s=this.shift;J(this.canvas,e,i=>{this.pinched()||(this.shift=[s[0]+i.clientX-t[0],s[1]+i.clientY-t[1]],this.onview())})}draw(e,t,s,i,o){
+let{context:a,width:r,height:l}=K(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,s,i,o))}paint(e,t,s,i,o,a,r,l){let c=s/i.length,
+d={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,m)=>{e.save(),e.beginPath(),
+e.rect(0,m*c,t,c),e.clip(),e.translate(0,m*c);let p=new Pn(e,t,c,h,o,a,r,l,this.zoom,this.shift,d);return p.top=m*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
+p,m),i.length>1&&(p.mark("AB"[m],he(m,r.dark)),e.fillStyle=he(m,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,e.textAlign="left",e.fillText("AB"[m],12,c-12)),e.restore(),
+m>0&&(e.fillStyle=r.line,e.fillRect(0,m*c-.5,t,1)),p})}};function Os(n,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=n[4*a+i]*e[4*s+a];t[4*s+i]=o}return t}function Da(n,e,t,s){
+let i=1/Math.tan(n/2),o=1/(t-s);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(s+t)*o,-1,0,0,2*s*t*o,0])}function Oa(n,e){let t=We(qs(n,e)),s=We(zn([0,1,0],t)),
+i=zn(t,s);return new Float32Array([s[0],i[0],t[0],0,s[1],i[1],t[1],0,s[2],i[2],t[2],0,-Ds(s,n),-Ds(i,n),-Ds(t,n),1])}var qs=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],
+Ds=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],zn=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]];function We(n){let e=Math.hypot(...n)||1;return[
+n[0]/e,n[1]/e,n[2]/e]}function Nn(n,e,t,s){let i=We(e),o=We(zn(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=zn(o,i);return new Float32Array([...o.map(r=>r*s),0,...i.
+map(r=>r*t),0,...a.map(r=>r*s),0,...n,1])}function Fs(n){let[e,t]=[Math.cos(n),Math.sin(n)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function re(n){let e=Number.parseInt(n.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function it(n,e,t){let s=n.createProgram(),i=[[n.VERTEX_SHADER,e],[n.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=n.createShader(a);if(n.shaderSource(l,r),n.compileShader(
 l),!n.getShaderParameter(l,n.COMPILE_STATUS))throw new Error(String(n.getShaderInfoLog(l)));n.attachShader(s,l)}if(n.linkProgram(s),!n.getProgramParameter(s,n.LINK_STATUS))
 throw new Error(String(n.getProgramInfoLog(s)));let o={program:s,uniforms:{},attributes:{}};for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_UNIFORMS);a++){let{name:r}=n.
 getActiveUniform(s,a);o.uniforms[r]=n.getUniformLocation(s,r)}for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_ATTRIBUTES);a++){let{name:r}=n.getActiveAttrib(s,a);
-o.attributes[r]=n.getAttribLocation(s,r)}return o}function Je(n,e,t,s){let i=n.createBuffer();n.bindBuffer(n.ARRAY_BUFFER,i),n.bufferData(n.ARRAY_BUFFER,new Float32Array(
+o.attributes[r]=n.getAttribLocation(s,r)}return o}function Ge(n,e,t,s){let i=n.createBuffer();n.bindBuffer(n.ARRAY_BUFFER,i),n.bufferData(n.ARRAY_BUFFER,new Float32Array(
 e),n.STATIC_DRAW);let o=s?n.createBuffer():null;s&&(n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,o),n.bufferData(n.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),n.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:i,elements:o,parts:t,stride:a,count:s?s.length:4*e.length/a}}function mt(n,e,t){n.bindBuffer(n.ARRAY_BUFFER,
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:i,elements:o,parts:t,stride:a,count:s?s.length:4*e.length/a}}function ot(n,e,t){n.bindBuffer(n.ARRAY_BUFFER,
 t.vertices);let s=0;for(let[i,o]of Object.entries(t.parts)){let a=e.attributes[i];a!==void 0&&(n.enableVertexAttribArray(a),n.vertexAttribPointer(a,o,n.FLOAT,!1,
-t.stride,s)),s+=4*o}t.elements&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.elements)}function ni(n,e){let t=[];for(let s=0;s<n;s++)for(let i=0;i<e;i++){let o=s*(e+1)+
-i,a=o+e+1;t.push(o,a,o+1,a,a+1,o+1)}return t}function tr(n,e=120,t=14){let s=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++)s.push(2*Math.PI*i/e,2*Math.PI*o/t);return Je(
-n,s,{bend:2},ni(e,t))}function nr(n,e=28,t=18){let s=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++){let[a,r]=[2*Math.PI*i/e,Math.PI*o/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Je(n,s,{position:3,normal:3},ni(e,t))}function si(n,e,t=20){let s=[];for(let i=0;i<=t;i++){let o=2*
-Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];s.push(Math.cos(o),0,Math.sin(o),...a,e*Math.cos(o),1,e*Math.sin(o),...a)}return Je(n,s,{position:3,normal:3},ni(t,1))}var ar=`
+t.stride,s)),s+=4*o}t.elements&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.elements)}function Hs(n,e){let t=[];for(let s=0;s<n;s++)for(let i=0;i<e;i++){let o=s*(e+1)+
+i,a=o+e+1;t.push(o,a,o+1,a,a+1,o+1)}return t}function qa(n,e=120,t=14){let s=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++)s.push(2*Math.PI*i/e,2*Math.PI*o/t);return Ge(
+n,s,{bend:2},Hs(e,t))}function Fa(n,e=28,t=18){let s=[];for(let i=0;i<=e;i++)for(let o=0;o<=t;o++){let[a,r]=[2*Math.PI*i/e,Math.PI*o/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ge(n,s,{position:3,normal:3},Hs(e,t))}function js(n,e,t=20){let s=[];for(let i=0;i<=t;i++){let o=2*
+Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];s.push(Math.cos(o),0,Math.sin(o),...a,e*Math.cos(o),1,e*Math.sin(o),...a)}return Ge(n,s,{position:3,normal:3},Hs(t,1))}var $a=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,rr=`
+  }`,Wa=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,lr="vec4(0.0, 0.0, 0.0, shadow)",sr=[`attribute vec2 bend;
+  }`,Ga="vec4(0.0, 0.0, 0.0, shadow)",Ha=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${rr}
+   ${Wa}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -2101,21 +2097,21 @@ Math.PI*i/t,a=[Math.cos(o),1-e,Math.sin(o)];s.push(Math.cos(o),0,Math.sin(o),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${ar}
+   ${$a}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${lr} : vec4(shaded(color, n), 1.0);
-   }`],ir=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${Ga} : vec4(shaded(color, n), 1.0);
+   }`],ja=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${rr}
+   ${Wa}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${ar}
-   void main() { gl_FragColor = shadow > 0.0 ? ${lr} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],or=[`attribute vec3 position, next, tint; attribute \
+   ${$a}
+   void main() { gl_FragColor = shadow > 0.0 ? ${Ga} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Ba=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -2130,28 +2126,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Wn=class{constructor(e,t,s,i,{keep:o=!1}={}){this.canvas=e;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],In=class{constructor(e,t,s,i,{keep:o=!1}={}){this.canvas=e;
 this.dark=i;this.eye=[0,0,1];this.fastest=1;let a=e.getContext("webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser dr\
-aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Ve(s),this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=dt(a,sr[0],sr[1]),this.body=dt(a,ir[0],ir[1]),this.
-line=dt(a,or[0],or[1]),this.torus=tr(a),this.sphere=nr(a),this.cylinder=si(a,1),this.cone=si(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
+aws nothing in space (WebGL is missing).");this.gl=a,this.sun=We(s),this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=it(a,Ha[0],Ha[1]),this.body=it(a,ja[0],ja[1]),this.
+line=it(a,Ba[0],Ba[1]),this.torus=qa(a),this.sphere=Fa(a),this.cylinder=js(a,1),this.cone=js(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
 colors);let r=new Uint8Array(t.flatMap(l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,
 r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(
-a.TEXTURE_2D,l,a.LINEAR);this.view=ti(0)}begin({background:e,eye:t,target:s,slope:i,angle:o,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
-l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let u=Xa(o,c.width/c.height,a,r);this.
-view=Xs(Xs(u,er(t,s)),ti(i)),this.eye=Ve(ei(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
+a.TEXTURE_2D,l,a.LINEAR);this.view=Fs(0)}begin({background:e,eye:t,target:s,slope:i,angle:o,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
+l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=Da(o,c.width/c.height,a,r);this.
+view=Os(Os(d,Oa(t,s)),Fs(i)),this.eye=We(qs(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
 ...t};for(let[o,a]of Object.entries(i)){let r=e.uniforms[o];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.
 length}fv`](r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,
 t.ONE_MINUS_SRC_ALPHA,t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),
 e(),t.depthMask(!0),t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:i=!1,lit:o=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,
-color:s,shadow:i?this.dark:0,lit:Number(o)}),mt(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,i){this.solid(this.sphere,Bn(e,
-[0,1,0],t,t),s,{shadow:i})}ring({center:e,radius:t,tube:s,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:u}=this;this.use(this.rim,{center:e,size:[t,
-s,i,o],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),mt(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,
-u.UNSIGNED_SHORT,0)}rod(e,t,s,i,o,a=!1){this.solid(this.cylinder,Bn(e,t,s,i),o,{shadow:a})}arrow(e,t,s,i,o){if(!(s>.02*i))return;let a=Math.min(.18*i,s),r=e.map(
-(l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,s-a,.029*i,o),this.solid(this.cone,Bn(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,s){let i=[];for(let o=0;o<e;o++){let a=t(
-o),r=t(Math.min(o+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...s(o),l)}
-return Je(this.gl,i,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
-2/l.width,2/l.height],width:s,distance:i,shift:o,depth:a}),mt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let i=this.view,[o,a,r]=[0,1,
-3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*s+i[12+l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var jc=[.35,.85,.4],Hc=.18,Nt={azimuth:.5,height:.22,distance:5.2},hr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+color:s,shadow:i?this.dark:0,lit:Number(o)}),ot(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,i){this.solid(this.sphere,Nn(e,
+[0,1,0],t,t),s,{shadow:i})}ring({center:e,radius:t,tube:s,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,
+s,i,o],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ot(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,
+d.UNSIGNED_SHORT,0)}rod(e,t,s,i,o,a=!1){this.solid(this.cylinder,Nn(e,t,s,i),o,{shadow:a})}arrow(e,t,s,i,o){if(!(s>.02*i))return;let a=Math.min(.18*i,s),r=e.map(
+(l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,s-a,.029*i,o),this.solid(this.cone,Nn(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,s){let i=[];for(let o=0;o<e;o++){let a=t(
+o),r=t(Math.min(o+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,d)=>2*c-l[d])}for(let l of[-1,1])i.push(...a,0,...r,0,...s(o),l)}
+return Ge(this.gl,i,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
+2/l.width,2/l.height],width:s,distance:i,shift:o,depth:a}),ot(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let i=this.view,[o,a,r]=[0,1,
+3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*s+i[12+l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var ac=[.35,.85,.4],rc=.18,Tt={azimuth:.5,height:.22,distance:5.2},Ua=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2159,125 +2155,125 @@ return Je(this.gl,i,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,di
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Gn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Wn(this.canvas,it,jc,Hc,{keep:!0});this.floor=dt(this.space.gl,hr[0],hr[1]);this.corners=
-Je(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Nt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
-e.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=ae(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
-turned.distance=_(this.turned.distance/e,1.6,60):this.turned={...Nt},this.onview()}from(){let{azimuth:e,height:t,distance:s}=this.turned;return e===Nt.azimuth&&
-t===Nt.height&&s===Nt.distance?void 0:[e,t,s]}look([e,t,s]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(s,1.6,60)}}drag(e){let t={...this.
-turned,x:e.clientX,y:e.clientY};Z(this.canvas,e,s=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+
+   }`],Dn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new In(this.canvas,Ze,ac,rc,{keep:!0});this.floor=it(this.space.gl,Ua[0],Ua[1]);this.corners=
+Ge(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Tt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
+e.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=ie(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
+turned.distance=E(this.turned.distance/e,1.6,60):this.turned={...Tt},this.onview()}from(){let{azimuth:e,height:t,distance:s}=this.turned;return e===Tt.azimuth&&
+t===Tt.height&&s===Tt.distance?void 0:[e,t,s]}look([e,t,s]){this.turned={azimuth:E(e,-1.5,1.5),height:E(t,.02,1.45),distance:E(s,1.6,60)}}drag(e){let t={...this.
+turned,x:e.clientX,y:e.clientY};J(this.canvas,e,s=>{this.pinched()||(this.turned.azimuth=E(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=E(t.height+
 (s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
-.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,s,i,o,a,r){let{canvas:l,space:c}=this,u=r??Math.min(
-globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*u),1),l.height=Math.max(Math.round(h.height*
-u),1);let m=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(m[0].x)?m[0].x:0,c.begin({background:he(i.
+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,s,i,o,a,r){let{canvas:l,space:c}=this,d=r??Math.min(
+globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*d),1),l.height=Math.max(Math.round(h.height*
+d),1);let m=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(m[0].x)?m[0].x:0,c.begin({background:re(i.
 paper),...this.camera(e[0],m[0],p,s)}),c.ground(()=>this.drawFloor(p,i));let f=g=>{for(let[b,w]of e.entries())g(w,m[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
-drawHoop(g,b,w,s,i,o,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,s,i,o,!1),s.traces&&this.drawTraces(g,b,w,i,o,u),s.forces&&this.drawForces(g,b,w,o)})}camera(e,t,s,i){
-let{azimuth:o,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,u=i.whole?Math.max(r*s,.85*(c-l)+3*s):r*s,[h,m]=[i.whole?.5*(l+c)-this.focus:0,s+.45*(t.
-height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+m*f,-h*f+m*p,0],b=[g[0]+u*Math.sin(o)*Math.cos(a),g[1]+u*Math.sin(a),u*Math.cos(o)*Math.cos(a)];return this.
-reach=12*s+3*u,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*u}}drawFloor(e,t){let{space:s}=this,i=he(t.ground),o=i.map(l=>l*(t.dark?.82:.94)),a=.5*
-e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:i,dark:o,far:he(t.paper),tile:a,shift:r}),mt(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,
-0,4)}drawHoop(e,t,s,i,o,a,r){let{space:l}=this,c=e.radius,u=.045*c,h=[t.x-this.focus,c+t.height,s];l.ring({center:h,radius:c,tube:u,broad:3.2*u,angle:t.angle,velocity:[
-t.vx,t.vy],omega:t.omega,plain:i.speed?null:he(a.modes[t.mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*m[w]);l.ball(p(c-u),.125*
-c,o.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,m,c-u,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(f?a.airborne:a.gravity_center),
-r)}drawForces(e,t,s,i){if(t.mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,s+.2*o],l=u=>_(.55*
-o*Math.abs(u)/a,0,3.2*o),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
-o,he(i.friction_force))}linesOf(e,t,s){let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(g,b)=>this.
-space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),o+r[w]+g*Math.cos(l[w])],b),[h,m,p]=[he(s.gravity_center),he(s.airborne),he(t.ink)],f={dark:t.dark,load:u(o,()=>p),
-center:u(e.eccentricity*o,g=>c[g]===3?m:h)};return this.lines.set(e,f),f}drawTraces(e,t,s,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+
-2,e.length),u={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var $c=["hoop","mode","time","angle","v","R θ̇","gap"],Un=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1};this.plane=d("canvas",{class:"stage-canvas"});this.space=d("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Hn(this.plane,this.onview);
-this.deep=null;this.outputs=$c.map(i=>({name:d("dt",{},i),value:d("dd",{})})),this.outputs[1].value.className="mode",this.fastest=d("span",{}),this.legend=d("di\
-v",{class:"legend","aria-hidden":"true"},d("i",{style:`background: linear-gradient(90deg, ${Jt.filter((i,o)=>o%15===0).join(",")})`}),d("span",{},"0"),d("span",
-{},"rim speed"),this.fastest);let s=(i,o)=>d("span",{},d("i",{class:"dot",style:`background:${i}`}),o);this.order=d("span",{hidden:!0},"A in front, B behind"),this.
-element=d("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,d("dl",{class:"readout","aria-hidden":"true"},this.outputs.
-flatMap(({name:i,value:o})=>[i,o])),this.legend,d("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),
+drawHoop(g,b,w,s,i,o,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,s,i,o,!1),s.traces&&this.drawTraces(g,b,w,i,o,d),s.forces&&this.drawForces(g,b,w,o)})}camera(e,t,s,i){
+let{azimuth:o,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,d=i.whole?Math.max(r*s,.85*(c-l)+3*s):r*s,[h,m]=[i.whole?.5*(l+c)-this.focus:0,s+.45*(t.
+height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+m*f,-h*f+m*p,0],b=[g[0]+d*Math.sin(o)*Math.cos(a),g[1]+d*Math.sin(a),d*Math.cos(o)*Math.cos(a)];return this.
+reach=12*s+3*d,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*d}}drawFloor(e,t){let{space:s}=this,i=re(t.ground),o=i.map(l=>l*(t.dark?.82:.94)),a=.5*
+e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:i,dark:o,far:re(t.paper),tile:a,shift:r}),ot(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,
+0,4)}drawHoop(e,t,s,i,o,a,r){let{space:l}=this,c=e.radius,d=.045*c,h=[t.x-this.focus,c+t.height,s];l.ring({center:h,radius:c,tube:d,broad:3.2*d,angle:t.angle,velocity:[
+t.vx,t.vy],omega:t.omega,plain:i.speed?null:re(a.modes[t.mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*m[w]);l.ball(p(c-d),.125*
+c,o.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,m,c-d,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,re(f?a.airborne:a.gravity_center),
+r)}drawForces(e,t,s,i){if(t.mode==="H"||!(t.normal_force>0))return;let o=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*o,s+.2*o],l=d=>E(.55*
+o*Math.abs(d)/a,0,3.2*o),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,re(i.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
+o,re(i.friction_force))}linesOf(e,t,s){let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,d=(g,b)=>this.
+space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),o+r[w]+g*Math.cos(l[w])],b),[h,m,p]=[re(s.gravity_center),re(s.airborne),re(t.ink)],f={dark:t.dark,load:d(o,()=>p),
+center:d(e.eccentricity*o,g=>c[g]===3?m:h)};return this.lines.set(e,f),f}drawTraces(e,t,s,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+
+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...d}),this.space.drawTrace(l,c,{width:1.6*a,...d})}};var lc=["hoop","mode","time","angle","v","R θ̇","gap"],On=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Cn(this.plane,this.onview);
+this.deep=null;this.outputs=lc.map(i=>({name:u("dt",{},i),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
+v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${Ft.filter((i,o)=>o%15===0).join(",")})`}),u("span",{},"0"),u("span",
+{},"rim speed"),this.fastest);let s=(i,o)=>u("span",{},u("i",{class:"dot",style:`background:${i}`}),o);this.order=u("span",{hidden:!0},"A in front, B behind"),this.
+element=u("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,u("dl",{class:"readout","aria-hidden":"true"},this.outputs.
+flatMap(({name:i,value:o})=>[i,o])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),
 s(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:i,inks:o}){let{options:a}=this;this.legend.
-hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Gn(
+hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Dn(
 this.space,this.onview),this.deep.draw(e,s.time,a,i,o,s.playing)):this.flat.draw(e,s.time,a,i,o),this.read(e,t,s.time)}sharp(e,t){let{look:s,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,s,i,!1,t),this.space}read(e,t,s){let i=e[t],o=i.at(s),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[o.mode]),
-ge(`${o.t.toFixed(3)} s`),U(o.angle),F(M(o.vx,3),"m/s"),F(M(o.omega*i.radius,3),"m/s"),o.height>0?Pe(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
-outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[o.
+de(`${o.t.toFixed(3)} s`),$(o.angle),O(M(o.vx,3),"m/s"),O(M(o.omega*i.radius,3),"m/s"),o.height>0?Ae(o.height):"0"];for(let[c,d]of a.entries()){let{value:h}=this.
+outputs[c];h.textContent!==d&&(h.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[o.
 mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.three=!1,t(),s}}view(){let{options:e,
 flat:t,deep:s}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:s?.from()}}restore({options:e,zoom:t,pan:s,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,s),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Kn=class{constructor(e){this.clock=e;this.summary=d("p",{class:"summary"});this.doubt=d("p",{class:"hint",hidden:!0});this.list=d("ol",{class:"story-list"});
-this.heading=d("h2",{},"What happens");this.signature=d("span",{});this.compared=d("span",{});this.fingerprint=d("p",{class:"hint fingerprint"},this.signature,this.
-compared);this.live=d("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=d("section",{class:"story","aria-label":"The motion in words"},this.
+options,a)}this.flat.look(t,s),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var qn=class{constructor(e){this.clock=e;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"story-list"});
+this.heading=u("h2",{},"What happens");this.signature=u("span",{});this.compared=u("span",{});this.fingerprint=u("p",{class:"hint fingerprint"},this.signature,this.
+compared);this.live=u("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=u("section",{class:"story","aria-label":"The motion in words"},this.
 heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,s,i){this.film=e[t],P(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"\
-What happens"),this.summary.replaceChildren(...e.flatMap((o,a)=>[e.length>1?d("b",{},`${"AB"[a]}: `):"",o.summary,o.status==="event_limit"||o.shortened?" (not a\
-ll events are shown)":"",a+1<e.length?d("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=this.film.story.map(o=>d("li",{},
-d("button",{type:"button",onclick:()=>this.clock.seek(o.t)},d("i",{class:"dot",style:`background:${s.modes[o.mode]}`,"aria-hidden":"true"}),d("span",{class:"whe\
-n"},`${M(o.t,4)} s`),d("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(...i.flatMap(({same:o,text:a})=>[
-" ",d("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.
-signature.replaceChildren(...Bc(e)))}say(e){P(this.live,e)}announce(e){this.say(B(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let o=0;o<
+What happens"),this.summary.replaceChildren(...e.flatMap((o,a)=>[e.length>1?u("b",{},`${"AB"[a]}: `):"",o.summary,o.status==="event_limit"||o.shortened?" (not a\
+ll events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=this.film.story.map(o=>u("li",{},
+u("button",{type:"button",onclick:()=>this.clock.seek(o.t)},u("i",{class:"dot",style:`background:${s.modes[o.mode]}`,"aria-hidden":"true"}),u("span",{class:"whe\
+n"},`${M(o.t,4)} s`),u("span",{},o.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(...i.flatMap(({same:o,text:a})=>[
+" ",u("span",{class:o?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.
+signature.replaceChildren(...hc(e)))}say(e){P(this.live,e)}announce(e){this.say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let o=0;o<
 t.length&&t[o].t<=e+1e-9;o++)s=o;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
 current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let i=this.items[s];if(i){let o=i.offsetTop-this.list.
-offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}};function Bc(n){
-if(!n)return[d("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=d("code",{},document.createTextNode(n)),t=d("butt\
-on",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(n),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[d(
-"span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Vn=class{constructor(){this.
-list=d("dl",{});this.heading=d("h2",{},"What theory says");this.element=d("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What\
- theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:i})=>[d("dt",{},s),d("dd",{},i)]))}};var cr="hophoop-theme",Wc=["gravity_center","airborne","normal_force","friction_force"],Jn=class{constructor(e,t,s,i){this.root=e;this.colors=t;this.hosted=s;this.
+offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}};function hc(n){
+if(!n)return[u("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=u("code",{},document.createTextNode(n)),t=u("butt\
+on",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(n),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u(
+"span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Fn=class{constructor(){this.
+list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What\
+ theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:i})=>[u("dt",{},s),u("dd",{},i)]))}};var Ka="hophoop-theme",cc=["gravity_center","airborne","normal_force","friction_force"],Hn=class{constructor(e,t,s,i){this.root=e;this.colors=t;this.hosted=s;this.
 changed=i;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=Es(e),this.inks={...t},this.read()}mark(){let e=this.hosted?pe(cr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Es(this.root),this.inks={...this.colors};for(let e of Wc)
-this.inks[e]=xt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&fe(cr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Yn=class{constructor(e){this.clock=e;this.window=null;this.canvas=d("canvas",{class:"timeline-canvas"});this.tip=d("div",{class:"tip",hidden:!0});this.element=
-d("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
+this.mark(),this.look=hs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ce(Ka):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=hs(this.root),this.inks={...this.colors};for(let e of cc)
+this.inks[e]=dt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&ue(Ka,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var jn=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
+u("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
 addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("pointerleave",()=>this.
-tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
-clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ke(this.window,e)}zoom(e,t){let[s,i]=this.ends(),o=1e-6*this.clock.duration,a=Math.
-max((i-s)*e,o),r=(t-s)/(i-s);this.window=a<this.clock.duration?Ke([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
-let[e,t]=this.ends(),{time:s,duration:i}=this.clock;if(s>=e&&s<=t)return;let o=t-e;this.window=Ke(s>t?[s-.1*o,s+.9*o]:[s-.5*o,s+.5*o],[0,i])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[s,i]=this.ends();return s+_((e.clientX-t.left)/t.width,0,1)*(i-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
-let t=this.clock.playing;this.clock.playing=!1;let s=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));s(e),Z(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),i=s?`${x(Se[s.kind]??s.kind)} · ${M(s.t,5)} s · ${M(s.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=i,this.
-tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[s,i]=this.ends(),o=t*(i-s)/
+tip.hidden=!0),this.pinched=ie(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
+clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:$e(this.window,e)}zoom(e,t){let[s,i]=this.ends(),o=1e-6*this.clock.duration,a=Math.
+max((i-s)*e,o),r=(t-s)/(i-s);this.window=a<this.clock.duration?$e([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
+let[e,t]=this.ends(),{time:s,duration:i}=this.clock;if(s>=e&&s<=t)return;let o=t-e;this.window=$e(s>t?[s-.1*o,s+.9*o]:[s-.5*o,s+.5*o],[0,i])}timeAt(e){let t=this.
+canvas.getBoundingClientRect(),[s,i]=this.ends();return s+E((e.clientX-t.left)/t.width,0,1)*(i-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+let t=this.clock.playing;this.clock.playing=!1;let s=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));s(e),J(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
+let t=this.timeAt(e),s=this.nearest(t,8),i=s?`${x(_e[s.kind]??s.kind)} · ${M(s.t,5)} s · ${M(s.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=i,this.
+tip.hidden=!1;let o=this.canvas.getBoundingClientRect();this.tip.style.left=`${E(e.clientX-o.left,70,o.width-70)}px`}nearest(e,t){let[s,i]=this.ends(),o=t*(i-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=o&&
-(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:i,width:o,height:a}=J(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/
-(l-r)*o;i.clearRect(0,0,o,a);let u=15,h=(a-15)/e.length-u;e.forEach((b,w)=>{let y=u+w*(u+h);for(let{mode:v,from:E,wide:T}of Zo(b.phases,c,o)){let L=s.modes[v];i.
-fillStyle=L,i.fillRect(E,y,T,h-2),this.named(i,x(s.mode_names[v]),E,T,y,h-2,L,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),
-this.marks(i,b,c,y,o,t),e.length>1&&(i.fillStyle=me(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let m=Y(l-r,o/60);i.
-fillStyle=t.soft,i.font=`10.5px ${t.font}`;let p=le(r,l,o/60);for(let b of p){let w=c(b);i.textAlign=w<14?"left":w>o-14?"right":"center",i.fillText(oe(b,m)+(b===
-p[0]?" s":""),w,a-3)}let f=_(c(this.clock.time),6,o-6),g=_(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(g-1,u-4,2,a-u-9),i.beginPath(),i.moveTo(f-6,u-
-10),i.lineTo(f+6,u-10),i.lineTo(g,u-1),i.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let u=x(t.mode_names[l.at(s).
-mode]);return e.length>1?`${"AB"[c]} ${u}`:u}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute(
-"aria-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:M(s,4),what:B(r)})))}named(e,t,s,i,o,a,r,l){e.font=`11\
-px ${l.font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=ho(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*i,o+.5*a+1),e.textBaseline=
+(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:i,width:o,height:a}=K(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/
+(l-r)*o;i.clearRect(0,0,o,a);let d=15,h=(a-15)/e.length-d;e.forEach((b,w)=>{let y=d+w*(d+h);for(let{mode:v,from:_,wide:T}of No(b.phases,c,o)){let L=s.modes[v];i.
+fillStyle=L,i.fillRect(_,y,T,h-2),this.named(i,x(s.mode_names[v]),_,T,y,h-2,L,t)}b.duration<l&&(i.fillStyle=t.line,i.fillRect(Math.max(c(b.duration),0),y,o,h-2)),
+this.marks(i,b,c,y,o,t),e.length>1&&(i.fillStyle=he(w,t.dark),i.font=`700 12px ${t.font}`,i.textAlign="right",i.fillText("AB"[w],o-1,y-4))});let m=V(l-r,o/60);i.
+fillStyle=t.soft,i.font=`10.5px ${t.font}`;let p=ae(r,l,o/60);for(let b of p){let w=c(b);i.textAlign=w<14?"left":w>o-14?"right":"center",i.fillText(se(b,m)+(b===
+p[0]?" s":""),w,a-3)}let f=E(c(this.clock.time),6,o-6),g=E(c(this.clock.time),1,o-1);i.fillStyle=t.ink,i.fillRect(g-1,d-4,2,a-d-9),i.beginPath(),i.moveTo(f-6,d-
+10),i.lineTo(f+6,d-10),i.lineTo(g,d-1),i.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:i,playing:o}=this.clock,r=e.map((l,c)=>{let d=x(t.mode_names[l.at(s).
+mode]);return e.length>1?`${"AB"[c]} ${d}`:d}).join(", ");o&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute(
+"aria-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:M(s,4),what:j(r)})))}named(e,t,s,i,o,a,r,l){e.font=`11\
+px ${l.font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=Ui(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*i,o+.5*a+1),e.textBaseline=
 "alphabetic")}marks(e,t,s,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,
-x:s(c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Yo(
-r))e.fillText(l,_(c,6,o-6),i-4)}};var Gc=1/60,Uc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Kc={three:"In space"},Ie=(n,e,t)=>d(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},n),ur=(n,e)=>d("span",{},d("span",{"aria-hidden":"true"},`${n} `),e),Zn=class{constructor(e,t,s,i,o){this.
-clock=e;this.films=t;this.say=i;this.tell=o;this.titled="";this.playButton=Ie(Q("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
-speeds=d("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},St.map(a=>d("option",{value:String(a)},`${a}×`))),this.speeds.
-value="1",this.switches=new Map(Uc.map(([a,r,l])=>{let c=`${a==="three"?Kc.three:r} (${l})`;return[a,d("button",{type:"button",class:"switch",title:c,onclick:()=>s(
-a)},r)]})),this.element=d("div",{class:"transport"},d("div",{class:"buttons"},Ie(Q("start"),"To the start (Home)",()=>e.seek(0)),Ie(Q("previous"),"Previous even\
-t (Shift ←)",()=>this.jump(-1)),Ie(Q("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Ie(Q("on"),"One frame on (→)",()=>this.nudge(1)),Ie(
-Q("next"),"Next event (Shift →)",()=>this.jump(1))),d("div",{class:"buttons jumps"},Ie(ur("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),
-Ie(ur("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,d("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){
+x:s(c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of zo(
+r))e.fillText(l,E(c,6,o-6),i-4)}};var uc=1/60,dc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],mc={three:"In space"},ze=(n,e,t)=>u(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},n),Va=(n,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${n} `),e),Bn=class{constructor(e,t,s,i,o){this.
+clock=e;this.films=t;this.say=i;this.tell=o;this.titled="";this.playButton=ze(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
+speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},bt.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
+value="1",this.switches=new Map(dc.map(([a,r,l])=>{let c=`${a==="three"?mc.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>s(
+a)},r)]})),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},ze(Y("start"),"To the start (Home)",()=>e.seek(0)),ze(Y("previous"),"Previous even\
+t (Shift ←)",()=>this.jump(-1)),ze(Y("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,ze(Y("on"),"One frame on (→)",()=>this.nudge(1)),ze(
+Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},ze(Va("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),
+ze(Va("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,u("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){
 let{clock:t,playButton:s}=this;for(let[o,a]of this.switches)a.setAttribute("aria-pressed",String(e[o]));let i=t.playing?"Pause (space)":"Play (space)";this.titled!==
-i&&(this.titled=i,s.replaceChildren(Q(t.playing?"pause":"play")),at(s,"title",i),at(s,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Gc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
-flatMap((u,h)=>u.events.map(m=>({event:m,lane:h}))).filter(({event:u})=>!t||(t==="impact"?u.kind===t:Go(u))).sort((u,h)=>u.event.t-h.event.t),i=this.clock.time,
-o=e>0?s.find(({event:u})=>u.t>i+1e-9):s.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=s[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(Se[a.kind]??a.kind);this.
-tell(B(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:U(a.angle),time:M(a.t,4)})}`))}};var pt=class{constructor(e,t,s,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
-this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=i,this.onmotion=a,xa(e,i);let{colors:r}=s;this.known=s.presets,this.sameness=new qn(
-s.presets),this.address=i?new Xt(this):null,this.clock=new tn,this.motions=new Rn(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.
-announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Pn,this.theme=new Jn(e,
-r,i,()=>this.show()),this.stage=new Un(r,()=>{this.request(),this.address?.soon()}),this.transport=new Zn(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Yn(this.clock),this.story=new Kn(this.clock),this.theory=new Vn,this.plots=new In(this.clock,r),this.phase=
-new On(t,this.clock,r),this.map=new Tn(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new on(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new Dn(this),this.singleKeys=new Mn(i),this.help=ba(s.version,r,this.singleKeys.element),
-this.hoops=new En(l=>this.motions.choose(l)),this.header=new _n(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
-compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=ka(this,o),this.extras=new kn(this),this.later=ie(
-()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ya(
+i&&(this.titled=i,s.replaceChildren(Y(t.playing?"pause":"play")),Qe(s,"title",i),Qe(s,"aria-label",i)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*uc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
+flatMap((d,h)=>d.events.map(m=>({event:m,lane:h}))).filter(({event:d})=>!t||(t==="impact"?d.kind===t:Ao(d))).sort((d,h)=>d.event.t-h.event.t),i=this.clock.time,
+o=e>0?s.find(({event:d})=>d.t>i+1e-9):s.findLast(({event:d})=>d.t<i-1e-9);if(!o&&t&&(o=s[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
+tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(_e[a.kind]??a.kind);this.
+tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:$(a.angle),time:M(a.t,4)})}`))}};var at=class{constructor(e,t,s,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
+this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=i,this.onmotion=a,ia(e,i);let{colors:r}=s;this.known=s.presets,this.sameness=new An(
+s.presets),this.address=i?new $t(this):null,this.clock=new Gt,this.motions=new xn(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.
+announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new kn,this.theme=new Hn(e,
+r,i,()=>this.show()),this.stage=new On(r,()=>{this.request(),this.address?.soon()}),this.transport=new Bn(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new jn(this.clock),this.story=new qn(this.clock),this.theory=new Fn,this.plots=new Tn(this.clock,r),this.phase=
+new Sn(t,this.clock,r),this.map=new wn(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new Vt(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new Rn(this),this.singleKeys=new gn(i),this.help=ea(s.version,r,this.singleKeys.element),
+this.hoops=new fn(l=>this.motions.choose(l)),this.header=new pn(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=oa(this,o),this.extras=new mn(this),this.later=ne(
+()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=na(
 this,i),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),
 this.sameness.expect(this.films(),t.fingerprints??[]),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),
 this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.
 sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){
 this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.
 header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(e=this.sameness.expected(this.films())){
-let{clock:t,stage:s,map:i,extras:o}=this,{on:a,path:r}=o.more;return this.motions.link(To({time:t.time,...s.view(),more:a?r:void 0,map:i.shown(),fingerprints:e}))}restore({
+let{clock:t,stage:s,map:i,extras:o}=this,{on:a,path:r}=o.more;return this.motions.link(ho({time:t.time,...s.view(),more:a?r:void 0,map:i.shown(),fingerprints:e}))}restore({
 time:e,map:t,options:s,more:i,...o}){s?.three&&this.toggle("three"),this.stage.restore({options:s,...o}),t&&this.map.restore(t),i&&this.extras.more.turn(!0,i),e&&
 this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){
 this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.
@@ -2294,364 +2290,308 @@ this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.e
 let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},
 t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(s){let{name:i,message:o}=s;i!=="AbortError"&&this.theory.draw([{label:"\
 –",text:o}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
-this.transport.show(t),this.address?.soon(),this.request()}};var Vc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function ft(n){let e=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),t=new Uint8Array(e.buffer,
+this.transport.show(t),this.address?.soon(),this.request()}};var pc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function rt(n){let e=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+s))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,m)=>h*m,1);o[a]=new Vc[r](t.buffer,t.byteOffset+4+s+c,u)}return{header:i,arrays:o}}var ii=class extends Error{},oi=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
+4,4+s))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let d=l.reduce((h,m)=>h*m,1);o[a]=new pc[r](t.buffer,t.byteOffset+4+s+c,d)}return{header:i,arrays:o}}var Bs=class extends Error{},$s=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:i}=this.waiting;this.waiting=null,t.error?i(new Error(
 t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let i=new Promise((o,a)=>{this.waiting=
-{resolve:o,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),i}},gt=class{constructor(e,t,s,i){this.start=e;this.compiled=t;this.
+{resolve:o,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),i}},lt=class{constructor(e,t,s,i){this.start=e;this.compiled=t;this.
 size=s;this.limit=i;this.idle=[];this.hired=0;this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new oi(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,i=[]){
-s?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new ii(`This takes longer than ${this.
+resolve(new $s(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,i=[]){
+s?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new Bs(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),s?.removeEventListener(
-"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Qn=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var $n=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
-i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Jc=150,Yc=240,Zc=6e3,[Vb,dr,mr]=[0,1,2],Qc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var fc=150,gc=240,bc=6e3,[Xb,Ja,Ya]=[0,1,2],wc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function ai(n,e,t){let{rows:s,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
-min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*Jc),Yc),Zc),c=k.events.length,u=new Set;for(let b=0;b<=l&&o>0;b++)u.add(b===l?r:a+b*((r-a)/l));let h=new Set;
-for(let b=0;b<i;b++){let w=Math.min(s[b*c+G.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)u.add(b);let m=Float64Array.from(u).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),f=n.states(e,m,!1),g=n.states(e,p,!0);return Xc(m,f,p,g)}function Xc(n,e,t,s){let i=n.length+t.length,o=k.samples.length,a=new Float64Array(i),r=new Float64Array(
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ws(n,e,t){let{rows:s,count:i,duration:o}=e,[a,r]=(t??[0,o]).map(b=>Math.
+min(Math.max(b,0),o)),l=Math.min(Math.max(Math.ceil((r-a)*fc),gc),bc),c=k.events.length,d=new Set;for(let b=0;b<=l&&o>0;b++)d.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+for(let b=0;b<i;b++){let w=Math.min(s[b*c+B.t],o);w>=a&&w<=r&&h.add(w)}for(let b of h)d.add(b);let m=Float64Array.from(d).sort(),p=Float64Array.from(h).filter(b=>b>
+0).sort(),f=n.states(e,m,!1),g=n.states(e,p,!0);return yc(m,f,p,g)}function yc(n,e,t,s){let i=n.length+t.length,o=k.samples.length,a=new Float64Array(i),r=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<n.length;h++)c<t.length&&t[c]<=n[h]&&(a[l]=t[c],r.set(s.subarray(c*o,(c+1)*o),l*o),l++,c++),a[l]=n[h],r.set(e.subarray(h*o,(h+1)*o),l*
-o),l++;let u={t:a};for(let[h,m]of Object.entries(Qc)){let p=new Float64Array(i).fill(-0);for(let f of m)for(let g=0;g<i;g++)p[g]+=r[g*o+zs[f]];u[h]=p}return u.mode=
-eu(r,i,u.omega),u}function eu(n,e,t){let s=k.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
-Math.sign(t[a])||o;let r=n[a*s+zs.mode],l=r===dr?-1:r===mr?1:0;i[a]=l===0?r:l*o<0?dr:mr}return i}var tu=n=>n/2**32|0,nu=n=>n>>>0;function pr(n,e,t,s){let i=tu(t),o=nu(t);n.setUint32(e,s?o:i,s),n.setUint32(e+4,s?i:o,s)}function fr(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var ri=n=>n?
-`"${n}" `:"";function su(n,e=""){if(typeof n!="number")throw new TypeError(ri(e)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
-ri(e)+"expected integer >= 0, got "+n);return n}function li(n,e,t=""){if(fr(n)&&(e===void 0||n.length===e))return n;e!==void 0&&su(e,"length");let s=fr(n),i=e!==void 0?` of length ${e}`:"",o=s?`length=${n.length}`:
-`type=${typeof n}`,a=ri(t)+"expected Uint8Array"+i+", got "+o;throw s?new RangeError(a):new TypeError(a)}var iu=(n,e)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof n)},gr=(n,e)=>{
-iu(n,e);let t=Object.getPrototypeOf(n);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
-`"${e}.__proto__" is not allowed`)};function hi(n,e=!0){if(n.destroyed)throw new Error("hash was destroyed");if(e&&n.finished)throw new Error("digest() was alre\
-ady called")}function br(n,e){li(n,void 0,"output");let t=e.outputLen;if(!(n.length>=t))throw new RangeError('"output" expected length >= '+t)}function ci(...n){for(let e=0;e<n.length;e++)n[e].fill(0)}function Xn(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function ce(n,e){return n<<32-e|
-n>>>e}function ou(n,e,t="opts"){return gr(n,"defaults"),e!==void 0&&gr(e,t),Object.assign(Object.create(null),n,e)}function wr(n,e={}){if(typeof n!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof n);e=ou({},e,"info");let t=(i,o)=>n(o).update(i).digest(),s=n(void 0);return t.outputLen=s.outputLen,t.blockLen=
-s.blockLen,t.canXOF=s.canXOF,t.create=i=>n(i),Object.assign(t,e),Object.freeze(t)}var yr=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function vr(n,e,t){return n&e^~n&t}function xr(n,e,t){return n&e^n&t^e&t}var es=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,s,i){
-this.blockLen=e,this.outputLen=t,this.padOffset=s,this.isLE=i,this.buffer=new Uint8Array(e),this.view=Xn(this.buffer)}update(e){hi(this),li(e);let{view:t,buffer:s,
-blockLen:i}=this,o=e.length,a=!1;for(let r=0;r<o;){let l=Math.min(i-this.pos,o-r);if(l===i){let c=Xn(e);for(;i<=o-r;r+=i)this.process(c,r);a=!0;continue}s.set(r===
+o),l++;let d={t:a};for(let[h,m]of Object.entries(wc)){let p=new Float64Array(i).fill(-0);for(let f of m)for(let g=0;g<i;g++)p[g]+=r[g*o+ws[f]];d[h]=p}return d.mode=
+vc(r,i,d.omega),d}function vc(n,e,t){let s=k.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=
+Math.sign(t[a])||o;let r=n[a*s+ws.mode],l=r===Ja?-1:r===Ya?1:0;i[a]=l===0?r:l*o<0?Ja:Ya}return i}var xc=n=>n/2**32|0,kc=n=>n>>>0;function Za(n,e,t,s){let i=xc(t),o=kc(t);n.setUint32(e,s?o:i,s),n.setUint32(e+4,s?i:o,s)}function Xa(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var Gs=n=>n?
+`"${n}" `:"";function _c(n,e=""){if(typeof n!="number")throw new TypeError(Gs(e)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
+Gs(e)+"expected integer >= 0, got "+n);return n}function Us(n,e,t=""){if(Xa(n)&&(e===void 0||n.length===e))return n;e!==void 0&&_c(e,"length");let s=Xa(n),i=e!==void 0?` of length ${e}`:"",o=s?`length=${n.length}`:
+`type=${typeof n}`,a=Gs(t)+"expected Uint8Array"+i+", got "+o;throw s?new RangeError(a):new TypeError(a)}var Ec=(n,e)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof n)},Qa=(n,e)=>{
+Ec(n,e);let t=Object.getPrototypeOf(n);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
+`"${e}.__proto__" is not allowed`)};function Ks(n,e=!0){if(n.destroyed)throw new Error("hash was destroyed");if(e&&n.finished)throw new Error("digest() was alre\
+ady called")}function er(n,e){Us(n,void 0,"output");let t=e.outputLen;if(!(n.length>=t))throw new RangeError('"output" expected length >= '+t)}function Vs(...n){for(let e=0;e<n.length;e++)n[e].fill(0)}function Wn(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function le(n,e){return n<<32-e|
+n>>>e}function Mc(n,e,t="opts"){return Qa(n,"defaults"),e!==void 0&&Qa(e,t),Object.assign(Object.create(null),n,e)}function tr(n,e={}){if(typeof n!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof n);e=Mc({},e,"info");let t=(i,o)=>n(o).update(i).digest(),s=n(void 0);return t.outputLen=s.outputLen,t.blockLen=
+s.blockLen,t.canXOF=s.canXOF,t.create=i=>n(i),Object.assign(t,e),Object.freeze(t)}var nr=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function sr(n,e,t){return n&e^~n&t}function ir(n,e,t){return n&e^n&t^e&t}var Gn=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,s,i){
+this.blockLen=e,this.outputLen=t,this.padOffset=s,this.isLE=i,this.buffer=new Uint8Array(e),this.view=Wn(this.buffer)}update(e){Ks(this),Us(e);let{view:t,buffer:s,
+blockLen:i}=this,o=e.length,a=!1;for(let r=0;r<o;){let l=Math.min(i-this.pos,o-r);if(l===i){let c=Wn(e);for(;i<=o-r;r+=i)this.process(c,r);a=!0;continue}s.set(r===
 0&&l===o?e:e.subarray(r,r+l),this.pos),this.pos+=l,r+=l,this.pos===i&&(this.process(t,0),this.pos=0,a=!0)}return this.length+=e.length,a&&this.roundClean(),this}digestInto(e){
-hi(this),br(e,this),this.finished=!0;let{buffer:t,view:s,blockLen:i,isLE:o}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>i-a&&(this.process(s,0),t.fill(
-0)),pr(s,i-8,this.length*8,o),this.process(s,0),this.roundClean();let r=e===t?s:Xn(e),l=this.outputLen,c=l/4,u=this.get();if(l%4||c>u.length)throw new Error("in\
-valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,u[h],o)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let s=e.slice(0,t);return this.destroy(),
+Ks(this),er(e,this),this.finished=!0;let{buffer:t,view:s,blockLen:i,isLE:o}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>i-a&&(this.process(s,0),t.fill(
+0)),Za(s,i-8,this.length*8,o),this.process(s,0),this.roundClean();let r=e===t?s:Wn(e),l=this.outputLen,c=l/4,d=this.get();if(l%4||c>d.length)throw new Error("in\
+valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,d[h],o)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let s=e.slice(0,t);return this.destroy(),
 s}_cloneIntoMeta(e){let{buffer:t,length:s,finished:i,destroyed:o,pos:a}=this;return e.destroyed=o,e.finished=i,e.length=s,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
-_cloneInto()}},kr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var au=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},or=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Sc=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
-2361852424,2428436474,2756734187,3204031479,3329325298]),qe=new Uint32Array(64),ui=class extends es{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
+2361852424,2428436474,2756734187,3204031479,3329325298]),Ne=new Uint32Array(64),Js=class extends Gn{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
 8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:s,D:i,E:o,F:a,G:r,H:l}=this;
 return[e,t,s,i,o,a,r,l]}set(e,t,s,i,o,a,r,l){this.A=e|0,this.B=t|0,this.C=s|0,this.D=i|0,this.E=o|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
-constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)qe[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let m=qe[h-15],p=qe[h-
-2],f=ce(m,7)^ce(m,18)^m>>>3,g=ce(p,17)^ce(p,19)^p>>>10;qe[h]=g+qe[h-7]+f+qe[h-16]|0}let{A:s,B:i,C:o,D:a,E:r,F:l,G:c,H:u}=this;for(let h=0;h<64;h++){let m=ce(r,6)^
-ce(r,11)^ce(r,25),p=u+m+vr(r,l,c)+au[h]+qe[h]|0,g=(ce(s,2)^ce(s,13)^ce(s,22))+xr(s,i,o)|0;u=c,c=l,l=r,r=a+p|0,a=o,o=i,i=s,s=p+g|0}s=s+this.A|0,i=i+this.B|0,o=o+
-this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,u=u+this.H|0,this.set(s,i,o,a,r,l,c,u)}roundClean(){ci(qe)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),ci(this.buffer)}},di=class extends ui{constructor(){super(32,kr)}};var _r=wr(()=>new di,yr(1));var Er=["t","x","height","angle","vx","vy","omega","slip"],ru=16,lu=0x7ff8000000000000n;function Mr(n,e){let t=new TextEncoder,s=_r.create(),i=new DataView(new ArrayBuffer(
-8*Er.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;s.update(t.encode(k.kinds[n[l+G.kind]])),Er.forEach((c,u)=>{let h=n[l+G[c]];
-Number.isNaN(h)?i.setBigUint64(8*u,lu,!0):i.setFloat64(8*u,h+0,!0)}),s.update(o)}return Array.from(s.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,ru)}function Sr(n,e){let t=new Map,s=new Float64Array(e);for(let i=0;i<e;i++){let o=hu(n.subarray(i*k.keys,(i+1)*k.keys));if(o===""){s[i]=Number.NaN;continue}let a=t.
-get(o);a===void 0&&(a=t.size,t.set(o,a)),s[i]=a}return{values:s,sequences:[...t.keys()]}}function hu(n){let e="";for(let t of n){let s=t;for(let i=0;i<k.letters_a_key&&
-s;i++){let o=Number(s&7n);s>>=3n,o&&(e+=o===k.more?"+":k.letters[o-1])}}return e}var cu=256,uu=2048,du=4096,mu=2e5,pu=k.statuses.indexOf("buffer"),fu=new Set(k.passing),mi=n=>Number.isFinite(n)?n:null,ts=class{constructor(e){this.exports=new WebAssembly.
-Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Qn(this.exports),this.mostEvents=cu,this.mostSegments=uu,this.mostRows=du}call(e,...t){let s=this.
+constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)Ne[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let m=Ne[h-15],p=Ne[h-
+2],f=le(m,7)^le(m,18)^m>>>3,g=le(p,17)^le(p,19)^p>>>10;Ne[h]=g+Ne[h-7]+f+Ne[h-16]|0}let{A:s,B:i,C:o,D:a,E:r,F:l,G:c,H:d}=this;for(let h=0;h<64;h++){let m=le(r,6)^
+le(r,11)^le(r,25),p=d+m+sr(r,l,c)+Sc[h]+Ne[h]|0,g=(le(s,2)^le(s,13)^le(s,22))+ir(s,i,o)|0;d=c,c=l,l=r,r=a+p|0,a=o,o=i,i=s,s=p+g|0}s=s+this.A|0,i=i+this.B|0,o=o+
+this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,d=d+this.H|0,this.set(s,i,o,a,r,l,c,d)}roundClean(){Vs(Ne)}destroy(){this.destroyed=!0,this.set(0,0,
+0,0,0,0,0,0),Vs(this.buffer)}},Ys=class extends Js{constructor(){super(32,or)}};var ar=tr(()=>new Ys,nr(1));var rr=["t","x","height","angle","vx","vy","omega","slip"],Tc=16,Ac=0x7ff8000000000000n;function lr(n,e){let t=new TextEncoder,s=ar.create(),i=new DataView(new ArrayBuffer(
+8*rr.length)),o=new Uint8Array(i.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;s.update(t.encode(k.kinds[n[l+B.kind]])),rr.forEach((c,d)=>{let h=n[l+B[c]];
+Number.isNaN(h)?i.setBigUint64(8*d,Ac,!0):i.setFloat64(8*d,h+0,!0)}),s.update(o)}return Array.from(s.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,Tc)}function hr(n,e){let t=new Map,s=new Float64Array(e);for(let i=0;i<e;i++){let o=Lc(n.subarray(i*k.keys,(i+1)*k.keys));if(o===""){s[i]=Number.NaN;continue}let a=t.
+get(o);a===void 0&&(a=t.size,t.set(o,a)),s[i]=a}return{values:s,sequences:[...t.keys()]}}function Lc(n){let e="";for(let t of n){let s=t;for(let i=0;i<k.letters_a_key&&
+s;i++){let o=Number(s&7n);s>>=3n,o&&(e+=o===k.more?"+":k.letters[o-1])}}return e}var Rc=256,Pc=2048,Cc=4096,zc=2e5,Nc=k.statuses.indexOf("buffer"),Ic=new Set(k.passing),Zs=n=>Number.isFinite(n)?n:null,Un=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new $n(this.exports),this.mostEvents=Rc,this.mostSegments=Pc,this.mostRows=Cc}call(e,...t){let s=this.
 exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=k.events.length;for(;;){let i=t.room("table",8*s*this.
 mostEvents),o=t.room("heads",8*k.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,k.heads.length).slice(),
-r=a[we.events];if(a[we.status]===pu)this.makeRoom(e,a[we.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(i,r*s).slice();
-return{given:e,head:a,rows:l,count:r,duration:a[we.duration],segments:a[we.segments]}}}}computeRigid(e,t,s){let{memory:i}=this,o=i.put("cell",ht(e)),a=i.room("e\
+r=a[pe.events];if(a[pe.status]===Nc)this.makeRoom(e,a[pe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(i,r*s).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[pe.duration],segments:a[pe.segments]}}}}computeRigid(e,t,s){let{memory:i}=this,o=i.put("cell",qe(e)),a=i.room("e\
 vents",k.event_bytes*this.mostEvents),r=i.room("segments",k.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,r,this.mostSegments,t,s)}computeCompliant(e,t,s,i){
-let{memory:o}=this,a=o.put("cell",ht(e)),r=o.put("contact",Os(t)),l=o.room("events",k.event_bytes*this.mostEvents),c=o.room("rows",k.compliant_segment_bytes*this.
-mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,mu,c,this.mostRows,s,i)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return Tr(
-this.compute(e))}film(e){let t=this.compute(e);return{motion:Tr(t),columns:ai(this,t)}}columns(e,t){return ai(this,this.compute(e),t)}samples(e,t){let s=this.states(
+let{memory:o}=this,a=o.put("cell",qe(e)),r=o.put("contact",Qt(t)),l=o.room("events",k.event_bytes*this.mostEvents),c=o.room("rows",k.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,zc,c,this.mostRows,s,i)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return cr(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:cr(t),columns:Ws(this,t)}}columns(e,t){return Ws(this,this.compute(e),t)}samples(e,t){let s=this.states(
 this.compute(e),t,!1),i=k.samples.length;return Object.fromEntries(k.samples.map((o,a)=>[o,Float64Array.from(t,(r,l)=>s[l*i+a])]))}states(e,t,s){return this.rows(
 "samples",k.samples.length,e,t,s)}margins(e,t,s=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let i=k.margins.length,o=this.rows(
 "margins",i,this.compute(e),t,s);return Object.fromEntries(k.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>o[c*i+r])]))}rows(e,t,s,i,o){let{memory:a}=this,r=i.
-length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[s.segments,l,i.length,Number(o),c];return s.given.contact?this.call("compli\
-ant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:s}=this,i=this.
+length*t,l=a.put("times",i),c=a.room("states",8*Math.max(r,1)),d=a.room("cell",8),h=[s.segments,l,i.length,Number(o),c];return s.given.contact?this.call("compli\
+ant_samples",d,a.room("contact",8),a.room("rows",8),...h):this.call(e,d,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:s}=this,i=this.
 compute(e),o=s.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.count,larger:a,smaller:c}}side({
-count:e,segments:t,head:s},i,o){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,m]=["cell","events","segments"].map(b=>a.
-room(b,8)),p=s[we.doubt_from];this.call("changes",u,i,1,o,h,e,m,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(f,0)],
-sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,s=t.put("cell",ht(e)),i=t.room("answers",8*k.thresholds.length),o=e.rolling&&e.angle===0;this.call("thresho\
-lds",s,o?e.vx:Number.NaN,i);let a=t.floats(i,k.thresholds.length),r=c=>{let u=a[k.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["jam_angle","jam_angl\
+count:e,segments:t,head:s},i,o){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[d,h,m]=["cell","events","segments"].map(b=>a.
+room(b,8)),p=s[pe.doubt_from];this.call("changes",d,i,1,o,h,e,m,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(f,0)],
+sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,s=t.put("cell",qe(e)),i=t.room("answers",8*k.thresholds.length),o=e.rolling&&e.angle===0;this.call("thresho\
+lds",s,o?e.vx:Number.NaN,i);let a=t.floats(i,k.thresholds.length),r=c=>{let d=a[k.thresholds.indexOf(c)];return Number.isNaN(d)?null:d},l=["jam_angle","jam_angl\
 e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
 _speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
 "stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,i,o],a,r){let{memory:l}=this,
-c=l.put("cell",ht(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,s,i,o,a,r,u,h);let{buffer:m}=this.exports.memory;return{modes:new Uint8Array(
-m,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,h,a))}}map({count:e,rows:t},s,i){let{memory:o}=this,a=o.put("cells",t),r=o.room("numbers",8*e*k.numbers.
-length),l=o.room("words",4*e*k.words.length),c=o.room("keys",8*e*k.keys),{angle:u,stop:h,timed:m}=k.spans[i],p=k.wanted[s];this.call("map_cells",a,e,u??Number.NaN,
-h,m,p,r,l,c);let{buffer:f}=this.exports.memory;if(s==="sequence")return Sr(new BigUint64Array(f,c,e*k.keys),e);let g=new Float64Array(e);if(s in Ns){let b=new Int32Array(
-f,l,e*k.words.length);for(let w=0;w<e;w++)g[w]=b[w*k.words.length+Ns[s]]}else{let b=o.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*k.numbers.length+
-Wo[s]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){
-let s=this.memory.room("answers",8*k.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){let{memory:s}=this,i=s.
-put("parts",t.flatMap(gu)),o=s.room("answers",8*k.thresholds.length),a=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=s.floats(
-o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The con\
-tact is rigid.");let s=t.put("cell",ht(e)),i=t.put("contact",Os(e.contact)),o=t.room("answers",8*k.thresholds.length);this.call("compliance",s,i,o);let a=t.floats(
-o,k.chosen.length),r=l=>a[k.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r(
-"depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function gu(n){let e=n.shape==="rod"?`${n.direction}_rod`:n.shape,t=k.shapes.indexOf(
-e);return n.shape==="ring"?[t,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[t,n.mass,n.radius,0,n.at]:n.shape==="rod"?[t,n.mass,n.length,0,n.at]:[t,
-n.mass,0,0,n.at]}var bu=["friction","impact_normal","impact_tangential","rolling_resistance"],wu=["kinetic","potential",...bu,"residual"],Ar=["x","height","angl\
-e","vx","vy","omega"];function Tr({given:n,head:e,rows:t,count:s,duration:i}){let o=k.events.length,a=Array.from({length:s},(u,h)=>yu(t.subarray(h*o,(h+1)*o))),
-r=a[s-1],l=Object.fromEntries([...wu,...n.contact?["spring","damping"]:[]].map(u=>[u,e[we[u]]])),c=mi(e[we.doubt_from]);return{status:k.statuses[e[we.status]],sequence:vu(
-a),fingerprint:c===null?Mr(t,s):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Ar.map(u=>[u,r[u]]))},energy:l,doubt:c}}function yu(n){let e=k.
-kinds[n[G.kind]],t=n[G.from_mode],s={t:n[G.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[n[G.to_mode]]};for(let i of Ar)s[i]=mi(n[G[i]]);return s.before=Object.
-fromEntries(["vx","vy","omega"].map(i=>[i,mi(n[G[`before_${i}`]])])),s.impulse={normal:n[G.impulse_normal],tangential:n[G.impulse_tangential]},n[G.collision]===
-0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[G.gain]),n[G.stable]>=0&&(s.stable=n[G.stable]===1),s}function vu(n){let e=n.filter((s,i)=>i===n.length-1||!fu.has(
-s.kind));return e.slice(0,-1).map((s,i)=>e[i+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var pi=1e4,xu="The part of the page that computes this could not be loaded; choose it again when there is a network.",fi=256;function Lr(n){let e=URL.createObjectURL(
-new Blob([n],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Rr(n){let e=await fetch(n);if(!e.ok)throw new Error(`The kernel i\
+c=l.put("cell",qe(e)),d=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,s,i,o,a,r,d,h);let{buffer:m}=this.exports.memory;return{modes:new Uint8Array(
+m,d,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,h,a))}}map({count:e,rows:t},s,i){let{memory:o}=this,a=o.put("cells",t),r=o.room("numbers",8*e*k.numbers.
+length),l=o.room("words",4*e*k.words.length),c=o.room("keys",8*e*k.keys),{angle:d,stop:h,timed:m}=k.spans[i],p=k.wanted[s];this.call("map_cells",a,e,d??Number.NaN,
+h,m,p,r,l,c);let{buffer:f}=this.exports.memory;if(s==="sequence")return hr(new BigUint64Array(f,c,e*k.keys),e);let g=new Float64Array(e);if(s in ys){let b=new Int32Array(
+f,l,e*k.words.length);for(let w=0;w<e;w++)g[w]=b[w*k.words.length+ys[s]]}else{let b=o.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*k.numbers.length+
+To[s]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
+let t=this.memory.put("cell",qe(e)),s=this.memory.put("contact",Qt(e.contact)),i=this.memory.room("answers",8*k.thresholds.length);this.call("refused",t,s,+!e.contact,
+i);let[o,a]=this.memory.floats(i,2);return[o,a]}combine(e,t){let{memory:s}=this,i=s.put("parts",t.flatMap(Dc)),o=s.room("answers",8*k.thresholds.length),a=s.room(
+"reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=s.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(a,t.
+length)]}}chosen(e){let t=this.memory.put("cell",qe(e)),s=this.memory.put("contact",Qt(e.contact)),i=this.memory.room("answers",8*k.thresholds.length);this.call(
+"compliance",t,s,i);let o=this.memory.floats(i,k.chosen.length);return Object.fromEntries(k.chosen.map((a,r)=>[a,o[r]]))}};function Dc(n){let e=n.shape==="rod"?
+`${n.direction}_rod`:n.shape,t=k.shapes.indexOf(e);return n.shape==="ring"?[t,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[t,n.mass,n.radius,0,n.at]:
+n.shape==="rod"?[t,n.mass,n.length,0,n.at]:[t,n.mass,0,0,n.at]}var Oc=["friction","impact_normal","impact_tangential","rolling_resistance"],qc=["kinetic","poten\
+tial",...Oc,"residual"],ur=["x","height","angle","vx","vy","omega"];function cr({given:n,head:e,rows:t,count:s,duration:i}){let o=k.events.length,a=Array.from({
+length:s},(d,h)=>Fc(t.subarray(h*o,(h+1)*o))),r=a[s-1],l=Object.fromEntries([...qc,...n.contact?["spring","damping"]:[]].map(d=>[d,e[pe[d]]])),c=Zs(e[pe.doubt_from]);
+return{status:k.statuses[e[pe.status]],sequence:Hc(a),fingerprint:c===null?lr(t,s):null,duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(ur.map(
+d=>[d,r[d]]))},energy:l,doubt:c}}function Fc(n){let e=k.kinds[n[B.kind]],t=n[B.from_mode],s={t:n[B.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[n[B.to_mode]]};
+for(let i of ur)s[i]=Zs(n[B[i]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(i=>[i,Zs(n[B[`before_${i}`]])])),s.impulse={normal:n[B.impulse_normal],
+tangential:n[B.impulse_tangential]},n[B.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[B.gain]),n[B.stable]>=0&&(s.stable=n[B.stable]===1),s}function Hc(n){
+let e=n.filter((s,i)=>i===n.length-1||!Ic.has(s.kind));return e.slice(0,-1).map((s,i)=>e[i+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Xs=1e4,jc="The part of the page that computes this could not be loaded; choose it again when there is a network.",Qs=256;function dr(n){let e=URL.createObjectURL(
+new Blob([n],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function mr(n){let e=await fetch(n);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${n.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
-arrayBuffer())}async function Pr(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var Ot=class n{constructor(e,t,s){this.start=t;this.derivatives=s;this.rates=null;this.mechanics=new ts(e),this.motions=new gt(t,e,2,pi);let i=navigator.hardwareConcurrency||
-2;this.maps=new gt(t,e,Math.max(1,Math.min(i-1,8)),pi)}static async load(e){let t=await Rr(new URL(`hophoop.wasm?${k.module}`,e)),s=()=>Rr(new URL(`hophoop-deri\
+arrayBuffer())}async function pr(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
+var At=class n{constructor(e,t,s){this.start=t;this.derivatives=s;this.rates=null;this.mechanics=new Un(e),this.motions=new lt(t,e,2,Xs);let i=navigator.hardwareConcurrency||
+2;this.maps=new lt(t,e,Math.max(1,Math.min(i-1,8)),Xs)}static async load(e){let t=await mr(new URL(`hophoop.wasm?${k.module}`,e)),s=()=>mr(new URL(`hophoop-deri\
 vatives.wasm?${k.derivatives}`,e)),i=new URL(`kernel.js?${k.module}`,e);return i.origin===globalThis.location?.origin?new n(t,()=>new Worker(i,{type:"module"}),
-s):new n(t,Lr(await(await fetch(i)).text()),s)}static async unpack(e,t,s){return new n(await Pr(e),Lr(t),async()=>Pr(await s()))}motion(e,t){return this.motions.
+s):new n(t,dr(await(await fetch(i)).text()),s)}static async unpack(e,t,s){return new n(await pr(e),dr(t),async()=>pr(await s()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.motions.
-ask("samples",[e,t],s)}async changes(e,t,s){return this.rates??=this.derivatives().then(o=>new gt(this.start,o,1,pi)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(xu)})).ask("changes",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,i,o){return this.motions.ask("regions",[e,
-t,s,i],o)}async map({count:e,rows:t},s,i,o){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let m=Math.min(fi,e-h),p=new Float64Array(
+ask("samples",[e,t],s)}async changes(e,t,s){return this.rates??=this.derivatives().then(o=>new lt(this.start,o,1,Xs)),(await this.rates.catch(()=>{throw this.rates=
+null,new Error(jc)})).ask("changes",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,i,o){return this.motions.ask("regions",[e,
+t,s,i],o)}async map({count:e,rows:t},s,i,o){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let m=Math.min(Qs,e-h),p=new Float64Array(
 a*m);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+m),b*m);let f=await this.maps.ask("map",[{count:m,rows:p},s,i],o,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
-b)||l.push(b),l.indexOf(b)));for(let b=0;b<m;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},u=Array.from({length:Math.ceil(e/fi)},(h,m)=>m*fi);return await Promise.
-all(u.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var ku=4,_u="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",ns=class{constructor(e){this.base=e;this.shares=
+b)||l.push(b),l.indexOf(b)));for(let b=0;b<m;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},d=Array.from({length:Math.ceil(e/Qs)},(h,m)=>m*Qs);return await Promise.
+all(d.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Bc=4,$c="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Kn=class{constructor(e){this.base=e;this.shares=
 !0}async call(e,t,s){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},o=await this.answered(new URL(`lab/${e}`,
-this.base),i);return ft(await o.arrayBuffer())}async answered(e,t){for(let s=ku;;s--){let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(_u)});
+this.base),i);return rt(await o.arrayBuffer())}async answered(e,t){for(let s=Bc;;s--){let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error($c)});
 if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||s<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The\
  server answered ${i.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(o,10))),t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(
-`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},Eu=2e4,Mu=3e5,ss=class{constructor(e){this.model=e;this.
+`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},Wc=2e4,Gc=3e5,Vn=class{constructor(e){this.model=e;this.
 shares=!1;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){
-let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(s.timer),this.waiting.delete(e.number),e.error?s.reject(new Error(e.error)):s.resolve(ft(
+let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(s.timer),this.waiting.delete(e.number),e.error?s.reject(new Error(e.error)):s.resolve(rt(
 t[0])))}call(e,t,s){let i=++this.number;return new Promise((o,a)=>{let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answ\
-er; run the cell again."))},e==="file"?Mu:Eu);this.waiting.set(i,{resolve:o,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
+er; run the cell again."))},e==="file"?Gc:Wc);this.waiting.set(i,{resolve:o,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
 i),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:i,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("fi\
-le",{query:t,name:e});return new Blob([s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Su,families:Tu,massless:Au,hops:Lu,rolls:Ru,other:Pu}=S.classes,{sequence:Cu}=S.words,Cr="sequence";function zu(n){let e=-1;for(let t of n){e^=t.charCodeAt(
-0);for(let s=0;s<8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function zr(n,e){if(e!==Cr)return Su[e]?.[n]??Pu;let t=[...n].find(p=>"SK".includes(p))??"R",s=[n.
-startsWith("R")&&"rolls",/[SK]/.test(n)&&"slips"].filter(Boolean).join(", "),i=n.endsWith("H")?Lu:Tu[t+n.slice(-1)]??Ru,o=n.includes("M")?Au[s]:i,a=[1,3,5].map(
-p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(n.length-1,9)/9,c=zu(n)%1e3/1e3,u=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`\
-#${a.map(p=>{let f=(1-.2*c)*p+.2*c*r,g=Math.min(Math.max((f+(1-f)*u)*(1-h),0),1);return Math.round(255*g).toString(16).padStart(2,"0")}).join("")}`}function Nr(n,e){
-return e!==Cr?n.replaceAll("_"," "):[...n].map(t=>Cu[t]).join(" → ")}function ee({duration:n,hoop:e,plane:t,start:s,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:u,...h}=t,{x:m,height:p,angle:f,vx:g,
-vy:b,omega:w,slip:y}=ke(s,o),{max_events:v,model:E,...T}=i;return{radius:o,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:m,height:p,
-angle:f,vx:g,vy:b,omega:w,slip:y,rolling:s.speed!==null,duration:n,max_events:v,contact:E==="rigid"?null:T}}function ke({x:n,height:e,angle:t,speed:s,vx:i,vy:o,
-omega:a},r){let l=s===null?Number(a):s/r;return{x:n,height:e,angle:t,vx:i,vy:o,omega:l,slip:s===null?i-r*l:0}}function gi(n,e){let[t,s,i]=[0,0,0];for(let o=0;o<n.length;o++)for(let a=0;a<e.length;a++){let r=0;for(;o+r<n.length&&a+r<e.length&&n[o+r]===e[a+r];)r++;r>t&&([
-t,s,i]=[r,o,a])}return t?t+gi(n.slice(0,s),e.slice(0,i))+gi(n.slice(s+t),e.slice(i+t)):0}function Or(n,e){let t=[...n],s,i=0;for(let o of e){let a=[...o],r=a.length+
-t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*gi(a,t)/r;l>=.6&&(l>i||l===i&&s!==void 0&&o>s)&&([s,i]=[o,l])}return s}var Ye=class{constructor(e){this.text=e}};function Ze(n){if(Number.isNaN(n))return"nan";if(!Number.isFinite(n))return n>0?"inf":"-inf";let e=n<0||Object.is(n,-0)?
-"-":"",[t,s]=Math.abs(n).toExponential().split("e"),i=t.replace(".",""),o=Number(s);return o<-4||o>=16?`${e}${t}e${bi(o)}`:e+(o<0?`0.${"0".repeat(-o-1)}${i}`:Fr(
-i,o+1))}function Fr(n,e){let t=n.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var bi=n=>`${n<0?"-":"+"}${String(Math.abs(n)).padStart(2,"0")}`;function Dr(n,e){
-let[t,s]=n.toExponential(e-1).split("e"),i=t.replace(".",""),o=n.toExponential(100).split("e")[0].replace(".","");return o[e]==="5"&&/^0*$/.test(o.slice(e+1))&&
-Number(o[e-1])%2===0?[o.slice(0,e),Number(n.toExponential(100).split("e")[1])]:[i,Number(s)]}function wi(n){return Number.isNaN(n)?"nan":n>0?"inf":"-inf"}var It=n=>n<
-0||Object.is(n,-0)?"-":"";function Te(n,e=6){if(!Number.isFinite(n))return wi(n);let t=It(n);if(n===0)return`${t}0`;let[s,i]=Dr(Math.abs(n),e),o=s.replace(/0+$/,
-"")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${bi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=Fr(s,i+1).split("."),
-l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function Nu(n,e){if(!Number.isFinite(n))return wi(n);let[t,s]=n===0?["0".repeat(e+1),0]:Dr(Math.abs(n),e+1),
-i=t.slice(1);return`${It(n)}${t[0]}${i&&`.${i}`}e${bi(s)}`}function yi(n,e){if(!Number.isFinite(n))return wi(n);let t=Math.abs(n);if(t>=1e21)return`${It(n)}${BigInt(
-t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),i=t.toFixed(100),o=i.slice(i.indexOf(".")+1+e),a=i.slice(0,i.indexOf(".")+(e?1+e:0));return/^50*$/.test(o)&&Number(
-a.at(-1))%2===0?It(n)+a:It(n)+s}function D(n,e){return n.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,i,o,a)=>{let r=e[s];return r instanceof Ye?r.text:i?
-ue(r):a==="g"?Te(r,o===""?6:Number(o)||1):a==="e"?Nu(r,Number(o)):a==="f"?yi(r,Number(o)):String(r)})}function ue(n,e=!0){return n==null?"None":n===!0?"True":n===
-!1?"False":typeof n=="number"?e?Ze(n):jr(n):typeof n=="string"?Ir(n):Array.isArray(n)?`[${n.map(s=>ue(s,e)).join(", ")}]`:`{${Object.entries(n).map(([s,i])=>`${Ir(
-s)}: ${ue(i,e)}`).join(", ")}}`}function jr(n){let e=Object.is(n,-0)?"0":String(n);return/^-?\d+$/.test(e)?e:Ze(n)}function qt(n){return typeof n=="number"?jr(n):
-typeof n=="string"?JSON.stringify(n).replace(/[\u007f-\uffff]/g,e=>`\\u${is(e.charCodeAt(0),4)}`):Array.isArray(n)?`[${n.map(qt).join(", ")}]`:n&&typeof n=="obj\
-ect"?`{${Object.entries(n).map(([e,t])=>`${qt(e)}: ${qt(t)}`).join(", ")}}`:String(n)}var is=(n,e)=>n.toString(16).padStart(e,"0"),Ou=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
-Hr=n=>n===" "||!Ou.test(n);function $r(n){if(n===`
-`)return"\\n";if(n==="\r")return"\\r";if(n==="	")return"\\t";let e=n.codePointAt(0);return e<256?`\\x${is(e,2)}`:e<65536?`\\u${is(e,4)}`:`\\U${is(e,8)}`}function Ir(n){
-let e=n.includes("'")&&!n.includes('"')?'"':"'",t=[...n].map(s=>s===e||s==="\\"?`\\${s}`:Hr(s)?s:$r(s));return e+t.join("")+e}var Br=n=>[...n].map(e=>Hr(e)?e:$r(
-e)).join("");function os(n){let e=[...n];return e.length<=60?n:`${e.slice(0,57).join("")}...`}var qr="[\\s\\x1c-\\x1f\\x85]*",Iu=new RegExp(`^${qr}([+-]?)(?:(in\
-f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${qr}$`,"i");function Wr(n){let e=Iu.exec(n);if(!e||n.includes(
-"\uFEFF"))return;let[,t,s,i]=e,o=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:Gr,scenario:Ur}=S,z=class extends Error{constructor(e){super(Br(e)),this.name="InputError"}},se=class extends z{},N=(n,e={})=>D(Gr[n],e),de=n=>n!==null&&
-typeof n=="object"&&!Array.isArray(n);function Fe(n=()=>!1,e=""){return{said:[],above:e,float:n}}function j(n,e,t,s,i){Qe(n,e,t,N(s,i))}function Qe(n,e,t,s){let i=typeof t==
-"bigint"?String(t):ue(t,n.float(e)),o=n.above+e||Gr.whole_scenario;n.said.push(N("finding",{path:o,shown:os(i),allowed:s}))}function Ft(n,e,t,s,i={}){let{fields:o,
-place:a}=Ur.models[n];if(!de(e))return j(s,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return s.said.push(Dt(a,c,Object.keys(o))),null;
-let r=s.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,s):Object.
-hasOwn(e,c)?l[c]=vi(u,e[c],`${t}.${c}`,s):u.required?s.said.push(N("missing",{path:`${s.above}${t}.${c}`})):l[c]=He(u.default)}return s.said.length===r?{values:l,
-given:new Set(Object.keys(e))}:null}function Dt(n,e,t){let s=Or(e,t),i=s?N("did_you_mean",{close:s}):N("known_are",{known:t.join(", ")});return N("unknown_key",
-{path:`${n}${os(e)}`,hint:i})}function vi(n,e,t,s){if(e===null&&n.nullable)return null;if(n.kind==="parts")return Fu(e,t,s);if(n.kind==="word")return n.options.
-includes(e)||j(s,t,e,"literal_error",n),e;let i=n.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return j(s,t,e,"number");if(i&&!(o>=0))return j(s,
-t,e,"friction");if(n.kind==="whole"&&!Number.isInteger(o))return j(s,t,e,"whole");if(!i&&!Number.isFinite(o))return j(s,t,e,"finite_number");for(let[a,r]of n.limits??
-[])if(!qu(a,o,r))return j(s,t,n.kind==="whole"?BigInt(o):e,a,{limit:r});return n.range&&!De(n.range,o)?j(s,t,e,"range",n.range):o+0}function qu(n,e,t){return n===
-"greater_than"?e>t:n==="greater_than_equal"?e>=t:n==="less_than"?e<t:e<=t}var De=({least:n,most:e,also:t=[]},s)=>n<=s&&s<=e||t.some(i=>He(i)===s);function Fu(n,e,t){
-return Array.isArray(n)?n.map((s,i)=>Du(s,`${e}.${i}`,t)):j(t,e,n,"list")}function Du(n,e,t){let s=xi(n,"shape",Ur.parts,e,t),i=s&&Ft(s,n,e,t);if(!i)return null;
-let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function xi(n,e,t,s,i,o){if(!de(n))return j(i,s,
-n,"table"),null;let a=Object.hasOwn(n,e)?n[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${s}.${e}`})),null;if(typeof a=="stri\
-ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ue(a,i.float(`${s}.${e}`)),l=Object.keys(t).map(m=>`'${m}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
-at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${s}.${e}`,shown:os(ue(r)),allowed:u};return i.said.push(N("finding",h)),null}function jt(n){let e=n.
-length-1;return e?N(e===1?"other_problem":"other_problems",{first:n[0].replace(/\.$/,""),count:e}):n[0]}var Kr=S.scenario.ends,ki=n=>Object.hasOwn(Kr,n)?Kr[n]:[];function Ei(n){let e=n.indexOf(".");return e<0?[n,""]:[n.slice(0,e),n.slice(e+1)]}function Ht(n){for(let e of n){
-let[t]=Ei(e),s=ki(e).map(i=>`${t}.${i}`);for(let i of n)if(s.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Vr=new Set(S.scenario.paths),ju=new Set(
-S.map.words),Yr=/^hoop\.parts\.\d+\.(\w+)$/,Zr=Object.assign(Object.create(null),...Object.values(S.scenario.parts).map(n=>S.scenario.models[n].fields));function Qr(n){
-return Vr.has(n)||(Yr.exec(n)?.[1]??"")in Zr?null:N("no_parameter",{path:n,known:[...Vr].join(", ")})}function Xr(n){let e=Yr.exec(n);return e?Zr[e[1]].kind!=="\
-word":!ju.has(n)}function Jr(n){let[e,t]=Ei(n);return(e==="start"?10:0)+(t===""?0:n==="contact.model"||n==="hoop.parts"?1:2)}var Mi=n=>e=>!n.some(t=>e===t||e.startsWith(
-t.endsWith(".")?t:`${t}.`));function Si(n,e,t,s){let i=[...t.keys()],o=Ht(i);if(o){let[l,c]=o,[u,h]=o.map(m=>new Ye(ue(t.get(m),!1)));throw new z(N("two_ways",{
-one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=Mi(i);for(let l of i.sort((c,u)=>Jr(c)-Jr(u))){let c=structuredClone(t.get(l)),[u,h]=Ei(l);if(h==="")
-_i(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||_i(e,u,{});let m=e[u];if(!de(m))throw new z(N("no_section_parts",{path:l,section:u}));
-if(!a.has(u)&&ki(l).some(p=>Object.hasOwn(m,p))){a.add(u);let p=t.has(u)?s(u,t.get(u),r):n[u],f=Hu(p,l,()=>s("hoop",e.hoop,r));for(let[g,b]of Object.entries(f))
-t.has(`${u}.${g}`)||(m[g]=b)}for(let p of ki(l))delete m[p];$u(m,h.split("."),c,l)}}return e}function _i(n,e,t){Object.defineProperty(n,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0})}function Hu(n,e,t){let{mass:s,eccentricity:i,inertia_ratio:o}=n;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:s,
-eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:s};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
-n.mu_static),mu_kinetic:a(n.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=ke(n,t().radius);return{height:a,vx:r,vy:l,
-omega:c}}return{}}function $u(n,e,t,s){let i=n,o=e.pop(),a=l=>new z(N("not_there",{path:s,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
-if(r(l))i=i[Number(l)];else if(de(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(de(i))_i(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:Bu,limits:te}=S,{allowed:Wu,events:Gu,flight_turns:Uu,quantities:Ku}=S.map,Vu=1e-300,I=(n,e={})=>D(Bu[n],e),Ti=n=>I("doubt",{time:Te(n,4)});function Xe(n){
-let{duration:e,hoop:t,contact:s}=n;if(e>te.duration)throw new se(I("too_long",{duration:e,most:te.duration}));let i=t.parts?.length??0;if(i>te.parts)throw new se(
-I("too_many_parts",{parts:i,most:te.parts}));let o=sl(nl(n));if(o>te.turns)throw new se(I("too_many_turns",{duration:e,turns:o,most:te.turns}));if(s.model==="co\
-mpliant"){let a=Ju(n,o);if(a>te.steps)throw new se(I("too_stiff",{steps:a,most:te.steps}))}return s.max_events<=te.events?n:{...n,contact:{...s,max_events:te.events}}}
-function nl({duration:n,hoop:{radius:e},plane:{gravity:t,slope:s},start:i}){let{height:o,vx:a,vy:r,omega:l}=ke(i,e);return{duration:n,radius:e,gravity:t,slope:s,
-height:o,vx:a,vy:r,omega:l}}function sl({duration:n,radius:e,gravity:t,slope:s,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
-sqrt(t*(e+i)))+.5*t*Math.min(Math.abs(s),1)*n)*n/(2*Math.PI*e)}function Ju({duration:n,hoop:{radius:e,mass:t},plane:{gravity:s},contact:{stiffness:i}},o){let r=10/
-Math.sqrt(e/(s>0?s:1))+(i===null?0:Math.sqrt(i/t));return 10*n*r+40*o}function Ai(n,{x:e,y:t,what:s}){if(n.contact.model!=="rigid")throw new z(I("rigid_maps"));
-let{contact:i,...o}=Xe(n),a={...o,contact:{...i,max_events:Math.min(i.max_events,Gu)}};Yu(a,e,t,Ku[s].span);let r=Ht([t.path,e.path]);if(r)throw new z(I("two_ax\
-es",{one:r[0],other:r[1]}));return a}function Yu(n,e,t,s){let i=nl(n),o=s==="first_revolution",a=$t(e).filter(h=>tl(e.path,h)),r=$t(t).filter(h=>tl(t.path,h)),[
-l,c]=[0,0];for(let h of r)for(let m of a){let p=el(el(i,t.path,h),e.path,m),g=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+Vu),Uu):sl(p);l+=g,c=Math.max(c,g)}if(!o&&
-c>te.turns)throw new se(I("cell_turns",{turns:c,most:te.turns}));if(l<=te.map_turns)return;let u=a.length*r.length;throw new se(I("map_turns",{cells:u,turns:l,most:te.
-map_turns}))}function el(n,e,t){if(e==="start.speed")return{...n,vx:t,vy:0,omega:0};let s=e.slice(e.lastIndexOf(".")+1);return s in n&&s!=="height"?{...n,[s]:t}:
-n}var $t=({from:n,to:e,cells:t})=>Array.from({length:t},(s,i)=>n+(i+.5)*((e-n)/t));function tl(n,e){let t=Wu[n.startsWith("plane.mu")?"plane.mu":n];return!t||De(
-t,e)}var{scenario:bt}=S,Zu=["load_fraction","eccentricity","inertia_ratio"],il=["mu_static","mu_kinetic"],Qu=["height","vx","vy","omega"],et=class extends Error{};function W(n,e){
-throw new et(N(n,e))}function as(n,e,t){let s=t.find(i=>i!==e);s&&W("together",{section:n,other:s,way:e})}function ol({values:n,given:e},t){let s={...n},i=Zu.filter(
-u=>e.has(u)&&n[u]!==null);s.parts!==null?(s.parts.length||W("no_parts"),as("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(s,Xu(s.radius,s.parts,
-t))):s.load_fraction!==null||!i.length?(as("hoop","load_fraction",i),s.load_fraction??=bt.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
-s.inertia_ratio=t.ideal(s.load_fraction)):i.length===1&&W("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
-load_fraction:r,eccentricity:l}=s,c=bt.ranges;if(De(c["hoop.mass"],o)||W("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!De(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
-hoop.inertia_ratio"];W(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&W("massless_eccentricity",{eccentricity:l}),
-s}function Xu(n,e,t){let{reaches:s,...i}=t.combine(n,e),o=s.findIndex(a=>a>n*(1+bt.touch));return o>=0&&W("beyond_the_rim",{index:o,shape:e[o].shape,reach:s[o],
-radius:n}),i}function al({values:n,given:e}){let t={...n};t.apart=il.some(r=>e.has(r)),t.mu!==null?(as("plane","mu",il.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
-t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:i,slope:o}=t;i>s&&W("kinetic_above_static",{mu_kinetic:i,mu_static:s}),Math.abs(
-o)<.5*Math.PI||W("vertical",{slope:o});let a=bt.ranges["plane.slope"];return De(a,o)||W("slope",{slope:o,words:a.words}),t}function rl({values:n,given:e}){let t={
-...n};return t.speed!==null?(as("start","speed",Qu.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&W("no_omega"),t}function ll({values:n}){let e=n;
-return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&W("together",{section:"contact",other:"restitution",way:"damping"}),e}function hl(n,e,t){let{
-hoop:s,plane:i,contact:o}=n,a=s.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&W("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
-a&&W("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);c!==void 0&&!(l<c)&&W("resistance",{given:l,most:c}),a&&
-r&&W("massless_compliant"),r&&i.mu_static===1/0&&W("compliant_friction"),r&&e.compliance&&ed(o,e.compliance(t(n)))}function ed(n,e){for(let[i,{of:o,...a}]of Object.
-entries(bt.relative)){let r=n[i];if(r===null)continue;let l=e[i];De(a,l)||W("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
-s=He(bt.most_depth);t>s&&W("too_soft",{stiffness:n.stiffness,depth:t,most:s})}var td=1e3;function cl(n){let e=n.startsWith("?")?n.slice(1):n;if(e&&e.split("&").length>td)throw new z(N("unreadable_query",{reason:"Max number of fields excee\
-ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
-Map))throw new z(N("value_above",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new z(N("given_twice",{path:o}));c.set(l,Wr(a)??a)}let s=t.get(
-"hoop"),i=s instanceof Map&&s.get("parts");return i instanceof Map&&s.set("parts",nd(i)),Li(t)}function nd(n){let e=Array.from({length:n.size},(s,i)=>String(i)),
-t=new Set(e);for(let s of n.keys())if(!t.has(s))throw new z(N("parts_out_of_order",{name:s}));return e.map(s=>n.get(s))}function Li(n){return Array.isArray(n)?n.
-map(Li):n instanceof Map?Object.fromEntries([...n].map(([e,t])=>[e,Li(t)])):n}function ul(n){return dl(n,"").map(([e,t])=>`${e}=${sd(e,t)}`).join("&")}function dl(n,e){
-return n===null||typeof n!="object"?[[e,n]]:Object.entries(n).flatMap(([t,s])=>dl(s,e?`${e}.${t}`:t))}function sd(n,e){return rs(n,e).replace("e+","e").replace(
-/\.0$/,"")}function rs(n,e){return typeof e=="string"?e:id.has(n.slice(n.lastIndexOf(".")+1))?String(e):Ze(e)}var id=new Set(Object.values(S.scenario.models).flatMap(
-({fields:n})=>Object.keys(n).filter(e=>n[e].kind==="whole")));var{scenario:_e}=S,ml=_e.left_out,od={rigid:"Rigid",compliant:"Compliant"};function Ri(n,e,t=Fe()){let s=Pi(n,e,t);if(!s)throw new z(jt(t.said));return s}function Pi(n,e,t){
-let{fields:s,place:i}=_e.models.Scenario;if(!de(n))return j(t,"",n,"table"),null;let o=Object.keys(n).find(r=>!Object.hasOwn(s,r));if(o!==void 0)return t.said.push(
-Dt(i,o,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(n,r)?n[r]:_e.default[r];return[r,Ci(r,l,e,t)]}));return t.said.
-length?null:fl(t,()=>zi(a,e))}function Ci(n,e,t,s){if(n==="hoop")return ls("Hoop",e,n,s,o=>ol(o,t));if(n==="plane")return ls("Plane",e,n,s,al);if(n==="start")return ls(
-"Start",e,n,s,rl);if(n!=="contact")return vi(_e.models.Scenario.fields[n],e,n,s);let i=xi(e,"model",od,n,s,"rigid");return i&&ls(i,e,n,s,ll)}function zi(n,e){return hl(
-n,e,ee),n}function ls(n,e,t,s,i){let o=Ft(n,e,t,s);return o&&fl(s,()=>i(o))}function fl(n,e){try{return e()}catch(t){if(!(t instanceof et))throw t;return n.said.
-push(t.message),null}}function Ni(n,e){return Ri(cl(n),e,Fe(()=>!0))}function hs(n,e,t){let s=Si(n,Ae(n),e,(i,o,a)=>gl(i,o,t,a));return Ri(s,t,Fe(Mi([...e.keys()])))}
-function cs(n,e,t){let s=Fe();try{let i=Si(n,Ae(n),e,(r,l,c)=>gl(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ci(r,i[r],t,s)]);return s.
-said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof z)return null;throw i}}function gl(n,e,t,s){let i=Fe(s),o=Ci(n,e,t,i);if(i.said.length)throw new z(
-jt(i.said));return o}var ad=n=>n===1/0?"inf":n,Bt=(n,e)=>Object.fromEntries(e.filter(t=>n[t]!==null).map(t=>[t,ad(n[t])])),Oi=n=>Object.keys(_e.models[n].fields);
-function Ae({duration:n,hoop:e,plane:t,start:s,contact:i}){return{duration:n,hoop:rd(e),plane:ld(t),start:hd(s),contact:Bt(i,Oi(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function rd(n){if(n.parts){let t=n.parts.map(s=>Bt(s,Oi(_e.parts[s.shape])));return{radius:n.radius,parts:t}}let e=n.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Bt(n,["radius","mass",...e])}function ld(n){let e=n.apart?["mu"]:["mu_static","mu_kinetic"],t=n;return e.push(...Object.
-keys(ml).filter(s=>t[s]===ml[s])),Bt(n,Oi("Plane").filter(s=>!e.includes(s)))}function hd(n){return Bt(n,n.speed===null?["x","height","angle","vx","vy","omega"]:
-["x","angle","speed"])}function Ii(n,e){let{Hoop:t,Start:s}=_e.models;if(n==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
-default,load_fraction:a.default}}return n==="plane"?_e.default.plane:n==="start"?{...pl(s),speed:void 0}:pl(_e.models[e==="compliant"?"Compliant":"Rigid"])}var pl=({
-fields:n})=>Object.fromEntries(Object.entries(n).map(([e,t])=>[e,t.default??void 0]));function Gt(n){let e={};for(let[t,s]of Object.entries(Ae(n))){let i=_e.default[t];
-if(Wt(s,i))continue;if(!de(s)){e[t]=s;continue}let o=Ii(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Wt(o[r],l));e[t]=a.length?Object.fromEntries(
-a):s}return ul(e)}function Wt(n,e){if(n===e)return!0;if(n===null||e===null||typeof n!="object"||typeof e!="object")return!1;let t=Object.keys(n);return t.length===
-Object.keys(e).length&&t.every(s=>Wt(n[s],e[s]))}var cd=8,{cell:qi,laws:ud,quantities:bl}=S.map;async function Fi(n,{x:e,y:t},s,i){let o=$t(e),a=$t(t),r=dd(n,e.path,t.path)?md(n,{x:e,y:t},[o,a],s):(m,p)=>{let f=new Map(
-[[t.path,a[p]],[e.path,o[m]]]);return cs(n,f,s)},l=o.length*a.length,c=new Float64Array(qi.length*l),u={...n},h=performance.now();for(let m=0;m<a.length;m++){performance.
-now()-h>cd&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let f=r(p,m),g=f&&fd(Object.assign(u,f),s);
-if(!g)continue;let b=m*o.length+p;for(let w=0;w<qi.length;w++)c[w*l+b]=pd[w](g)}}return{count:l,rows:c}}function dd({start:n},e,t){let s=[e,t].map(o=>o.split(".")[0]);
-if(s[0]===s[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(s.includes("hoop")&&i&&n.speed!==null)}function md(n,{x:e,y:t},[s,
-i],o){let a=s.map(l=>cs(n,new Map([[e.path,l]]),o)),r=i.map(l=>cs(n,new Map([[t.path,l]]),o));return(l,c)=>a[l]&&r[c]&&{...a[l],...r[c]}}var pd=qi.map(n=>n==="l\
-aw"?({impact_law:e})=>ud[e]:n==="strike"?({painleve:e})=>+(e==="impact"):n==="allowed"?()=>1:e=>Number(e[n]));function fd(n,e){try{return ee(zi(n,e))}catch(t){if(!(t instanceof
-et))throw t;return null}}var Di=n=>bl[n].span;function ji({x:n,y:e,what:t},s){let{label:i,unit:o,words:a}=bl[t],{values:r,names:l}=gd(s,o===""?a:null),c=o===""?
-l.map(u=>({name:u,text:Nr(u,t),color:zr(u,t)})):null;return{header:{x:n,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function gd({values:n,sequences:e},t){
-if(!t)return{values:n,names:[]};let s=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(n,a=>a>=
-0?i?.[a]??a:Number.NaN),names:s}}var{scenario:ds}=S,bd=30;function wl(n,e){for(let t of ds.sections[n]??["Scenario"]){let s=ds.models[t].fields[e];if(s)return s.unit}return""}function vl(n,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):rs(n,e)}function yl(n,e,t){let s=`${n} = ${vl(n,e)}`;return t===""||t==="1"?s:`${s.padEnd(bd)} # ${t}`}function ms(n){
-let{duration:e,...t}=Ae(n),s=[yl("duration",e,wl("","duration"))];for(let[i,o]of Object.entries(t)){s.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
-isArray(r))s.push(yl(a,r,wl(i,a)));else{s.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${vl(u,h)}`);s.push(`  { ${c.join(", ")}\
- },`)}s.push("]")}}return`${s.join(`
+le",{query:t,name:e});return new Blob([s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Uc,families:Kc,massless:Vc,hops:Jc,rolls:Yc,other:Zc}=S.classes,{sequence:Xc}=S.words,fr="sequence",Qc=n=>[...n].reduce((e,t)=>(131*e+t.charCodeAt(0))%
+997,0)/997;function gr(n,e){if(e!==fr)return Uc[e]?.[n]??Zc;let t=/[SK]/.exec(n)?.[0]??"R",s=[n.startsWith("R")&&"rolls",/[SK]/.test(n)&&"slips"].filter(Boolean).
+join(", "),i=n.endsWith("H")?Jc:Kc[t+n.slice(-1)]??Yc,o=n.includes("M")?Vc[s]:i,a=[1,3,5].map(p=>Number.parseInt(o.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
+min(n.length-1,9)/9,c=.2*Qc(n),d=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*d)*(1-h)).toString(
+16).padStart(2,"0")}).join("")}`}function br(n,e){return e!==fr?n.replaceAll("_"," "):[...n].map(t=>Xc[t]).join(" → ")}function X({duration:n,hoop:e,plane:t,start:s,contact:i}){let{radius:o,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:d,...h}=t,{x:m,height:p,angle:f,vx:g,
+vy:b,omega:w,slip:y}=we(s,o),{max_events:v,model:_,...T}=i;return{radius:o,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:m,height:p,
+angle:f,vx:g,vy:b,omega:w,slip:y,rolling:s.speed!==null,duration:n,max_events:v,contact:_==="rigid"?null:T}}function we({x:n,height:e,angle:t,speed:s,vx:i,vy:o,
+omega:a},r){let l=s===null?Number(a):s/r;return{x:n,height:e,angle:t,vx:i,vy:o,omega:l,slip:s===null?i-r*l:0}}var eu=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,tu=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function Ee(n){return Number.isNaN(n)?"nan":String(n).replace("Infi\
+nity","inf")}var ei=n=>Ee(n).replace(/^-?\d+$/,"$&.0");function Me(n,e=6){if(!Number.isFinite(n))return Ee(n);let t=n!==0&&Math.abs(n)<1e-4,[s,...i]=(t?n.toExponential(
+e-1):n.toPrecision(e)).split("e");return[s.includes(".")?s.replace(/\.?0+$/,""):s,...i].join("e")}var ti=(n,e)=>Number.isFinite(n)?n.toFixed(e):Ee(n),nu={g:(n,e)=>Me(
+n,e||6),e:(n,e)=>n.toExponential(e),f:ti};function q(n,e){return n.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,i,o,a)=>{let r=e[s];return a?nu[a](r,Number(
+o)):i?ni(r):String(r)})}function ni(n){return typeof n=="number"?Ee(n):typeof n=="string"?Jn(`'${n}'`):n==null?"None":Jn(JSON.stringify(n))}var wr=n=>n.replace(
+/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Jn(n){let e=[...n];return e.length<=60?n:`${e.slice(0,57).join("")}...`}function yr(n){
+if(eu.test(n))return Number(n);let[,e,t]=tu.exec(n)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:vr,scenario:xr}=S,su=2,N=class extends Error{constructor(e){super(wr(e)),this.name="InputError"}},te=class extends N{},z=(n,e={})=>q(vr[n],e),ye=n=>n!==
+null&&typeof n=="object"&&!Array.isArray(n),Ue=(n,e,t,s)=>z("finding",{path:n||vr.whole_scenario,shown:ni(e),allowed:z(t,s)});function ii(n,e,t,s){let{fields:i,
+place:o}=xr.models[n],a=ye(e)?oi(o,e,Object.keys(i)):Ue(t,e,"table");if(a&&s.push(a),a)return null;let r=s.length,l={};for(let[c,d]of Object.entries(i))Object.hasOwn(
+e,c)?l[c]=ai(d,e[c],`${t}.${c}`,s):d.required?s.push(z("missing",{path:`${t}.${c}`})):l[c]=vt(d.default);return s.length===r?{values:l,given:new Set(Object.keys(
+e))}:null}function oi(n,e,t){let s=Object.keys(e).find(r=>!t.includes(r));if(s===void 0)return null;let[i]=[...t].sort((r,l)=>si(s,r)-si(s,l)),a=si(s,i)<=su?z("\
+did_you_mean",{close:i}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${n}${Jn(s)}`,hint:a})}function si(n,e){let t=Array.from({length:e.length+
+1},(s,i)=>i);for(let[s,i]of[...n].entries()){let o=[s+1];for(let a=0;a<e.length;a++)o.push(Math.min(o[a]+1,t[a+1]+1,t[a]+ +(i!==e[a])));t=o}return t[e.length]}function ai(n,e,t,s){
+if(e===null&&n.nullable)return null;if(n.kind==="parts")return au(e,t,s);let i=n.kind==="friction"&&e==="inf"?1/0:e,o=ou(n,i);return o&&s.push(Ue(t,e,...o)),typeof i==
+"number"?i+0:i}var iu={greater_than:(n,e)=>n>e,greater_than_equal:(n,e)=>n>=e,less_than_equal:(n,e)=>n<=e};function ou(n,e){let{kind:t,options:s,limits:i=[],range:o}=n;
+if(t==="word")return s.includes(e)?null:["literal_error",n];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
+!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=i.find(([r,l])=>!iu[r](e,l));return a?[a[0],{limit:a[1]}]:
+o&&!ri(o,e)?["range",o]:null}var ri=({least:n,most:e,also:t=[]},s)=>n<=s&&s<=e||t.some(i=>vt(i)===s);function au(n,e,t){if(!Array.isArray(n))t.push(Ue(e,n,"list"));else
+return n.map((s,i)=>ru(s,`${e}.${i}`,t))}function ru(n,e,t){let s=li(n,"shape",xr.parts,e,t),i=s&&ii(s,n,e,t);if(!i)return null;let{inner_radius:o,outer_radius:a}=i.
+values;return o>a&&t.push(z("ring_radii",{inner:o,outer:a})),i.values}function li(n,e,t,s,i,o){let a=ye(n)&&Object.hasOwn(n,e)?n[e]:o;if(!ye(n))i.push(Ue(s,n,"t\
+able"));else if(a===void 0)i.push(z("missing",{path:`${s}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
+'`).join(" or ");i.push(Ue(`${s}.${e}`,a,"literal_error",{expected:r}))}}return null}function hi(n){let e=n.length-1;return e?z(e===1?"other_problem":"other_pro\
+blems",{first:n[0].replace(/\.$/,""),count:e}):n[0]}var _r=new Map(Object.entries(S.scenario.ends));function ui(n){let[e,...t]=n.split(".");return[e,t.join(".")]}function Lt(n){for(let e of n){let t=(_r.get(e)??[]).
+map(i=>`${ui(e)[0]}.${i}`),s=n.find(i=>t.some(o=>i===o||i.startsWith(`${o}.`)));if(s!==void 0)return[e,s]}return null}function kr(n){let[e,t]=ui(n);return(e==="\
+start"?10:0)+(t===""?0:n==="contact.model"||n==="hoop.parts"?1:2)}function Er(n,e,t,s){let i=[...t.keys()],o=Lt(i);if(o){let[r,l]=o;throw new N(z("two_ways",{one:r,
+other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of i.sort((l,c)=>kr(l)-kr(c))){let l=structuredClone(t.get(r)),[c,d]=ui(r);if(d==="")
+ci(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||ci(e,c,{});let h=e[c];if(!ye(h))throw new N(z("no_section_parts",{path:r,section:c}));
+let m=_r.get(r)??[];if(!a.has(c)&&m.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?s(c,t.get(c)):n[c],f=lu(p,r,()=>s("hoop",e.hoop));for(let[g,b]of Object.
+entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of m)delete h[p];hu(h,d.split("."),l,r)}}return e}var ci=(n,e,t)=>Object.defineProperty(n,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0});function lu(n,e,t){let{mass:s,eccentricity:i,inertia_ratio:o,mu_static:a,mu_kinetic:r}=n;if(e==="hoop.load_fraction")return{mass:s};
+if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:s,eccentricity:i,inertia_ratio:o};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
+mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:d,omega:h}=we(n,t().radius);return{height:l,vx:c,vy:d,omega:h}}function hu(n,e,t,s){
+let i=n;for(let[o,a]of e.entries()){let r=o===e.length-1;if(!(Array.isArray(i)&&/^\d+$/.test(a)&&Number(a)<i.length)&&!(ye(i)&&(r||Object.hasOwn(i,a))))throw new N(
+z("not_there",{path:s,step:a}));r?ci(i,a,t):i=i[a]}}var{lab:cu,limits:Q}=S,{allowed:Mr,events:uu,flight_turns:du,quantities:mu}=S.map,pu=1e-300,G=(n,e={})=>q(cu[n],e),di=n=>G("doubt",{time:Me(n,4)});function Ke(n){
+let{duration:e,hoop:t,contact:s}=n;if(e>Q.duration)throw new te(G("too_long",{duration:e,most:Q.duration}));let i=t.parts?.length??0;if(i>Q.parts)throw new te(G(
+"too_many_parts",{parts:i,most:Q.parts}));let o=Lr(Ar(n));if(o>Q.turns)throw new te(G("too_many_turns",{duration:e,turns:o,most:Q.turns}));if(s.model==="complia\
+nt"){let a=fu(n,o);if(a>Q.steps)throw new te(G("too_stiff",{steps:a,most:Q.steps}))}return s.max_events<=Q.events?n:{...n,contact:{...s,max_events:Q.events}}}function Ar({
+duration:n,hoop:{radius:e},plane:{gravity:t,slope:s},start:i}){let{height:o,vx:a,vy:r,omega:l}=we(i,e);return{duration:n,radius:e,gravity:t,slope:s,height:o,vx:a,
+vy:r,omega:l}}function Lr({duration:n,radius:e,gravity:t,slope:s,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+i)))+
+.5*t*Math.min(Math.abs(s),1)*n)*n/(2*Math.PI*e)}function fu({duration:n,hoop:{radius:e,mass:t},plane:{gravity:s},contact:{stiffness:i}},o){let r=10/Math.sqrt(e/
+(s>0?s:1))+(i===null?0:Math.sqrt(i/t));return 10*n*r+40*o}function mi(n,{x:e,y:t,what:s}){if(n.contact.model!=="rigid")throw new N(G("rigid_maps"));let{contact:i,
+...o}=Ke(n),a={...o,contact:{...i,max_events:Math.min(i.max_events,uu)}};gu(a,e,t,mu[s].span);let r=Lt([t.path,e.path]);if(r)throw new N(G("two_axes",{one:r[0],
+other:r[1]}));return a}function gu(n,e,t,s){let i=Ar(n),o=s==="first_revolution",a=Rt(e).filter(h=>Tr(e.path,h)),r=Rt(t).filter(h=>Tr(t.path,h)),[l,c]=[0,0];for(let h of r)
+for(let m of a){let p=Sr(Sr(i,t.path,h),e.path,m),g=o?1+Math.min(p.vx*p.vx/(10*i.gravity*i.radius+pu),du):Lr(p);l+=g,c=Math.max(c,g)}if(!o&&c>Q.turns)throw new te(
+G("cell_turns",{turns:c,most:Q.turns}));if(l<=Q.map_turns)return;let d=a.length*r.length;throw new te(G("map_turns",{cells:d,turns:l,most:Q.map_turns}))}function Sr(n,e,t){
+if(e==="start.speed")return{...n,vx:t,vy:0,omega:0};let s=e.slice(e.lastIndexOf(".")+1);return s in n&&s!=="height"?{...n,[s]:t}:n}var Rt=({from:n,to:e,cells:t})=>Array.
+from({length:t},(s,i)=>n+(i+.5)*((e-n)/t));function Tr(n,e){return!Mr[n]||ri(Mr[n],e)}var bu=1e3;function Rr(n){let e=n.replace(/^\?/,"");if(e.split("&").length>bu)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
+for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let d of r)if(c.has(d)||c.set(d,new Map),c=c.get(d),!(c instanceof Map))throw new N(
+z("value_above",{path:o,above:o.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:o}));c.set(l,yr(a)??a)}let s=t.get("hoop"),i=s instanceof
+Map&&s.get("parts");return i instanceof Map&&s.set("parts",wu(i)),pi(t)}function wu(n){let e=Array.from({length:n.size},(s,i)=>String(i)),t=[...n.keys()].find(s=>!e.
+includes(s));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(s=>n.get(s))}function pi(n){return Array.isArray(n)?n.map(pi):n instanceof
+Map?Object.fromEntries([...n].map(([e,t])=>[e,pi(t)])):n}function fi(n,e=""){return typeof n=="string"?`${e}=${n}`:typeof n=="number"?`${e}=${Ee(n).replace("e+",
+"e")}`:Object.entries(n).map(([t,s])=>fi(s,e?`${e}.${t}`:t)).join("&")}var{scenario:gi}=S,yu=gi.rules,vu=["load_fraction","eccentricity","inertia_ratio"],Pr=["mu_static","mu_kinetic"],xu=["height","vx","vy","omega"],Cr={mass:1,inertia_ratio:1,
+contact:null};function Zn(n,e,t){let[s,i]=t.refused(n),o=yu[s];if(!o)return null;let a=Object.entries(o.values).map(([r,l])=>{let[c,d]=l.split(".");return[r,e[c][d]]});
+return z(o.sentence,{...o.known,...Object.fromEntries(a),[o.number]:i})}function Yn(n,e,t,s){let i=s.find(o=>t.has(o));return i?z("together",{section:n,other:i,
+way:e}):null}var zr={hoop:ku,plane:_u,start:Eu,contact:Mu};function ku(n,e,t){let s=vu.filter(i=>e.has(i)&&n[i]!==null);if(n.parts){let i=n.parts.length?Yn("hoo\
+p","parts",e,[...s,"mass"]):z("no_parts");if(i)return i;let{radius:o,parts:a}=n,{reaches:r,...l}=t.combine(o,a),c=r.findIndex(d=>d>o*(1+gi.touch));if(c>=0)return z(
+"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:o});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let i=Yn("hoop","load_fraction",e,
+s.slice(+(n.load_fraction!==null)));if(i)return i;n.load_fraction??=gi.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,n.inertia_ratio=t.
+ideal(n.load_fraction)}else if(s.length===1){let i=s[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:i,given:s[0]})}return Zn(
+{...Cr,...n,ideal:n.load_fraction!==null},{hoop:n},t)}function _u(n,e,t){if(n.apart=Pr.some(s=>e.has(s)),n.mu!==null){let s=Yn("plane","mu",e,Pr);if(s)return s;
+n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return Zn({...Cr,...n},{plane:n},t)}function Eu(n,e){return n.speed===null?n.omega===
+null?z("no_omega"):null:(n.vx=n.speed,n.omega=null,Yn("start","speed",e,xu))}function Mu({damping:n=null,restitution:e=null}){return n!==null&&e!==null?z("toget\
+her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:ve}=S,Nr=ve.left_out,Ir={rigid:"Rigid",compliant:"Compliant"};function Ct(n,e){let{fields:t,place:s}=ve.models.Scenario,i=ye(n)?oi(s,n,Object.keys(
+t)):Ue("",n,"table");if(i)throw new N(i);let o=[],a=Object.keys(t).map(c=>{let d=Object.hasOwn(n,c)?n[c]:ve.default[c];return[c,wi(c,d,e,o)]}),r=Object.fromEntries(
+a),l=o.length?hi(o):Zn(X(r),r,e);if(l)throw new N(l);return r}function wi(n,e,t,s){if(n==="duration")return ai(ve.models.Scenario.fields[n],e,n,s);let[i]=n==="c\
+ontact"?[li(e,"model",Ir,n,s,"rigid")]:ve.sections[n],o=i&&ii(i,e,n,s),a=o&&zr[n](o.values,o.given,t);return a&&s.push(a),o?.values}var yi=(n,e)=>Ct(Rr(n),e),Qn=(n,e,t)=>Ct(
+Dr(n,e,t),t);function Dr(n,e,t){return Er(n,Ie(n),e,(s,i)=>{let o=[],a=wi(s,i,t,o);if(o.length)throw new N(hi(o));return a})}function Or(n,e,t){let s=[];try{let i=Dr(
+n,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,wi(r,i[r],t,s)]);return s.length?null:Object.fromEntries(a)}catch(i){if(i instanceof N)return null;
+throw i}}var Pt=(n,e)=>Object.fromEntries(e.filter(t=>n[t]!==null).map(t=>[t,n[t]===1/0?"inf":n[t]])),bi=n=>Object.keys(ve.models[n].fields);function Ie({duration:n,
+hoop:e,plane:t,start:s,contact:i}){let o=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in Nr&&t[l]===Nr[l],r=["x","height","angle","vx","vy","omega"];return{
+duration:n,hoop:Su(e),plane:Pt(t,bi("Plane").filter(l=>!o.includes(l)&&!a(l))),start:Pt(s,s.speed===null?r:["x","angle","speed"]),contact:Pt(i,bi(Ir[i.model]))}}
+function Su(n){if(n.parts){let t=n.parts.map(s=>Pt(s,bi(ve.parts[s.shape])));return{radius:n.radius,parts:t}}let e=n.load_fraction===null?["eccentricity","inert\
+ia_ratio"]:["load_fraction"];return Pt(n,["radius","mass",...e])}function vi(n,e){if(n==="hoop"||n==="plane")return ve.default[n];let{fields:t}=ve.models[n==="s\
+tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([s,i])=>[s,i.default??void 0]))}function zt(n){let e={};for(let[
+t,s]of Object.entries(Ie(n))){if(Xn(s,ve.default[t]))continue;let i=ye(s)?vi(t,s.model):{},o=Object.entries(s).filter(([a,r])=>a==="model"||!Xn(i[a],r));e[t]=ye(
+s)&&o.length?Object.fromEntries(o):s}return fi(e)}var Xn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var Tu=8,{quantities:qr}=S.map;async function xi(n,{x:e,y:t},s,i){let[o,a]=[Rt(e),Rt(t)],r=(...f)=>Or(n,new Map(f),s),l=Au(n,e.path,t.path),c=l&&o.map(f=>r([e.path,
+f])),d=l&&a.map(f=>r([t.path,f])),h=o.length*a.length,m=new Float64Array(xt.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%o.length,b=(f-g)/o.length;
+g===0&&performance.now()-p>Tu&&(await new Promise(_=>setTimeout(_)),i?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,o[g]]),y=d?d[b]:
+w;if(!w||!y)continue;let v=X({...n,...w,...y});for(let _=0;_<xt.length;_++)m[_*h+f]=xt[_](v)}return{count:h,rows:m}}function Au({start:n},e,t){let s=[e,t].map(o=>o.
+split(".")[0]);if(s[0]===s[1])return!1;let i=[e,t].some(o=>o.startsWith("start.")&&o!=="start.speed");return!(s.includes("hoop")&&i&&n.speed!==null)}var ki=n=>qr[n].
+span;function _i({x:n,y:e,what:t},s){let{label:i,unit:o,words:a}=qr[t],{values:r,names:l}=Lu(s,o===""?a:null),c=d=>({name:d,text:br(d,t),color:gr(d,t)});return{
+header:{x:n,y:e,what:t,label:i,unit:o,classes:o===""?l.map(c):null},arrays:{values:r}}}function Lu({values:n,sequences:e},t){if(!t)return{values:n,names:[]};let s=e?
+[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,i=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(n,a=>a>=0?i?.[a]??a:Number.NaN),names:s}}var{scenario:Nt}=S,Ru=30,Br={};for(let{fields:n}of Object.values(Nt.models))Object.assign(Br,n);function $r(n,e){return typeof e=="string"?JSON.stringify(e):Br[n]?.
+kind==="whole"?String(e):ei(e)}function Fr(n,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${Hr(l,c)}`);return[`${e} = [`,...t.map(r=>`\
+  { ${a(r).join(", ")} },`),"]"].join(`
+`)}let s=`${e} = ${Hr(e,t)}`,o=(Nt.sections[n]??["Scenario"]).map(a=>Nt.models[a].fields).find(a=>e in a)[e].unit;return o===""||o==="1"?s:`${s.padEnd(Ru)} # ${o}`}
+var Hr=(n,e)=>e==="inf"?"inf":$r(n,e);function es(n){let{duration:e,...t}=Ie(n),s=[Fr("","duration",e)];for(let[i,o]of Object.entries(t))s.push("",`[${i}]`,...Object.
+entries(o).map(([a,r])=>Fr(i,a,r)));return`${s.join(`
 `)}
-`}var wd={hoop:"Hoop",plane:"Plane",start:"Start"},yd=["load_fraction","mu"];function Hi(n){let e=Ae(n),t=Wt(e.contact,ds.default.contact)?"":`    contact=${us(
-"contact",e.contact)},
-`;return[`import hophoop as hh
+`}var Pu={hoop:"Hoop",plane:"Plane",start:"Start"},Cu=["load_fraction","mu"];function Ei(n){let{duration:e,contact:t,...s}=Ie(n),i=Object.entries(s).map(([o,a])=>jr(
+o,a));return Xn(t,Nt.default.contact)||i.push(`contact=${jr("contact",t)}`),i.splice(3,0,`duration=${ei(e)}`),`import hophoop as hh
 
-`,`motion = hh.simulate(
-`,`    ${us("hoop",e.hoop)},
-`,`    ${us("plane",e.plane)},
-`,`    ${us("start",e.start)},
-`,`    duration=${$i("duration",e.duration)},
-`,t,`)
-`,`print(motion.sequence, motion.status)
-`,`for event in motion.events:
-`,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function us(n,{parts:e,...t}){let s=n==="start"&&"speed"in t,i=s?"Start.rolling":wd[n]??(t.model==="rigid"?"Rigid":"Compliant"),o=s?{angle:0,x:0}:Ii(
-n,t.model),a=Object.entries(t).filter(([r,l])=>yd.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${$i(r,l)}`);return e&&a.push(`parts=[${e.map(vd).join(", ")}]`),`hh\
-.${i}(${a.join(", ")})`}function vd({shape:n,...e}){let t=Object.entries(e).map(([s,i])=>`${s}=${$i(s,i)}`);return`hh.${ds.parts[n]}(${t.join(", ")})`}function $i(n,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ue(e):rs(n,e)}var{letters:kl,modes:Wi,verbs:Gi,events:xd,statuses:kd,story:tt,summary:wt}=S.words,_d=400,[,Bi,xl,Ed,Md]=Wi,Sd="⁰¹²³⁴⁵⁶⁷⁸⁹";function _l(n,e){let{
-omega:t,to:s}=n[e];return t===0&&(s==="S"||s==="K")&&e+1<n.length}var Ui=n=>[...n.keys()].filter(e=>_l(n,e)),Ki=(n,e)=>.5*(n[e].t+n[e+1].t);function Vi(n,e=_d){
-let t=[],s=0,i=Ml(n.events);for(let[o,a]of n.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Ad(n,o,a):D(tt.more_bounces,{count:r});if(l){if(t.
-length>=e){s++;continue}t.push({t:a.t,event:o,mode:kl[Wi.indexOf(ps(n,o))],text:l})}}return s&&t.push({...t[t.length-1],text:D(tt.left_out,{count:s})}),t}var El=n=>n.
-kind==="impact"&&n.to==="H"&&n.collision!==!1;function Ml(n,e=3,t=6){let s=new Map,i=[];for(let o=0;o<=n.length;o++){let a=n[o];if(a&&(El(a)||i.length&&a.kind===
+motion = hh.simulate(
+${i.map(o=>`    ${o},
+`).join("")})
+print(motion.sequence, motion.status)
+for event in motion.events:
+    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
+`}function jr(n,{parts:e,...t}){let s=n==="start"&&"speed"in t,i=s?"Start.rolling":Pu[n]??(t.model==="rigid"?"Rigid":"Compliant"),o=s?{angle:0,x:0}:vi(n,t.model),
+a=Object.entries(t).filter(([l,c])=>Cu.includes(l)||o[l]!==c),r=e?[`parts=[${e.map(zu).join(", ")}]`]:[];return`hh.${i}(${[...a.map(Wr),...r].join(", ")})`}var zu=({
+shape:n,...e})=>`hh.${Nt.parts[n]}(${Object.entries(e).map(Wr).join(", ")})`,Wr=([n,e])=>`${n}=${e==="inf"?'float("inf")':$r(n,e)}`;var{letters:Ur,modes:Si,verbs:Ti,events:Nu,statuses:Iu,story:Ve,summary:ht}=S.words,Du=400,[,Mi,Gr,Ou,qu]=Si,Fu="⁰¹²³⁴⁵⁶⁷⁸⁹";function Kr(n,e){let{
+omega:t,to:s}=n[e];return t===0&&(s==="S"||s==="K")&&e+1<n.length}var Ai=n=>[...n.keys()].filter(e=>Kr(n,e)),Li=(n,e)=>.5*(n[e].t+n[e+1].t);function Ri(n,e=Du){
+let t=[],s=0,i=Jr(n.events);for(let[o,a]of n.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?ju(n,o,a):q(Ve.more_bounces,{count:r});if(l){if(t.
+length>=e){s++;continue}t.push({t:a.t,event:o,mode:Ur[Si.indexOf(ts(n,o))],text:l})}}return s&&t.push({...t[t.length-1],text:q(Ve.left_out,{count:s})}),t}var Vr=n=>n.
+kind==="impact"&&n.to==="H"&&n.collision!==!1;function Jr(n,e=3,t=6){let s=new Map,i=[];for(let o=0;o<=n.length;o++){let a=n[o];if(a&&(Vr(a)||i.length&&a.kind===
 "apex")){i.push(o);continue}let r=i.filter(l=>n[l].kind==="impact");if(r.length>=t){for(let l of i.slice(i.indexOf(r[e])))s.set(l,0);s.set(r[e],r.length-e)}i=[]}
-return s}function Ji(n,e=6){let t=[],s=0,i=Ml(n.events,1);for(let[l,c]of n.events.entries()){let u=i.get(l);if(u!==void 0){u&&t.push(D(wt.more_bounces,{count:u}));
-continue}if(c.kind==="start"||!t.length){t.push(Gi[ps(n,l)]);continue}let h=Td(n,l,c);h&&(s++,s<=e&&t.push(D(wt.change,{phrase:h,where:st(c.angle)})))}let o=s>e?
-D(wt.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:kd[n.status]};return D(wt.
-sentence,r).trim()}function Td(n,e,t){if(t.collision===!1)return wt.without_collision;if(El(t))return wt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
-Sl(t))return Gi[ps(n,e)];let{verb:s,summed_up:i}=xd[t.kind];return i?s:""}function Ad(n,e,t){let s=ps(n,e),i={where:st(t.angle),verb:Gi[s],kind:t.kind.replaceAll(
-"_"," ")},o=Ld(n.events,e,s,i);return D(tt[o]??tt.other,i)}function Ld(n,e,t,s){let i=n[e],{kind:o}=i;return o==="start"&&(s.speed=nt(i.vx),s.started=D(t===Ed?tt.
-started_flight:t===Md?tt.started_skim:tt.started,s)),o==="slip_start"&&t===Bi?"slip_start_spin":o==="takeoff"?Rd(n,e,s):o==="impact"?(s.speed=nt(i.before.vy===null?
-null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&Sl(i)?"turn_in_slip":(o==="apex"&&(s.gap=Tl(i.
-height)),o==="kane_gain"&&(s.gain=nt(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function Rd(n,e,t){let{t:s}=n[e],i=0;for(let o=e;o<n.length;o++)if(i=
-Math.max(i,n[o].height),!(o===e||n[o].kind!=="impact")){for(let a=o+1;a<n.length&&n[a].t<=n[o].t;a++)i=Math.max(i,n[a].height);if(!i)break;return t.top=Tl(i),t.
-time=nt(n[o].t-s),"takeoff_and_landing"}return"takeoff"}function ps(n,e){let t=n.events[e];return Pd(t.to,_l(n.events,e)?n.omega(e):t.omega)}function Pd(n,e){return n===
-"S"?e>0?Bi:xl:n==="K"?e<0?Bi:xl:Wi[kl.indexOf(n)]}var Sl=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),st=n=>`${yi(n*(180/Math.PI),1)}°`.replaceAll("-","−");function Tl(n){
-return n>=.995?`${nt(n)} m`:n>=.00995?`${nt(n*100)} cm`:`${nt(n*1e3)} mm`}function nt(n){if(n===null||Number.isNaN(n))return"?";let[e,t]=Te(n,3).split("e"),s=t===
-void 0?"":`·10${Cd(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var Cd=n=>[...String(n)].map(e=>e==="-"?"⁻":Sd[Number(e)]).join("");var Al=2e3,zd=n=>n===1/0?"inf":n;function fs(n,{status:e,sequence:t,fingerprint:s,events:i,final:o,energy:a}){let{schema:r,setup:l}=S;return{schema:r,version:l.
-version,scenario:Ae(n),status:e,sequence:t,fingerprint:s,events:i,final:o,energy:a}}function Yi(n,e,t,s){let i={events:e.events,status:e.status,omega:t};return{
-...fs(n,e),events:e.events.slice(0,Al),query:Gt(n),duration:e.duration,values:Nd(n),automatic:Od(n,s),massless:n.hoop.inertia_ratio===0,summary:Ji(i),story:Vi(i),
-ending:S.words.statuses[e.status],shortened:e.events.length>Al}}function Nd(n){let{speed:e}=n.start,t={...n,start:{...ke(n.start,n.hoop.radius),speed:e}},s=i=>{
-let[o,a]=i.split(".");return zd(t[o][a])};return Object.fromEntries(S.shown.map(i=>[i,s(i)]))}function Od(n,e){if(n.contact.model==="rigid"||!e.compliance)return{};
-let{stiffness:t,slip_speed:s}=e.compliance(ee(n)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":n.plane.restitution}}var{rate:Id,variables:Zi}=S.table,{letters:qd}=S.words,Qi=(n,e)=>JSON.stringify(fs(n,e),null,1);function Xi(n){let e=Math.min(Math.max(Math.floor(n*Id)+1,2),S.limits.
-samples),t=n/(e-1);return Float64Array.from({length:e},(s,i)=>i===e-1?n:i*t)}function eo(n,e){let t=Object.keys(Zi),s=t.map(l=>Zi[l]==="1"?l:`${l} [${Zi[l]}]`),
-{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let u=t.map(h=>h==="mode"?qd[a.
-mode[l]]:Ze(a[h][l]));r.push([Ze(c),...u].join(","))}return`${r.join(`\r
+return s}function Pi(n,e=6){let t=[],s=0,i=Jr(n.events,1);for(let[l,c]of n.events.entries()){let d=i.get(l);if(d!==void 0){d&&t.push(q(ht.more_bounces,{count:d}));
+continue}if(c.kind==="start"||!t.length){t.push(Ti[ts(n,l)]);continue}let h=Hu(n,l,c);h&&(s++,s<=e&&t.push(q(ht.change,{phrase:h,where:Ye(c.angle)})))}let o=s>e?
+q(ht.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+o,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Iu[n.status]};return q(ht.
+sentence,r).trim()}function Hu(n,e,t){if(t.collision===!1)return ht.without_collision;if(Vr(t))return ht.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+Yr(t))return Ti[ts(n,e)];let{verb:s,summed_up:i}=Nu[t.kind];return i?s:""}function ju(n,e,t){let s=ts(n,e),i={where:Ye(t.angle),verb:Ti[s],kind:t.kind.replaceAll(
+"_"," ")},o=Bu(n.events,e,s,i);return q(Ve[o]??Ve.other,i)}function Bu(n,e,t,s){let i=n[e],{kind:o}=i;return o==="start"&&(s.speed=Je(i.vx),s.started=q(t===Ou?Ve.
+started_flight:t===qu?Ve.started_skim:Ve.started,s)),o==="slip_start"&&t===Mi?"slip_start_spin":o==="takeoff"?$u(n,e,s):o==="impact"?(s.speed=Je(i.before.vy===null?
+null:Math.abs(i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&Yr(i)?"turn_in_slip":(o==="apex"&&(s.gap=Zr(i.
+height)),o==="kane_gain"&&(s.gain=Je(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function $u(n,e,t){let{t:s}=n[e],i=0;for(let o=e;o<n.length;o++)if(i=
+Math.max(i,n[o].height),!(o===e||n[o].kind!=="impact")){for(let a=o+1;a<n.length&&n[a].t<=n[o].t;a++)i=Math.max(i,n[a].height);if(!i)break;return t.top=Zr(i),t.
+time=Je(n[o].t-s),"takeoff_and_landing"}return"takeoff"}function ts(n,e){let t=n.events[e];return Wu(t.to,Kr(n.events,e)?n.omega(e):t.omega)}function Wu(n,e){return n===
+"S"?e>0?Mi:Gr:n==="K"?e<0?Mi:Gr:Si[Ur.indexOf(n)]}var Yr=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),Ye=n=>`${ti(n*(180/Math.PI),1)}°`.replaceAll("-","−");function Zr(n){
+return n>=.995?`${Je(n)} m`:n>=.00995?`${Je(n*100)} cm`:`${Je(n*1e3)} mm`}function Je(n){if(n===null||Number.isNaN(n))return"?";let[e,t]=Me(n,3).split("e"),s=t===
+void 0?"":`·10${Gu(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var Gu=n=>[...String(n)].map(e=>e==="-"?"⁻":Fu[Number(e)]).join("");var Xr=2e3;function ns(n,{status:e,sequence:t,fingerprint:s,events:i,final:o,energy:a}){let{schema:r,setup:l}=S,c=Ie(n);return{schema:r,version:l.version,scenario:c,
+status:e,sequence:t,fingerprint:s,events:i,final:o,energy:a}}function Ci(n,e,t,s){let i={events:e.events,status:e.status,omega:t};return{...ns(n,e),events:e.events.
+slice(0,Xr),query:zt(n),duration:e.duration,values:Uu(n),automatic:Ku(n,s),massless:n.hoop.inertia_ratio===0,summary:Pi(i),story:Ri(i),ending:S.words.statuses[e.
+status],shortened:e.events.length>Xr}}function Uu({hoop:n,plane:e,start:t}){let s={hoop:n,plane:e,start:{...we(t,n.radius),speed:t.speed}},i=S.shown.map(o=>{let[
+a,r]=o.split("."),l=s[a][r];return[o,l===1/0?"inf":l]});return Object.fromEntries(i)}function Ku(n,e){if(n.contact.model==="rigid")return{};let{stiffness:t,slip_speed:s}=e.
+chosen(X(n)),{restitution:i}=n.plane;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":i}}var{rate:Vu,variables:zi}=S.table,{letters:Ju}=S.words,Ni=(n,e)=>JSON.stringify(ns(n,e),null,1);function Ii(n){let e=Math.min(Math.max(Math.floor(n*Vu)+1,2),S.limits.
+samples),t=n/(e-1);return Float64Array.from({length:e},(s,i)=>i===e-1?n:i*t)}function Di(n,e){let t=Object.keys(zi),s=t.map(l=>zi[l]==="1"?l:`${l} [${zi[l]}]`),
+{kinetic:i,potential:o}=e,a={...e,total:Float64Array.from(i,(l,c)=>l+o[c])},r=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let d=t.map(h=>h==="mode"?Ju[a.
+mode[l]]:Ee(a[h][l]));r.push([Ee(c),...d].join(","))}return`${r.join(`\r
 `)}\r
-`}var Fd=["hoop.eccentricity","plane.slope"],Dd={...Object.fromEntries(Object.entries(S.map.rates).map(([n,e])=>[n,()=>({[e]:1})])),"hoop.radius":jd,"hoop.mass":({
+`}var Yu=["hoop.eccentricity","plane.slope"],Zu={...Object.fromEntries(Object.entries(S.map.rates).map(([n,e])=>[n,()=>({[e]:1})])),"hoop.radius":Xu,"hoop.mass":({
 hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
 null||n===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:n})=>n.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:n})=>n.mu_kinetic===
 1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:n})=>n.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:n,start:e})=>e.speed===null?
-null:{omega:1/n.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:n})=>({omega:1,slip:-n.radius})};function jd({hoop:{radius:n,parts:e,eccentricity:t,inertia_ratio:s},
-start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(n*n),e?{...a,eccentricity:-t/n,inertia_ratio:-2*s/n}:a}function to(n,e){let t=Dd[e]?.(
-n),{smaller:s,larger:i}=Hd(n,e);if(!t||!(s||i))return null;let o=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))o[$o[a]]=r;return{rates:o,smaller:s,
-larger:i}}function Hd(n,e){let{mu_static:t,mu_kinetic:s}=n.plane,i=$d(n,e),{least:o,most:a,also:r=[]}=S.map.allowed[e],l=t!==s,c=n.hoop.inertia_ratio===0&&Fd.includes(
-e);return{smaller:!c&&i>Math.min(o,...r.map(He))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function $d(n,e){return e==="start.ome\
-ga"?ke(n.start,n.hoop.radius).omega:e.split(".").reduce((t,s)=>t[s],n)}var{calls:Bd,regions:Rl,map:Wd}=S,Gd={samples:{window:{read:Ud}},regions:{window:{read:Kd,usual:Rl.usual}},map:{x:{read:Ll},y:{read:Ll},what:{read:Jd,usual:"seq\
-uence"}}};function Pl(n,e){let t=Bd[n],s=Object.keys(e).find(i=>!t.includes(i));return s===void 0?null:Dt("",s,t)}function Cl(n,e,t){let s={};for(let[i,{read:o,
-usual:a}]of Object.entries(Gd[n]??{}))Object.hasOwn(e,i)?s[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):s[i]=a;return s}function zl(n,e,t,s,i){if(!Array.
-isArray(n)||n.length!==s)return Qe(t,e,n,i);let o=t.said.length;return n.forEach((a,r)=>{typeof a!="number"?j(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||j(t,
-`${e}.${r}`,a,"finite_number")}),t.said.length===o?n:null}function Ud(n,e,t){let s=zl(n,e,t,2,I("times"));return s&&!(s[0]>=0&&s[0]<s[1])&&Qe(t,e,n,I("times")),
-s}function Kd(n,e,t){let s=zl(n,e,t,4,I("window"));if(!s)return null;let[i,o,a,r]=s,l=s.every(c=>Math.abs(c)<Rl.widest);return i<o&&a<r&&l||Qe(t,e,n,I("window")),
-s}function Ll(n,e,t){return Ft("Axis",n,e,t,{number_path:Vd})?.values??null}function Vd(n,e,t){if(typeof n!="string")return j(t,e,n,"word");let s=Qr(n);return s?
-t.said.push(s):Xr(n)||Qe(t,e,n,I("number_path")),n}function Jd(n,e,t){if(typeof n!="string")return j(t,e,n,"word");let s=Object.keys(Wd.quantities);return s.includes(
-n)||Qe(t,e,n,I("one_of",{known:s.join(", ")})),n}var{limits:gs}=S;function bs(n,e,t){let s=Pl(n,e);if(s)throw new z(s);let{scenario:i,query:o=null,changes:a=[]}=e,r=Fe(),l=null;i!==void 0&&!de(i)?j(r,"scenario",
-i,"table"):i!==void 0&&(l=Pi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&j(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!Zd(
-h)).map(Qd)):j(r,"changes",a,"list");let c=Cl(n,e,r);if(r.said.length)throw new z(jt(r.said));Yd(a.length,c),(o!==null||!l)&&(l=Ni(o??"",t));let u=new Map;for(let[
-h,m]of a)Ht([...u.keys(),h])&&(l=hs(l,u,t),u=new Map),u.set(h,m);return{...c,checked:u.size?hs(l,u,t):l}}var ws=(n,e)=>bs("film",n,e).checked;function Yd(n,{x:e,
-y:t}){if(n>gs.changes)throw new se(I("too_many_changes",{pairs:n,most:gs.changes}));if(!e)return;if(e.path===t.path)throw new z(I("equal_axes",{path:e.path}));let s=e.
-cells*t.cells;if(s>gs.cells)throw new se(I("too_many_cells",{cells:s,most:gs.cells}))}var Zd=n=>Array.isArray(n)&&n.length===2&&typeof n[0]=="string",Qd=n=>I("n\
-ot_a_pair",{change:new Ye(qt(n).slice(0,60))});var{theory:V}=S.words;function so({hoop:n,plane:e},t){let s=[],i=(r,l,c,u)=>{l!==null&&s.push({key:r,label:V[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
-o=()=>i("painleve",t.painleve_friction,"1",r=>em(r,t,e));if(e.gravity<=0)return o(),s;if(n.inertia_ratio===0){let r=t.massless_loss_by_friction?V.loss_by_friction:
-V.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>D(r,{where:st(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:u,
-any_speed:h}=V;i("first_slip",t.first_slip_speed,"m/s",m=>no(m,r,u)),i("first_hop",t.first_hop_speed,"m/s",m=>no(m,l,u)),i("immediate_hop",t.immediate_hop_speed,
-"m/s",m=>no(m,c,h))}else s.push({key:"uphill",label:V.uphill,value:null,unit:"",text:V.no_threshold});i("needed_friction",t.needed_friction,"1",r=>Xd(r,e)),o();
-let a=t.jam_angles.map(st).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>D(V.jam_at,{places:a})),n.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>D(
-V.rest_at,{where:st(r)})),s}function no(n,e,t){return n<S.words.least_speed?D(t,{would:e}):Number.isFinite(n)?D(V.above,{would:e,speed:Te(n,4)}):V.no_speed}function Xd(n,{
-mu_static:e}){return Number.isFinite(n)?D(n<=e?V.friction_enough:V.friction_short,{mu:Te(n,3)}):V.no_friction}function em(n,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return V.never;let s=n<=t?V.paradox_here:V.paradox_not_here;return D(s,{mu:Te(n,3),where:st(e)})}var nm=360,sm=240,io={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},im=["motion.nc","motion.mp4","mo\
-tion.gif"],Ut=class{constructor(e,t,{base:s=null,server:i=null}={}){this.kernel=e;this.mechanics=t;this.base=s,this.server=i,this.shares=s!==null,this.files=[...Object.
-keys(io),...i?im:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let{checked:i,...o}=bs(e,t,this.mechanics);if(e==="fi\
-lm")return this.film(i,s);if(e==="samples"){let a=ee(Xe(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,s,r)}}if(e==="code")return{
-header:{python:Hi(i),toml:ms(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(ee(i),s);return{header:{thresholds:so(i,a)},arrays:{}}}if(e==="r\
-egions"){let{window:a}=o,r=ee(i),l=await this.kernel.regions(r,a,nm,sm,s);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,s);throw new TypeError(
-`The page does not answer ${e}.`)}async film(e,t){let s=ee(Xe(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.kernel.motion(
-s,t),columns:await this.kernel.columns(s,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:Gt(e)},t);let r=await this.turning(s,i,t),
-l=Yi(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:Ti(a)},arrays:o}}async turning(e,{events:t},s){let i=Ui(t);if(!i.length)return()=>0;let o=Float64Array.
-from(i,r=>Ki(t,r)),{omega:a}=await this.kernel.samples(e,o,s);return r=>a[i.indexOf(r)]}async changes(e,t,s){if(!this.kernel.changes)throw new TypeError("This k\
-ernel has no derivatives.");let i=Xe(ws({scenario:e},this.mechanics)),o=ee(i);if(o.contact)throw new z(I("compliant_changes"));let a=to(i,t);if(!a)return null;let{
-rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,s);return{count:u.count,smaller:l?u.smaller:null,larger:c?u.larger:null}}async map(e,{x:t,y:s,what:i},o){
-let a=Di(i),r=Ai(e,{x:t,y:s,what:i}),l=await Fi(r,{x:t,y:s},this.mechanics,o);return ji({x:t,y:s,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){if(!(e in
-io)){if(this.server)return this.server.file(e,t);throw new z(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:io[e]})}async fileText(e,t){
-let s=ws({query:t},this.mechanics);if(e==="motion.toml")return ms(s);let i=Xe(s),o=ee(i),a=await this.kernel.motion(o);if(a.doubt!==null&&this.server)return(await this.
-server.file(e,t)).text();if(e==="motion.json")return Qi(i,a);let r=Xi(a.duration);return eo(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(
-e?`?${e}`:"",this.base)}${t}`}};async function oo(n,e,t){let s=e&&new ns(e);try{let i=await Ot.load(n);return new Ut(i,i.mechanics,{base:t,server:s})}catch(i){if(s)return s;throw i}}function Nl(n){
-navigator.serviceWorker?.register(n).catch(()=>{})}async function Ol(n){let e=new ss(n);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,s=await Ot.
-unpack(n.get("module"),n.get("worker"),t);return new Ut(s,s.mechanics,{server:e})}catch{return e}}var om=new URL("./",import.meta.url);async function am(n){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,i;try{s=await oo(om,t?null:e,e),i=(await s.call("setup",{})).header}catch(l){n.textContent=l.message;return}t&&Nl(t.getAttribute("content")??"");let o=new pt(
-n,s,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Ao(location.hash);try{await o.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function bv(n,e,t,s){let i=await oo(
-e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new pt(n,i,o,{panels:s});return await a.open([t]),a}async function rm({model:n,el:e}){let t=document.
-createElement("div");e.append(t);let s=await Ol(n),i=new pt(t,s,n.get("setup"),{panels:n.get("panels"),onmotion:a=>{n.get("query")!==a&&(n.set("query",a),n.save_changes())}});
-i.motions.set([ft(n.get("film"))]),i.begin();let o=()=>i.motions.replace(ft(n.get("film")));return n.on("change:film",o),()=>{n.off("change:film",o),s.close?.(),
-i.close()}}var Il=document.getElementById("hophoop-lab");Il&&am(Il);var wv={render:rm};export{oh as adopt,Re as current,wv as default,Cs as languageMenu,bv as mount,Zt as repeat,x as t,ot as untranslated};
+null:{omega:1/n.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:n})=>({omega:1,slip:-n.radius})};function Xu({hoop:{radius:n,parts:e,eccentricity:t,inertia_ratio:s},
+start:{speed:i,omega:o}}){let a={radius:1};return i===null?a.slip=-(o||0):a.omega=-i/(n*n),e?{...a,eccentricity:-t/n,inertia_ratio:-2*s/n}:a}function Oi(n,e){let t=Zu[e]?.(
+n),{smaller:s,larger:i}=Qu(n,e);if(!t||!(s||i))return null;let o=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))o[Mo[a]]=r;return{rates:o,smaller:s,
+larger:i}}function Qu(n,e){let{mu_static:t,mu_kinetic:s}=n.plane,i=ed(n,e),{least:o,most:a,also:r=[]}=S.map.allowed[e],l=t!==s,c=n.hoop.inertia_ratio===0&&Yu.includes(
+e);return{smaller:!c&&i>Math.min(o,...r.map(vt))&&(l||e!=="plane.mu_static"),larger:!c&&i<a&&(l||e!=="plane.mu_kinetic")}}function ed(n,e){return e==="start.ome\
+ga"?we(n.start,n.hoop.radius).omega:e.split(".").reduce((t,s)=>t[s],n)}var{limits:ss}=S;function It({scenario:n,query:e,changes:t=[]},s){let o=n!==void 0&&e===void 0?Ct(n,s):yi(e??"",s),a=new Map;for(let[r,l]of t)Lt([...a.keys(),r])&&
+(o=Qn(o,a,s),a=new Map),a.set(r,l);return a.size?Qn(o,a,s):o}function qi({scenario:n,query:e,changes:t=[],...s},i){if(t.length>ss.changes)throw new te(G("too_ma\
+ny_changes",{pairs:t.length,most:ss.changes}));let{x:o,y:a}=s;if(o&&o.path===a.path)throw new N(G("equal_axes",{path:o.path}));let r=o?o.cells*a.cells:0;if(r>ss.
+cells)throw new te(G("too_many_cells",{cells:r,most:ss.cells}));return{...s,checked:It({scenario:n,query:e,changes:t},i)}}var{theory:U}=S.words;function Hi({hoop:n,plane:e},t){let s=[],i=(r,l,c,d)=>{l!==null&&s.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:d(l)})},
+o=()=>i("painleve",t.painleve_friction,"1",r=>nd(r,t,e));if(e.gravity<=0)return o(),s;if(n.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
+U.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>q(r,{where:Ye(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:d,
+any_speed:h}=U;i("first_slip",t.first_slip_speed,"m/s",m=>Fi(m,r,d)),i("first_hop",t.first_hop_speed,"m/s",m=>Fi(m,l,d)),i("immediate_hop",t.immediate_hop_speed,
+"m/s",m=>Fi(m,c,h))}else s.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});i("needed_friction",t.needed_friction,"1",r=>td(r,e)),o();
+let a=t.jam_angles.map(Ye).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>q(U.jam_at,{places:a})),n.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>q(
+U.rest_at,{where:Ye(r)})),s}function Fi(n,e,t){return n<S.words.least_speed?q(t,{would:e}):Number.isFinite(n)?q(U.above,{would:e,speed:Me(n,4)}):U.no_speed}function td(n,{
+mu_static:e}){return Number.isFinite(n)?q(n<=e?U.friction_enough:U.friction_short,{mu:Me(n,3)}):U.no_friction}function nd(n,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return U.never;let s=n<=t?U.paradox_here:U.paradox_not_here;return q(s,{mu:Me(n,3),where:Ye(e)})}var id=360,od=240,ji={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},ad=["motion.nc","motion.mp4","mo\
+tion.gif"],Dt=class{constructor(e,t,{base:s=null,server:i=null}={}){this.kernel=e;this.mechanics=t;this.base=s,this.server=i,this.shares=s!==null,this.files=[...Object.
+keys(ji),...i?ad:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let{checked:i,...o}=qi(t,this.mechanics);if(e==="film")
+return this.film(i,s);if(e==="samples"){let a=X(Ke(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,s,r)}}if(e==="code")return{header:{
+python:Ei(i),toml:es(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(X(i),s);return{header:{thresholds:Hi(i,a)},arrays:{}}}if(e==="regions"){
+let{window:a}=o,r=X(i),l=await this.kernel.regions(r,a,id,od,s);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,s);throw new TypeError(`The \
+page does not answer ${e}.`)}async film(e,t){let s=X(Ke(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,
+t),columns:await this.kernel.columns(s,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:zt(e)},t);let r=await this.turning(s,i,t),
+l=Ci(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:di(a)},arrays:o}}async turning(e,{events:t},s){let i=Ai(t);if(!i.length)return()=>0;let o=Float64Array.
+from(i,r=>Li(t,r)),{omega:a}=await this.kernel.samples(e,o,s);return r=>a[i.indexOf(r)]}async changes(e,t,s){if(!this.kernel.changes)throw new TypeError("This k\
+ernel has no derivatives.");let i=Ke(It({scenario:e},this.mechanics)),o=X(i);if(o.contact)throw new N(G("compliant_changes"));let a=Oi(i,t);if(!a)return null;let{
+rates:r,smaller:l,larger:c}=a,d=await this.kernel.changes(o,r,s);return{count:d.count,smaller:l?d.smaller:null,larger:c?d.larger:null}}async map(e,{x:t,y:s,what:i},o){
+let a=ki(i),r=mi(e,{x:t,y:s,what:i}),l=await xi(r,{x:t,y:s},this.mechanics,o);return _i({x:t,y:s,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){if(!(e in
+ji)){if(this.server)return this.server.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:ji[e]})}async fileText(e,t){
+let s=It({query:t},this.mechanics);if(e==="motion.toml")return es(s);let i=Ke(s),o=X(i),a=await this.kernel.motion(o);if(a.doubt!==null&&this.server)return(await this.
+server.file(e,t)).text();if(e==="motion.json")return Ni(i,a);let r=Ii(a.duration);return Di(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(
+e?`?${e}`:"",this.base)}${t}`}};async function Bi(n,e,t){let s=e&&new Kn(e);try{let i=await At.load(n);return new Dt(i,i.mechanics,{base:t,server:s})}catch(i){if(s)return s;throw i}}function Qr(n){
+navigator.serviceWorker?.register(n).catch(()=>{})}async function el(n){let e=new Vn(n);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,s=await At.
+unpack(n.get("module"),n.get("worker"),t);return new Dt(s,s.mechanics,{server:e})}catch{return e}}var rd=new URL("./",import.meta.url);async function ld(n){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,i;try{s=await Bi(rd,t?null:e,e),i=(await s.call("setup",{})).header}catch(l){n.textContent=l.message;return}t&&Qr(t.getAttribute("content")??"");let o=new at(
+n,s,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=co(location.hash);try{await o.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function hy(n,e,t,s){let i=await Bi(
+e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new at(n,i,o,{panels:s});return await a.open([t]),a}async function hd({model:n,el:e}){let t=document.
+createElement("div");e.append(t);let s=await el(n),i=new at(t,s,n.get("setup"),{panels:n.get("panels"),onmotion:a=>{n.get("query")!==a&&(n.set("query",a),n.save_changes())}});
+i.motions.set([rt(n.get("film"))]),i.begin();let o=()=>i.motions.replace(rt(n.get("film")));return n.on("change:film",o),()=>{n.off("change:film",o),s.close?.(),
+i.close()}}var tl=document.getElementById("hophoop-lab");tl&&ld(tl);var cy={render:hd};export{El as adopt,Te as current,cy as default,bs as languageMenu,hy as mount,jt as repeat,x as t,Xe as untranslated};

@@ -9,9 +9,9 @@ from numba import carray
 
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
-from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import CELL, EVENT, MapRequest, MapResults
+from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, MapRequest, MapResults
+from hophoop.kernel.records.refusal import mark_refused, refusal
 from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.lab.wasm.layout import PART, THRESHOLDS
 from hophoop.lab.wasm.motions import FIELDS
@@ -27,7 +27,7 @@ from hophoop.theory.kernels.rows import table_of
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
-PART_WIDTH = len(PART)
+PART_WIDTH, CONTACT_WIDTH = len(PART), len(CONTACT)
 
 
 def write_jams(body, out):
@@ -120,6 +120,7 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
 def map_cells(cells, n, span, stop, timed, quantities, numbers, words, sequences):
     """Compute reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
     columns = carray(cells, (ROWS, n))
+    mark_refused(columns)
     results = MapResults(carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(sequences, (n, INTEGERS)))
     evaluate_block(columns, 0, n, MapRequest(span, stop, timed != 0, quantities), np.empty(0, EVENT), results)
 
@@ -129,9 +130,11 @@ def ideal_hoop(load_fraction, out):
     carray(out, (1,))[0] = ideal_inertia(load_fraction)
 
 
-def resistance_limit(eccentricity, inertia_ratio, out):
-    """Write the rolling resistance below which rolling has one solution at every angle."""
-    carray(out, (1,))[0] = most_resistance(eccentricity, inertia_ratio)
+def refused(given, contact, rigid, out):
+    """Write the code of the rule that a scenario breaks (0 for none) and the number that its sentence needs."""
+    asked = carray(contact, (CONTACT_WIDTH,))
+    row = carray(out, (2,))
+    row[0], row[1] = refusal(carray(given, (ROWS,)), asked[:0] if rigid != 0 else asked)
 
 
 def hoop_of_parts(radius, parts, count, out, reaches):

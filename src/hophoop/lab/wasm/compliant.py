@@ -13,12 +13,11 @@ from hophoop.kernel.compliant.records import OM, SIZE, TH, VN, VT, WIDTH, X, Y
 from hophoop.kernel.compliant.run import run
 from hophoop.kernel.compliant.sampling import sample
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.physics.compliant import sinking
 from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import ANGLE, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SEGMENT, SLIP, VY
+from hophoop.kernel.records.layout import ANGLE, CONTACT, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SEGMENT, SLIP, VY
 from hophoop.kernel.records.layout import X as PLACE
 from hophoop.kernel.records.times import kernel_times
-from hophoop.lab.wasm.layout import CHOSEN, COMPLIANT, EVENT_COLUMNS, HEADS
+from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, HEADS
 from hophoop.lab.wasm.motions import (
     FIELDS,
     SAMPLE_WIDTH,
@@ -28,7 +27,7 @@ from hophoop.lab.wasm.motions import (
     write_state,
 )
 
-CONTACT, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(COMPLIANT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)
+CONTACT_WIDTH, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(CONTACT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)
 RAW_WIDTH = len(sampling.COLUMNS)
 SPRING, DAMPER, KINETIC, POTENTIAL, FRICTION, RESISTED = (
     sampling.COLUMNS.index(name) for name in ("spring", "damping", "kinetic", "potential", "friction", "rolling_resistance")
@@ -60,18 +59,12 @@ def start_at(cells, scales):
 def compliance(given, contact, out):
     """Write the derived parameters of the contact, in the order of `layout.CHOSEN`."""
     cells = carray(given, (FIELDS, 1))
-    asked = carray(contact, (CONTACT,))
+    asked = carray(contact, (CONTACT_WIDTH,))
     row = carray(out, (CHOSEN_COUNT,))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
     comp = contact_of(cells, asked, body, scales)
-    start = start_at(cells, scales)
-    speed = abs(start[VT] + start[OM]) + abs(start[VN]) + abs(start[OM])
-    row[0] = comp.k
-    row[1] = comp.k_t
-    row[2] = comp.v_s
-    row[3] = sinking(comp.k, body.gn > 0.0, start[Y], speed)
-    row[4], row[5] = chosen_in_si(comp, scales.length, scales.time, cells[MASS, 0])
+    row[0], row[1] = chosen_in_si(comp, scales.length, scales.time, cells[MASS, 0])
 
 
 def compliant_motion(given, contact, events, most_events, most_steps, rows, most_rows, table, heads):
@@ -80,7 +73,7 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     If `rows` is too short for `compliant_samples`, the status is `buffer` and the number of segments is the required length.
     """
     cells = carray(given, (FIELDS, 1))
-    asked = carray(contact, (CONTACT,))
+    asked = carray(contact, (CONTACT_WIDTH,))
     records = carray(events, (min(most_events, int(cells[MAX_EVENTS, 0])),))
     kept = carray(rows, (most_rows, WIDTH))
     lines = carray(table, (most_events, EVENT_WIDTH))
@@ -127,7 +120,7 @@ def compliant_samples(given, contact, rows, count, times, n, left, out):
     states = carray(out, (n, SAMPLE_WIDTH))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
-    comp = contact_of(cells, carray(contact, (CONTACT,)), body, scales)
+    comp = contact_of(cells, carray(contact, (CONTACT_WIDTH,)), body, scales)
     asked = np.empty(n)
     kernel_times(kept[:, 0], kept[count - 1, 1], when, scales.time, asked)
     raw = np.empty((n, RAW_WIDTH))

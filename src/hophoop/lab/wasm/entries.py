@@ -30,7 +30,7 @@ ENTRIES: Entries = {
     "thresholds": (answers.thresholds, (FLOATS, NUMBER, FLOATS)),
     "regions": (answers.regions, (FLOATS, NUMBER, NUMBER, NUMBER, NUMBER, COUNT, COUNT, BYTES, SIGNS)),
     "ideal_hoop": (answers.ideal_hoop, (NUMBER, FLOATS)),
-    "resistance_limit": (answers.resistance_limit, (NUMBER, NUMBER, FLOATS)),
+    "refused": (answers.refused, (FLOATS, FLOATS, COUNT, FLOATS)),
     "hoop_of_parts": (answers.hoop_of_parts, (NUMBER, FLOATS, COUNT, FLOATS, FLOATS)),
     "map_cells": (
         answers.map_cells,

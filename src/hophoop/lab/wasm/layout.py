@@ -9,7 +9,7 @@ from hophoop.derivatives.layout import Reason
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, ImpactLaw, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CELL, EVENT, SEGMENT
+from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, LETTERS_PER_INTEGER, MORE, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
@@ -37,12 +37,8 @@ SAMPLE_COLUMNS = (
     "rolling_resistance",
 )  # fmt: skip
 
-# The compliant contact, in SI units; nan selects the default.
-COMPLIANT = (
-    "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
-)  # fmt: skip
-# Derived parameters in kernel units, with the depth to which the rim sinks [R]; and two of them in SI units.
-CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "stiffness_si", "slip_speed_si")
+# Derived parameters of a compliant contact, in SI units.
+CHOSEN = ("stiffness", "slip_speed")
 
 # Derivatives of an event with respect to one parameter, in SI units; from the separate module.
 CHANGE_COLUMNS = (
@@ -77,7 +73,7 @@ def layout() -> dict[str, Any]:
         "margins": MARGINS,
         "changes": CHANGE_COLUMNS,
         "reasons": [reason.name.lower() for reason in Reason],
-        "compliant": COMPLIANT,
+        "compliant": CONTACT,
         "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
         "friction_laws": [law.name.lower() for law in FrictionLaw],
         "chosen": CHOSEN,

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.mass import ideal_inertia
-from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.kernel.records.layout import (
     ALLOWED,
     CELL,
@@ -23,12 +23,11 @@ from hophoop.kernel.records.layout import (
     MU_STATIC,
     OMEGA,
     RADIUS,
-    ROLLING_RESISTANCE,
     SLIP,
-    SLOPE,
     STRIKE,
     VY,
 )
+from hophoop.kernel.records.refusal import mark_refused
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.laws import LAWS
@@ -106,7 +105,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         cells[VY] = free["vy"]
         cells[OMEGA] = free["omega"]
         cells[SLIP] = free["vx"] - cells[RADIUS] * cells[OMEGA]
-    _mark(cells)
+    compiled(mark_refused)(cells)
     return cells
 
 
@@ -132,15 +131,3 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
     place = place.reshape(-1)
     for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, IDEAL, ALLOWED), made, strict=True):
         cells[row] = column[place]
-
-
-def _mark(cells: Array) -> None:
-    """Mark cells that break the rules between parameters, the same as the scenario's validators."""
-    massless = cells[INERTIA_RATIO] == 0.0
-    bad = cells[MU_KINETIC] > cells[MU_STATIC]
-    bad |= massless & ((cells[ECCENTRICITY] != 1.0) | (cells[SLOPE] != 0.0))
-    resisted = np.flatnonzero(cells[ROLLING_RESISTANCE] > 0.0)
-    for k in resisted:
-        most = most_resistance(float(cells[ECCENTRICITY, k]), float(cells[INERTIA_RATIO, k]))
-        bad[k] |= bool(massless[k]) or not cells[ROLLING_RESISTANCE, k] < most
-    cells[ALLOWED][bad] = 0.0

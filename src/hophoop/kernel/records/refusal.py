@@ -1,0 +1,147 @@
+"""Rules between the numbers of a cell: which scenarios are refused, and by which rule.
+
+Scenarios, maps and the page check with these functions; `scenario.rules` has the sentence of each rule.
+"""
+
+from __future__ import annotations
+
+import math
+from enum import IntEnum
+
+from hophoop.kernel.physics.compliant import STIFFNESS as USUAL_STIFFNESS
+from hophoop.kernel.physics.compliant import sinking
+from hophoop.kernel.physics.ranges import INERTIA_RATIO as INERTIA_RANGE
+from hophoop.kernel.physics.ranges import MASS as MASS_RANGE
+from hophoop.kernel.physics.ranges import MOST_DEPTH
+from hophoop.kernel.physics.ranges import SLIP_SPEED as SLIP_RANGE
+from hophoop.kernel.physics.ranges import SLOPE as SLOPE_RANGE
+from hophoop.kernel.physics.ranges import STIFFNESS as STIFFNESS_RANGE
+from hophoop.kernel.physics.resistance import most_resistance
+from hophoop.kernel.records.layout import (
+    ALLOWED,
+    CONTACT_SLIP_SPEED,
+    CONTACT_STIFFNESS,
+    CONTACT_TANGENTIAL,
+    ECCENTRICITY,
+    GRAVITY,
+    HEIGHT,
+    IDEAL,
+    INERTIA_RATIO,
+    MASS,
+    MU_KINETIC,
+    MU_STATIC,
+    OMEGA,
+    RADIUS,
+    ROLLING_RESISTANCE,
+    SLIP,
+    SLOPE,
+    VY,
+)
+
+
+class Refusal(IntEnum):
+    """Rules in the order in which they are checked: first of a hoop and a plane alone, then of what must go together."""
+
+    NONE = 0
+    HOOP_MASS = 1
+    LOAD_INERTIA = 2
+    PARTS_INERTIA = 3
+    MASSLESS_ECCENTRICITY = 4
+    KINETIC_ABOVE_STATIC = 5
+    VERTICAL = 6
+    SLOPE = 7
+    MASSLESS_SLOPE = 8
+    MASSLESS_RESISTANCE = 9
+    RESISTANCE = 10
+    MASSLESS_COMPLIANT = 11
+    COMPLIANT_FRICTION = 12
+    STIFFNESS = 13
+    TANGENTIAL_STIFFNESS = 14
+    SLIP_SPEED = 15
+    TOO_SOFT = 16
+
+
+(
+    NONE, HOOP_MASS, LOAD_INERTIA, PARTS_INERTIA, MASSLESS_ECCENTRICITY, KINETIC_ABOVE_STATIC, VERTICAL, STEEP,
+    MASSLESS_SLOPE, MASSLESS_RESISTANCE, RESISTANCE, MASSLESS_COMPLIANT, COMPLIANT_FRICTION, STIFFNESS,
+    TANGENTIAL_STIFFNESS, SLIP_SPEED, TOO_SOFT,
+) = (int(rule) for rule in Refusal)  # fmt: skip
+
+
+def within(allowed, value):
+    """Return True for a number in a range, both ends included."""
+    return allowed[0] <= value <= allowed[1]
+
+
+def hoop_refusal(mass, eps, kap, ideal):
+    """Return the rule that a hoop breaks, 0 for none."""
+    if not within(MASS_RANGE, mass):
+        return HOOP_MASS
+    if kap != 0.0:
+        return NONE if within(INERTIA_RANGE, kap) else LOAD_INERTIA if ideal else PARTS_INERTIA
+    return NONE if eps == 1.0 else MASSLESS_ECCENTRICITY
+
+
+def plane_refusal(mu_s, mu_k, slope):
+    """Return the rule that a plane breaks, 0 for none."""
+    if mu_k > mu_s:
+        return KINETIC_ABOVE_STATIC
+    if not abs(slope) < 0.5 * math.pi:
+        return VERTICAL
+    return NONE if within(SLOPE_RANGE, slope) else STEEP
+
+
+def refusal(cell, contact):
+    """Return the first rule that a scenario breaks, 0 for none, and a number that its sentence needs.
+
+    `cell` is a column of `layout.CELL`, `contact` a row of `layout.CONTACT`, or empty for a rigid contact.
+    """
+    code = hoop_refusal(cell[MASS], cell[ECCENTRICITY], cell[INERTIA_RATIO], cell[IDEAL] != 0.0)
+    if code == NONE:
+        code = plane_refusal(cell[MU_STATIC], cell[MU_KINETIC], cell[SLOPE])
+    if code != NONE:
+        return code, 0.0
+    massless = cell[INERTIA_RATIO] == 0.0
+    if massless and cell[SLOPE] != 0.0:
+        return MASSLESS_SLOPE, 0.0
+    resist = cell[ROLLING_RESISTANCE]
+    if resist != 0.0:
+        if massless:
+            return MASSLESS_RESISTANCE, 0.0
+        most = most_resistance(cell[ECCENTRICITY], cell[INERTIA_RATIO])
+        if not resist < most:
+            return RESISTANCE, most
+    if len(contact) == 0:
+        return NONE, 0.0
+    if massless:
+        return MASSLESS_COMPLIANT, 0.0
+    if cell[MU_STATIC] == math.inf:
+        return COMPLIANT_FRICTION, 0.0
+    return contact_refusal(cell, contact)
+
+
+def contact_refusal(cell, contact):
+    """Return the rule that a spring breaks because it is too soft or too stiff for its hoop or start, as `refusal` does."""
+    radius, mass = cell[RADIUS], cell[MASS]
+    second = math.sqrt(radius / (cell[GRAVITY] if cell[GRAVITY] > 0.0 else 1.0))
+    # in the order of operations of `compliant.parameters.compliance_of`; nan selects the default
+    k = contact[CONTACT_STIFFNESS] * (second * second) / mass
+    if not (math.isnan(k) or within(STIFFNESS_RANGE, k)):
+        return STIFFNESS, k
+    tangential = contact[CONTACT_TANGENTIAL] * (second * second) / mass
+    if not (math.isnan(tangential) or within(STIFFNESS_RANGE, tangential)):
+        return TANGENTIAL_STIFFNESS, tangential
+    slip_speed = contact[CONTACT_SLIP_SPEED] * second / radius
+    if not (math.isnan(slip_speed) or within(SLIP_RANGE, slip_speed)):
+        return SLIP_SPEED, slip_speed
+    unit, omega = radius / second, cell[OMEGA] * second
+    speed = abs(cell[SLIP] / unit + omega) + abs(cell[VY] / unit) + abs(omega)
+    depth = sinking(USUAL_STIFFNESS if math.isnan(k) else k, cell[GRAVITY] > 0.0, cell[HEIGHT] / radius, speed)
+    return (TOO_SOFT, depth) if depth > MOST_DEPTH else (NONE, 0.0)
+
+
+def mark_refused(cells):
+    """Mark the cells of motions with rigid contact that break a rule."""
+    for k in range(cells.shape[1]):
+        if refusal(cells[:, k], cells[:0, k])[0] != NONE:
+            cells[ALLOWED, k] = 0.0
