@@ -10,7 +10,7 @@ import pytest
 from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets
 from hophoop.scenario.ranges import RANGES
-from web_tools import bundled, needs_node, source
+from web_tools import bundled, english, needs_node, source
 
 pytestmark = needs_node
 
@@ -51,9 +51,11 @@ def test_a_refusal_names_the_field_in_its_own_unit(js):
     said = js(
         "entry.ts", "return ['100', 'x', '12'].map((text) => lab.refusal(text, lab.readNumber(text), field))", field=field
     )
+    said = [english(one) for one in said]
     assert said == ["Slope = 100° must be from −90 to 90°.", "Slope = x must be a number, such as 2.5.", ""]
     friction = "{ label: 'Friction', unit: '', range: { least: 0, most: 1e6, also: [Infinity] } }"
     said = js("entry.ts", f"return [-1, Infinity].map((value) => lab.refusal(String(value), value, {friction}))")
+    said = [english(one) for one in said]
     assert said == ["Friction = −1 must be from 0 to 1·10⁶, or inf.", ""]
 
 
@@ -133,7 +135,7 @@ def test_a_map_says_when_its_starts_are_others(js):
     jam = next(preset for preset in presets() if preset.key == "jam").scenario.to_dict()
     code = "return [['start.speed', 'plane.mu'], ['start.vx', 'plane.mu']].map((paths) => lab.otherStart(scenario, paths))"
     said = js("map_words.ts", code, scenario=jam)
-    assert said == ["of rolling starts, though this motion starts otherwise", ""]
+    assert [english(one) for one in said] == ["with a rolling start, unlike this motion", ""]
     said = js("map_words.ts", code, scenario={"start": {"speed": 3.1}})
     assert said == ["", "of starts in any state, though this motion starts rolling"]
 

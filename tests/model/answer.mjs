@@ -5,7 +5,8 @@ import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { LocalBackend } from "../../web/lab/backend/local_backend.ts";
 import * as model from "../../web/model/index.ts";
-import { fill, numberOf, plain, shortened } from "../../web/model/text.ts";
+import { numberOf, plain, shortened, written } from "../../web/model/text.ts";
+import { spoken } from "../../web/words/texts.ts";
 
 const [script, binary, derivatives] = process.argv.slice(2);
 const { HoopModule } = await import(script);
@@ -32,14 +33,20 @@ const CALLS = {
   },
   words({ events, status, halfway }) {
     const told = { events, status, omega: (number) => halfway[number] };
-    return { summary: model.summary(told), story: model.story(told) };
+    const story = model.story(told).map((sentence) => ({ ...sentence, text: spoken(sentence.text) }));
+    return { summary: spoken(model.summary(told)), story };
   },
   thresholds({ scenario, known }) {
     const checked = model.fromDict(scenario, mechanics);
     const infinity = ([name, value]) => [name, value === "inf" ? Infinity : value];
-    return model.thresholds(checked, Object.fromEntries(Object.entries(known).map(infinity)));
+    const rows = model.thresholds(checked, Object.fromEntries(Object.entries(known).map(infinity)));
+    return rows.map((row) => ({ ...row, label: spoken(row.label), text: spoken(row.text) }));
   },
-  numbers: (values) => values.map((value) => fill("{value!r} {value:g} {value:.3g} {value:.2e} {value:.1f}", { value })),
+  numbers: (values) => values.map((value) =>
+      ["{value!r}", "{value:g}", "{value:.3g}", "{value:.2e}", "{value:.1f}"]
+        .map((template) => written(template, { value }).value)
+        .join(" "),
+    ),
   texts: (texts) => texts.map((text) => [plain(text), shortened(text), numberOf(text) ?? null]),
   bounded({ name, body }) {
     const { checked, ...options } = model.requested(body, mechanics);
