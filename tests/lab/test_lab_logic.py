@@ -137,7 +137,7 @@ def test_a_map_says_when_its_starts_are_others(js):
     said = js("map_words.ts", code, scenario=jam)
     assert [english(one) for one in said] == ["with a rolling start, unlike this motion", ""]
     said = js("map_words.ts", code, scenario={"start": {"speed": 3.1}})
-    assert said == ["", "of starts in any state, though this motion starts rolling"]
+    assert [english(one) for one in said] == ["", "with a start in any state; this motion starts rolling"]
 
 
 # Steps back and forth

@@ -15,7 +15,9 @@ const nameOf = (code: string) => {
 /** Names by code. */
 export const LANGUAGES: Record<string, string> = Object.fromEntries(CODES.map((code) => [code, nameOf(code)]));
 
-const ENGLISH: Words = en;
+/** Without a prototype: whatever somebody writes into a link may be looked up. */
+const bare = (words: Words): Words => Object.assign(Object.create(null), words);
+const ENGLISH = bare(en);
 /** Tables by code, and where another comes from. */
 const tables: Map<string, Words> = new Map([["en", ENGLISH]]);
 let source: (code: string) => Promise<Words> = async () => ENGLISH;
@@ -35,7 +37,7 @@ export function wordsFrom(from: (code: string) => Promise<Words>) {
 
 /** Speak a language from now on; what is shown already follows by `repeat`. `code`: one of LANGUAGES. */
 export async function speak(code: string) {
-  const found = tables.get(code) ?? (await source(code));
+  const found = tables.get(code) ?? bare(await source(code));
   tables.set(code, found);
   [language, table] = [code, found];
   plurals = new Intl.PluralRules(code);
