@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
+from collections import Counter
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 from types import FunctionType
@@ -17,15 +19,35 @@ from hophoop.kernel.build import browser, link, numba_code
 from hophoop.kernel.native import marks
 from hophoop.kernel.native.sources import is_kernel
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import MOST_PANELS
+from hophoop.kernel.records.layout import (
+    CONTACT_SLIP_SPEED,
+    CONTACT_STIFFNESS,
+    CONTACT_TANGENTIAL,
+    ECCENTRICITY,
+    GRAVITY,
+    HEIGHT,
+    IDEAL,
+    INERTIA_RATIO,
+    MASS,
+    MOST_PANELS,
+    MU_STATIC,
+    OMEGA,
+    RADIUS,
+    ROLLING_RESISTANCE,
+    SLIP,
+    SLOPE,
+    VY,
+)
+from hophoop.kernel.records.refusal import Refusal, refusal
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, layout
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
+from hophoop.scenario.scenario import contact_of
 
 pytest.importorskip("wasmtime")
 
 from module.host import Host
-from module.module_tools import cell_of
+from module.module_tools import cell_of, same
 
 TOLD = json.loads((HERE / LAYOUT).read_text(encoding="utf-8"))
 
@@ -121,6 +143,29 @@ def test_states_beside_events_are_on_their_side(host: Host) -> None:
     before = host.samples(int(heads["segments"]), times[1:], left=True)
     assert np.array_equal(after[:-1, 0], events[:-1, EVENT_COLUMNS.index("to_mode")])
     assert np.array_equal(before[:, 0], events[1:, EVENT_COLUMNS.index("from_mode")])
+
+
+def test_it_refuses_what_the_library_refuses(host: Host) -> None:
+    draw = np.random.default_rng(6)
+    usual, spring = np.array(cell_of(hh.Scenario())), np.array(contact_of(hh.Compliant()))
+    ends = {
+        ECCENTRICITY: [0.3, 1.0], INERTIA_RATIO: [0.0, 1e-13, 1e-12, 1e7], MASS: [1e-13, 1e12], IDEAL: [0.0, 1.0],
+        MU_STATIC: [0.0, 1.0, math.inf], SLOPE: [0.1, 1.57, 1.5704, 2.0], ROLLING_RESISTANCE: [1e-9, 0.5, 1.0],
+        GRAVITY: [0.0, 1e-6], HEIGHT: [0.0, 1e6], VY: [1e6], OMEGA: [1e9], SLIP: [-1e6], RADIUS: [1e-6, 1e6],
+    }  # fmt: skip
+    found = Counter()
+    for _ in range(4000):
+        cell, contact = usual.copy(), spring.copy()
+        if draw.random() < 0.3:
+            cell[ECCENTRICITY], cell[INERTIA_RATIO] = 1.0, 0.0
+        for column in draw.choice(list(ends), 2):
+            cell[column] = draw.choice(ends[int(column)])
+        contact[[CONTACT_STIFFNESS, CONTACT_TANGENTIAL, CONTACT_SLIP_SPEED]] = draw.choice([math.nan, 1e-9, 10.0, 1e5, 1e18], 3)
+        given = tuple(contact.tolist()) if draw.random() < 0.6 else ()
+        code, number = refusal(cell.tolist(), given)
+        assert same(host.refused(cell, given), (code, number))
+        found[code] += 1
+    assert len(found) == len(Refusal)
 
 
 def test_it_names_no_machine() -> None:
