@@ -16,7 +16,7 @@ import uvicorn
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
-from hophoop.lab import api, app
+from hophoop.lab.server import routes
 
 SIZE = {"width": 1280, "height": 800}
 MOMENT = 1.3  # in the air [s]
@@ -25,8 +25,7 @@ CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 
 def serve() -> tuple[uvicorn.Server, str]:
     """The lab on loopback, and its address."""
-    app.warm_up()
-    server = uvicorn.Server(uvicorn.Config(api.create_app(), host="127.0.0.1", port=0, log_level="error"))
+    server = uvicorn.Server(uvicorn.Config(routes.create_app(), host="127.0.0.1", port=0, log_level="error"))
     threading.Thread(target=server.run, daemon=True).start()
     while not server.started:
         time.sleep(0.02)

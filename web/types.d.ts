@@ -95,15 +95,13 @@ interface Reply {
 
 type Change = [path: string, value: unknown];
 
-// Where answers come from: the server of the page, or the notebook's kernel.
-interface Backend {
-  shares: boolean;
-  call(name: string, body: object, signal?: AbortSignal): Promise<Reply>;
+type Backend = import("./lab/backend/backend.ts").Backend;
+
+// What needs Python: a server, or the kernel of a notebook.
+interface Python {
+  /** Results and columns of a motion in as many digits as it needs; of a window of time, the columns. */
+  motion(body: { query: string; window?: [number, number] }, signal?: AbortSignal): Promise<Reply>;
   file(name: string, query: string): Promise<Blob>;
-  link(query: string, hash: string): string | null;
-  files?: string[]; // which files it makes; all where it does not say
-  /** What a little more of a parameter does, where the page computes by itself. */
-  changes?(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null>;
 }
 
 // What is drawn of the hoop.

@@ -7,7 +7,7 @@ from typing import Any
 
 from sphinx.application import Sphinx
 
-from hophoop.lab import site
+from hophoop.lab.site import export as site
 
 
 def after_the_pages(app: Sphinx, error: Exception | None) -> None:

@@ -62,7 +62,7 @@ def test_a_chain_on_request(table):
 def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
     pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
     opened = []
-    monkeypatch.setattr("hophoop.lab.app.serve", lambda **given: opened.append(given))
+    monkeypatch.setattr("hophoop.lab.server.app.serve", lambda **given: opened.append(given))
     file = tmp_path / "fit.json"
     done = call("fit", table, "--radius", 0.3, "--save", file, "--lab", "--quiet")
     assert done.exit_code == 0, done.output

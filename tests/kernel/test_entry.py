@@ -136,7 +136,7 @@ def test_equal_bits_for_the_article(name):
 
 @pytest.mark.compiled
 def test_equal_bits_for_what_the_lab_offers():
-    from hophoop.lab.presets import presets
+    from hophoop.lab.site.presets import presets
 
     rigid = [preset for preset in presets() if preset.scenario.contact.model == "rigid"]
     assert len(rigid) > 10

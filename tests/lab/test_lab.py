@@ -1,4 +1,4 @@
-"""The lab without a browser: frames, words, presets, code, limits, maps, the notebook widget."""
+"""The lab without a browser: frames, requests, limits, maps, files, controls, the script."""
 
 import json
 import math
@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.lab import calls, controls, files, film, limits, packing, page, presets, regions, site, thresholds, words
+from hophoop.lab.api import calls, files, limits, packing
+from hophoop.lab.api.motion import columns as motion_columns
+from hophoop.lab.site import controls, export
 from hophoop.scenario import InputError, paths
 
 HOP = hh.Scenario()
@@ -49,7 +51,7 @@ def test_every_array_starts_where_a_browser_can_read_it():
 
 
 def test_the_film_holds_both_sides_of_each_event(motion):
-    columns = film.columns(motion)
+    columns = motion_columns(motion)
     landing = motion.find("impact")[0]
     before, after = np.flatnonzero(columns["t"] == landing.t)
     assert columns["vy"][before] == pytest.approx(landing.before.vy)
@@ -64,7 +66,7 @@ def test_the_film_holds_both_sides_of_each_event(motion):
 
 
 def test_frames_are_the_motion(motion):
-    columns = film.columns(motion)
+    columns = motion_columns(motion)
     places = np.flatnonzero(np.diff(columns["t"], append=np.inf) > 0.0)[::50]
     sample = motion.at(columns["t"][places])
     for name in ("x", "height", "angle", "omega", "normal_force", "kinetic"):
@@ -72,7 +74,7 @@ def test_frames_are_the_motion(motion):
 
 
 def test_utilization_is_one_in_slip_and_nowhere_above(motion):
-    columns = film.columns(motion)
+    columns = motion_columns(motion)
     slip = np.isin(columns["mode"], (1, 2))
     np.testing.assert_allclose(columns["utilization"][slip], 1.0, rtol=1e-12)
     assert np.isnan(columns["utilization"][columns["mode"] == 3]).all()
@@ -81,67 +83,14 @@ def test_utilization_is_one_in_slip_and_nowhere_above(motion):
 
 def test_a_motion_without_length_has_a_frame():
     jammed = hh.simulate(hh.Scenario(start=hh.Start(angle=0.0, vx=1.0, omega=1.0), duration=1e-9))
-    assert len(film.columns(jammed)["t"]) >= 2
-
-
-# Words
-
-
-def test_the_hop_is_told(motion):
-    assert words.summary(motion).startswith(
-        "Rolls, skids at 49.8°, rolls at 152.7°, spins at 234.3°, hops at 315.6°, lands at 501.7°"
-    )
-    story = words.story(motion)
-    assert [told["event"] for told in story] == sorted({told["event"] for told in story})
-    hop = next(told for told in story if "hops" in told["text"])
-    assert hop["t"] == motion.find("takeoff")[0].t
-    assert "29.2 cm" in hop["text"]
-    assert "0.759 s" in hop["text"]
-
-
-def test_every_kind_of_event_has_words():
-    seen = set()
-    for preset in presets.presets():
-        computed = calls.computed(preset.scenario)
-        for told, event in ((told, computed.events[told["event"]]) for told in words.story(computed)):
-            seen.add(event.kind)
-            assert re.fullmatch(r"[A-Z][^_]+\.", told["text"]), event.kind
-        assert "_" not in words.summary(computed)
-    assert {"takeoff", "impact", "jam", "skim", "rest", "kane_gain", "painleve_inconsistent"} <= seen
-
-
-def test_bounces_without_number_are_counted_not_listed():
-    computed = calls.computed(next(p for p in presets.presets() if p.key == "bounces").scenario)
-    bounces = [e for e in computed.find("impact") if e.to_mode == "H"]
-    assert len(bounces) > 20
-    said = [told["text"] for told in words.story(computed)]
-    assert sum("and bounces" in text for text in said) == 3
-    assert f"It bounces {len(bounces) - 3} more times." in said
-    assert f"bounces at 64.9° and {len(bounces) - 1} more times, stops bouncing" in words.summary(computed)
-    # two bounces are told one by one
-    few = calls.computed(hh.Scenario(plane=hh.Plane(restitution=0.9), start=hh.Start(height=1.0), duration=2.0))
-    assert 1 < len([e for e in few.find("impact") if e.to_mode == "H"]) < 6
-    assert not any("more times" in told["text"] for told in words.story(few))
-
-
-def test_numbers_in_words_have_a_minus_sign_and_powers():
-    assert words.degrees(-1.0) == "−57.3°"
-    fast = calls.computed(hh.Scenario(start=hh.Start(height=1.0, vx=-1.5e4), duration=0.1))
-    assert "the centre at −1.5·10⁴ m/s" in words.story(fast)[0]["text"]
-
-
-def test_a_long_story_says_what_it_leaves_out():
-    bounces = next(preset for preset in presets.presets() if preset.key == "bounces")
-    story = words.story(calls.computed(bounces.scenario), most=5)
-    assert len(story) == 6
-    assert re.fullmatch(r"… and \d+ more\.", story[-1]["text"])
+    assert len(motion_columns(jammed)["t"]) >= 2
 
 
 # Requests
 
 
 def test_changes_follow_the_rules_of_a_scenario():
-    request = calls.read("film", {"changes": [["start.omega", 2.0], ["plane.mu", 0.5]]})
+    request = calls.read("motion", {"changes": [["start.omega", 2.0], ["plane.mu", 0.5]]})
     assert request.scenario.start.vx == 3.1
     assert request.scenario.start.omega == 2.0
     assert request.scenario.plane.mu == 0.5
@@ -161,19 +110,19 @@ def test_equal_requests_have_equal_tags():
 @pytest.mark.parametrize(
     ("call", "body", "said"),
     [
-        ("fly", {}, "call = 'fly' must be one of setup, film"),
-        ("film", [], r"The body must be a JSON object, not \[\]\."),
-        ("film", {"scenario": 3}, "scenario = 3 must be a table of keys."),
-        ("film", {"scenario": {"hop": {}}}, "hop is not a known key; did you mean hoop?"),
-        ("film", {"changes": {}}, "changes = {} must be a list"),
-        ("film", {"changes": [["plane.mu"]]}, "not a pair of path and value"),
-        ("film", {"changes": [["plane.mu", -1]]}, "plane.mu = -1 must be at least 0"),
-        ("film", {"query": "plane.mu=x"}, "plane.mu = 'x' must be a number"),
+        ("fly", {}, "call = 'fly' must be one of simulate, theory"),
+        ("motion", [], r"The body must be a JSON object, not \[\]\."),
+        ("motion", {"scenario": 3}, "scenario = 3 must be a table of keys."),
+        ("motion", {"scenario": {"hop": {}}}, "hop is not a known key; did you mean hoop?"),
+        ("motion", {"changes": {}}, "changes = {} must be a list"),
+        ("motion", {"changes": [["plane.mu"]]}, "not a pair of path and value"),
+        ("motion", {"changes": [["plane.mu", -1]]}, "plane.mu = -1 must be at least 0"),
+        ("motion", {"query": "plane.mu=x"}, "plane.mu = 'x' must be a number"),
         ("simulate", {"samples": 1}, "samples = 1 must be a whole number from 0 and not 1."),
         ("simulate", {"samples": True}, "samples = True must be a number"),
-        ("regions", {"window": [0, 1, 2]}, "window = [0, 1, 2] must be four numbers"),
-        ("regions", {"window": [0, 1, 3, 2]}, "window = [0, 1, 3, 2] must be four numbers"),
-        ("regions", {"window": [0, True, 2, 3]}, "window.1 = True must be a number."),
+        ("motion", {"window": [3]}, "window = [3] must be two times"),
+        ("motion", {"window": [2, 1]}, "window = [2, 1] must be two times"),
+        ("motion", {"window": [True, 1]}, "window.0 = True must be a number."),
         ("file", {"name": "../../etc/passwd"}, "must be one of motion.toml"),
         ("map", {}, "x is missing (and 1 more problem)."),
         ("map", {"x": 3, "y": {}}, "x = 3 must be a table of keys"),
@@ -240,38 +189,13 @@ def test_too_many_events_are_said():
     with pytest.raises(limits.TooMuch, match="5 events within"):
         answered("simulate", {}, few)
     # the page shows what there is
-    assert answered("film", {}, few).header["status"] == "event_limit"
+    assert answered("motion", {}, few).header["status"] == "event_limit"
     # and who asks for few gets few
     own = {"scenario": {"contact": {"max_events": 3}}}
     assert answered("simulate", own, few).header["status"] == "event_limit"
 
 
-def test_what_a_compliant_contact_chooses_is_shown():
-    assert answered("film", {}).header["automatic"] == {}
-    own = hh.Scenario(contact=hh.Compliant(), duration=0.2)
-    chosen = calls.film_of(calls.computed(own)).header["automatic"]
-    # given as numbers, the same motion
-    given = own.replace("contact.stiffness", chosen["contact.stiffness"])
-    given = given.replace("contact.slip_speed", chosen["contact.slip_speed"])
-    assert calls.computed(given).at(0.2).x == pytest.approx(calls.computed(own).at(0.2).x, rel=1e-12)
-    for slider in controls.controls()["groups"]["contact"]:
-        assert slider["least"] <= chosen[slider["path"]] <= slider["most"], slider["path"]
-
-
 # What surrounds a motion
-
-
-def test_theory_names_the_thresholds():
-    found = {entry["key"]: entry for entry in thresholds.thresholds(HOP)}
-    critical = hh.theory.critical_speeds(HOP.hoop, HOP.plane)
-    assert found["first_hop"]["value"] == critical.first_hop
-    assert "would hop in its first turn above 2.908 m/s" in found["first_hop"]["text"]
-    assert "possible here" in found["painleve"]["text"]
-    low = {entry["key"]: entry for entry in thresholds.thresholds(HOP.replace("plane.mu", 0.5))}
-    assert "not here" in low["painleve"]["text"]
-    (littlewood,) = (preset.scenario for preset in presets.presets() if preset.key == "littlewood")
-    massless = thresholds.thresholds(littlewood)
-    assert [entry["key"] for entry in massless] == ["loss"]
 
 
 @pytest.mark.parametrize(
@@ -279,24 +203,11 @@ def test_theory_names_the_thresholds():
     ["plane.gravity=0", "plane.slope=-0.2", "plane.slope=1.2", "hoop.load_fraction=0", "plane.mu=inf",
      "plane.mu=0", "hoop.load_fraction=1&plane.gravity=0", "contact.model=compliant", "start.height=0.3"],
 )  # fmt: skip
-def test_theory_and_film_answer_at_the_edges(query):
+def test_theory_and_motion_answer_at_the_edges(query):
     body = {"query": query}
-    for entry in answered("theory", body).header["thresholds"]:
-        assert entry["text"]
-        assert "nan" not in entry["text"]
-    answered("regions", body).packed()
-    packing.unpack(answered("film", body).packed())
+    json.loads(answered("theory", body).json())
+    packing.unpack(answered("motion", body).packed())
     json.loads(answered("simulate", {**body, "samples": 5}).json())
-
-
-def test_regions_are_the_modes_of_theory():
-    got = regions.regions(HOP, (0.0, 2 * np.pi, -12.0, 12.0), columns=40, rows=30)
-    angles = (np.arange(40) + 0.5) * (2 * np.pi / 40)
-    rates = (np.arange(30) + 0.5) * 0.8 - 12.0
-    for row, column in [(20, 3), (29, 20), (25, 5), (18, 35), (0, 0)]:
-        letter = hh.theory.mode_of(angles[column], rates[row], HOP.hoop, HOP.plane)
-        assert "RSKHM?"[got["modes"][row, column]] == letter
-    assert set(np.unique(got["paradox"])) == {-1.0, 0.0, 1.0}
 
 
 def test_a_map_holds_the_motions_of_its_cells():
@@ -392,7 +303,7 @@ def test_a_film_is_made_and_has_its_limit():
 
 
 def test_the_script_is_one_module_without_imports():
-    script = page.script()
+    script = export.static_text("lab.js")
     assert not re.search(r"(^|[;}])import\b", script, re.MULTILINE)
     (exported,) = re.findall(r"\bexport\{([^}]*)\}", script)
     words = {"current", "languageMenu", "name", "repeat", "say", "speakFrom", "t"}  # for the page that makes tags
@@ -400,14 +311,14 @@ def test_the_script_is_one_module_without_imports():
 
 
 def test_the_page_asks_for_nothing_from_elsewhere():
-    for text in (page.script(), page.style(), page.html()):
+    for text in (export.static_text("lab.js"), export.static_text("lab.css"), export.static_text("index.html")):
         text = text.replace("\\\n", "")  # long lines are broken, also within a string
         assert not re.findall(r"https?://(?!www\.w3\.org/(?:2000/(?:svg|xmlns)|1999/xlink)\b)[^\s\"'`]+", text)
 
 
 def test_every_file_of_the_page_is_used():
-    folder = files.Path(page.__file__).parent / "static"
+    folder = files.Path(export.__file__).parents[1] / "static"
     assert {path.name for path in folder.iterdir()} == {
         "index.html", "pick.html", "tables.json", "backdrop.js", "service_worker.js", "widget.js",
-        *(f"words.{code}.json" for code in site.languages()), *site.STATIC, *site.PAGES,
+        *(f"words.{code}.json" for code in export.languages()), *export.STATIC, *export.PAGES,
     }  # fmt: skip

@@ -1,6 +1,7 @@
 """The lab's programming interface: results, errors in one sentence, limits, caching, no file but its own."""
 
 import json
+from concurrent.futures import Future
 from dataclasses import replace
 
 import pytest
@@ -11,15 +12,17 @@ from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
 from hophoop._support.extras import MissingExtra  # noqa: E402
-from hophoop.lab import api, app, calls, packing, worker  # noqa: E402
-from hophoop.lab.limits import USUAL  # noqa: E402
-from hophoop.lab.workers import Workers  # noqa: E402
+from hophoop.lab.api import calls, packing  # noqa: E402
+from hophoop.lab.api.limits import USUAL  # noqa: E402
+from hophoop.lab.server import app, routes  # noqa: E402
+from hophoop.lab.server.pool import Pool  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
+from hophoop.theory.summary import summary_dict  # noqa: E402
 
 
 @pytest.fixture(scope="module")
 def client():
-    with asking(api.create_app()) as client:
+    with asking(routes.create_app()) as client:
         yield client
 
 
@@ -60,16 +63,21 @@ def test_an_empty_body_is_the_reference_case(client):
         ("/api/v1/map", {}, 422, "x is missing (and 1 more problem)."),
         ("/api/v1/simulate?samples=-2", {}, 422, "samples = '-2' must be at least 0."),
         ("/api/v1/theory", 3, 422, "the scenario = 3 must be a table of keys."),
-        ("/lab/film", 3, 422, "The body must be a JSON object, not 3."),
-        ("/lab/film", {"changes": 1}, 422, "changes = 1 must be a list"),
-        ("/lab/film", {"scenario": {"contact": {"model": "soft"}}}, 422, "scenario.contact.model = 'soft' must be 'rigid' or"),
+        ("/lab/motion", 3, 422, "the scenario = 3 must be a table of keys."),
+        ("/lab/motion", {"changes": 1}, 422, "changes = 1 must be a list"),
+        ("/lab/motion", {"scenario": {"contact": {"model": "soft"}}}, 422, "contact.model = 'soft' must be 'rigid' or"),
         (
-            "/lab/film",
+            "/lab/motion",
             {"changes": [["hoop.radius", -1.5], ["start.omega", 2]]},
             422,
             "hoop.radius = -1.5 must be greater than 0.",
         ),
-        ("/lab/nothing", {}, 404, "There is no call 'nothing'."),
+        ("/lab/film", {}, 404, "Not Found"),
+        # JSON's words, not Python's
+        ("/api/v1/simulate", {"duration": None}, 422, "duration = null must be a number."),
+        ("/api/v1/simulate", {"duration": True}, 422, "duration = true must be a number."),
+        ("/api/v1/theory", {"hoop": [None, {"a": False}]}, 422, "hoop = [null, {'a': false}] must be a table of keys."),
+        ("/lab/motion", {"changes": [["plane.mu", False]]}, 422, "plane.mu = false must be a number."),
     ],
 )
 def test_errors_are_one_sentence(client, path, body, status, said):
@@ -79,12 +87,29 @@ def test_errors_are_one_sentence(client, path, body, status, said):
     assert said in reply.json()["detail"]
 
 
-@pytest.mark.parametrize("body", [b"{", b"NaN", b'{"duration": Infinity}', b"\xff", b"[" * 50_000, b"9" * 5000])
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"{",
+        b"NaN",
+        b'{"duration": Infinity}',
+        b"\xff",
+        b"[" * 50_000,
+        b"9" * 5000,
+        b'{"plane": {"mu": 1, "slope": 0, "mu": 2}}',
+    ],
+)
 def test_what_is_not_json_is_said(client, body):
     reply = client.post("/api/v1/simulate", content=body, headers={"Content-Type": "application/json"})
     assert reply.status_code == 422
     assert "not valid JSON" in reply.json()["detail"]
     assert "sys." not in reply.json()["detail"]
+
+
+def test_a_key_given_twice_is_named(client):
+    body = b'{"plane": {"mu": 1, "slope": 0, "mu": 2}}'
+    reply = client.post("/api/v1/simulate", content=body, headers={"Content-Type": "application/json"})
+    assert reply.json() == {"detail": 'The body is not valid JSON: it gives the key "mu" twice.'}
 
 
 def test_a_body_has_its_limit(client):
@@ -100,9 +125,18 @@ def test_other_content_is_refused(client):
         assert "must be application/json" in reply.json()["detail"]
 
 
+def test_a_compressed_body_is_refused(client):
+    for coding, status in {"gzip": 415, "br": 415, "gzip, identity": 415, "identity": 200}.items():
+        headers = {"Content-Type": "application/json", "Content-Encoding": coding}
+        reply = client.post("/api/v1/theory", content=b"{}", headers=headers)
+        assert reply.status_code == status, coding
+        if status == 415:
+            assert reply.json()["detail"] == f"Content-Encoding = '{coding}' must be identity: send the body as it is."
+
+
 def test_half_a_character_is_refused(client):
     for body in (b'{"start": {"\\ud800": 1}}', b'{"hoop": "\\udfff"}', b'[["\\ud800"]]'):
-        for path in ("/api/v1/simulate", "/api/v1/theory", "/lab/film"):
+        for path in ("/api/v1/simulate", "/api/v1/theory", "/lab/motion"):
             reply = client.post(path, content=body, headers={"Content-Type": "application/json"})
             assert reply.status_code == 422
             assert "not valid JSON" in reply.json()["detail"]
@@ -122,8 +156,11 @@ def test_equal_scenarios_have_equal_tags(client):
 
 
 def test_theory_and_map_answer(client):
-    found = client.post("/api/v1/theory", json={}).json()["thresholds"]
-    assert {"first_slip", "first_hop", "immediate_hop", "painleve"} <= {entry["key"] for entry in found}
+    found = client.post("/api/v1/theory", json={}).json()
+    critical = hh.theory.critical_speeds(hh.Hoop(), hh.Plane())
+    assert found["theory"]["first_slip_speed"] == critical.first_slip
+    assert found == json.loads(json.dumps(summary_dict(hh.Scenario())))
+    assert client.post("/api/v1/theory", json={"plane": {"mu": "inf"}}).json()["theory"]["immediate_hop_speed"] > 0.0
     body = {
         "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 4},
         "y": {"path": "plane.mu", "from": 0.2, "to": 1.0, "cells": 3},
@@ -227,7 +264,7 @@ def test_a_missing_extra_answers_501(monkeypatch, client):
 
     call = calls.CALLS["theory"]
     monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=missing))
-    application = api.create_app(workers=Workers(USUAL, Here))
+    application = routes.create_app(pool=Pool(USUAL, Here))
     assert asking(application).post("/api/v1/theory", json={"duration": 3}).status_code == 501
 
 
@@ -238,7 +275,7 @@ def test_a_defect_answers_500_and_is_logged(error, monkeypatch, client, caplog):
 
     call = calls.CALLS["theory"]
     monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=broken))
-    application = api.create_app(workers=Workers(USUAL, Here))
+    application = routes.create_app(pool=Pool(USUAL, Here))
     asking = TestClient(application, base_url="http://localhost", raise_server_exceptions=False)
     reply = asking.post("/api/v1/theory", json={"duration": 3})
     assert reply.status_code == 500
@@ -250,13 +287,23 @@ def test_a_defect_answers_500_and_is_logged(error, monkeypatch, client, caplog):
 class Here:
     """Computes in this process."""
 
-    running = True
-    beginning = False
+    active = True
 
-    def exchange(self, job):
-        return worker.outcome(job)
+    def __init__(self, count):
+        pass
 
-    def end(self):
+    def schedule(self, function, args, timeout):
+        future = Future()
+        try:
+            future.set_result(function(*args))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    def stop(self):
+        pass
+
+    def join(self):
         pass
 
 
@@ -280,8 +327,7 @@ def test_serve_refuses_bad_addresses():
 def test_serve_listens_on_loopback_unless_told_otherwise(monkeypatch):
     uvicorn = pytest.importorskip("uvicorn")
     seen = {}
-    monkeypatch.setattr(uvicorn, "run", lambda application, **options: seen.update(options, app=application))
-    monkeypatch.setattr(app, "warm_up", lambda: None)
+    monkeypatch.setattr(uvicorn.Server, "run", lambda server: seen.update(vars(server.config)))
     app.serve(port=0, workers=3)
     assert seen["host"] == "127.0.0.1"
     assert seen["app"].state.limits.processes == 3
@@ -298,7 +344,7 @@ def test_schemathesis_finds_nothing():
 
     # in this process, since hypothesis asks hundreds of times
     limits = replace(USUAL, duration=30.0, cells=400)
-    application = api.create_app(limits, names=["testserver"], workers=Workers(limits, Here))
+    application = routes.create_app(limits, names=["testserver"], pool=Pool(limits, Here))
     schema = schemathesis.openapi.from_asgi("/openapi.json", application)
     names = [
         "not_a_server_error",

@@ -7,8 +7,8 @@ import subprocess
 
 import pytest
 
-from hophoop.lab.controls import controls
-from hophoop.lab.presets import presets
+from hophoop.lab.site.controls import controls
+from hophoop.lab.site.presets import presets
 from hophoop.scenario.ranges import RANGES
 from web_tools import bundled, english, needs_node, source
 
@@ -230,7 +230,7 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
     import numpy as np
 
     import hophoop as hh
-    from hophoop.lab import calls
+    from hophoop.lab.api import calls
 
     scenario = hh.Scenario(start=hh.Start.rolling(2.0), duration=600.0)
     answered = calls.answer(calls.read("film", {"scenario": scenario.to_dict()}))
@@ -265,7 +265,7 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
 
 
 def test_a_short_film_asks_for_nothing(js):
-    from hophoop.lab import calls
+    from hophoop.lab.api import calls
 
     answered = calls.answer(calls.read("film", {"query": "duration=6"}))
     whole = {name: column.tolist() for name, column in answered.arrays.items()}
@@ -277,8 +277,9 @@ def test_a_short_film_asks_for_nothing(js):
 
 
 def test_theory_says_what_can_be_said_on_every_slope():
-    import hophoop as hh
     from hophoop.lab.thresholds import thresholds
+
+    import hophoop as hh
 
     steep = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=math.radians(23.0))))}
     assert steep["first_slip"] == "would slip: any push is enough"

@@ -1,15 +1,12 @@
 """The lab's presets show what they say, and its code makes the same motion."""
 
-import math
-
 import numpy as np
 import pytest
-from hypothesis import given, settings
 
 import hophoop as hh
-from hophoop.lab import calls, limits, presets
-from hophoop.lab.python_code import python_code
-from strategies import scenarios
+from hophoop.lab.api import calls
+from hophoop.lab.site import presets
+from hophoop.lab.site.setup import setup
 
 PRESETS = {preset.key: preset for preset in presets.presets()}
 
@@ -55,51 +52,8 @@ def test_presets_say_true_numbers():
 
 
 def test_presets_open_from_their_links():
-    setup = calls.answer(calls.read("setup", {}), limits.USUAL).header
-    for preset, offered in zip(presets.presets(), setup["presets"], strict=True):
+    for preset, offered in zip(presets.presets(), setup()["presets"], strict=True):
         assert hh.Scenario.from_query(offered["query"]) == preset.scenario
-
-
-# Code that makes the same motion
-
-
-def ran(scenario):
-    """What the code says, without the time it takes to compute it."""
-    names = {"scenario": made}
-    exec(python_code(scenario).partition("print")[0].replace("hh.simulate(", "scenario("), names)
-    return names["motion"]
-
-
-def made(hoop, plane, start, duration, contact=None):
-    return hh.Scenario(hoop=hoop, plane=plane, start=start, duration=duration, contact=contact or hh.Rigid())
-
-
-@pytest.mark.parametrize("key", PRESETS)
-def test_python_makes_the_preset(key):
-    assert ran(PRESETS[key].scenario) == PRESETS[key].scenario
-
-
-@given(scenarios())
-@settings(max_examples=60)
-def test_python_makes_any_scenario(scenario):
-    assert ran(scenario) == scenario
-
-
-def test_python_makes_parts_friction_and_compliance():
-    scenario = hh.Scenario(
-        hoop=hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)]),
-        plane=hh.Plane(mu_static=0.7, mu_kinetic=0.5, slope=0.05),
-        start=hh.Start(height=0.1, vx=0.25),
-        contact=hh.Compliant(stiffness=1e4),
-        duration=0.1,
-    )
-    assert ran(scenario) == scenario
-    assert 'float("inf")' in python_code(hh.Scenario(plane=hh.Plane(mu=math.inf)))
-
-
-def test_python_names_what_one_will_want_to_change():
-    assert "hh.Hoop(load_fraction=0.75)" in python_code(hh.Scenario())
-    assert "hh.Plane(mu=1.0)" in python_code(hh.Scenario())
 
 
 def test_the_hoop_at_2_8_never_has_a_last_slip():

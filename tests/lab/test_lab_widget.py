@@ -5,7 +5,7 @@ import gzip
 import pytest
 
 import hophoop as hh
-from hophoop.lab import packing
+from hophoop.lab.api import packing
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 from hophoop.scenario import InputError
 
@@ -29,6 +29,8 @@ def widget(motion):
 def test_the_widget_carries_its_motion(widget, motion):
     header, arrays = packing.unpack(widget.film)
     assert header["sequence"] == motion.sequence
+    assert header["query"] == motion.scenario.to_query() == widget.query
+    assert not {"story", "summary", "values"} & header.keys()  # the page makes them
     assert len(arrays["t"]) > 800
     assert widget.motion is motion
     other = hh.simulate(HOP.replace("start.speed", 2.0))
@@ -38,7 +40,7 @@ def test_the_widget_carries_its_motion(widget, motion):
 
 def test_the_widget_answers_and_keeps_the_motion(widget):
     body = {"scenario": {}, "changes": [["start.speed", 2.0]]}
-    widget._answer(widget, {"view": "a", "number": 3, "call": "film", "body": body}, [])
+    widget._answer(widget, {"view": "a", "number": 3, "call": "motion", "body": body}, [])
     ((content, buffers),) = widget.sent
     assert content == {"view": "a", "number": 3}
     assert packing.unpack(buffers[0])[0]["sequence"] == "R"
@@ -56,7 +58,7 @@ def test_the_widget_sends_the_module_of_derivatives_where_it_is_asked_for(widget
 def test_the_widget_says_what_is_wrong(widget):
     before = widget.motion
     body = {"scenario": {}, "changes": [["hoop.mass", -1]]}
-    widget._answer(widget, {"view": "a", "number": 4, "call": "film", "body": body}, [])
+    widget._answer(widget, {"view": "a", "number": 4, "call": "motion", "body": body}, [])
     assert widget.sent[0][0]["error"] == "hoop.mass = -1 must be greater than 0."
     assert widget.motion is before
 
@@ -72,7 +74,7 @@ def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
     def broken(*_):
         raise ValueError("operands could not be broadcast together")
 
-    monkeypatch.setattr("hophoop.lab.calls.answer", broken)
+    monkeypatch.setattr("hophoop.lab.api.calls.answer", broken)
     with pytest.raises(ValueError, match="broadcast"):
-        widget._answer(widget, {"view": "a", "number": 5, "call": "theory", "body": {"scenario": {}}}, [])
+        widget._answer(widget, {"view": "a", "number": 5, "call": "file", "body": {"name": "motion.csv"}}, [])
     assert widget.sent == [({"view": "a", "number": 5, "error": "The computation failed."}, None)]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from film_maker import Film, article_like, frames, make
-from hophoop.lab.pick import clicked, pick
+from hophoop.lab.server.pick import clicked, pick
 from hophoop.tracking import Hints
 from hophoop.tracking.video import sample_pictures
 

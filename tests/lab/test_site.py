@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner
 
 from hophoop.cli import app
-from hophoop.lab import site
+from hophoop.lab.site import export as site
 
 
 def test_the_folder_holds_all_that_its_pages_name(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
 
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
-import { LocalBackend } from "../../web/lab/backend/local_backend.ts";
+import { Backend } from "../../web/lab/backend/backend.ts";
 import * as model from "../../web/model/index.ts";
 import { numberOf, plain, shortened, written } from "../../web/model/text.ts";
 import { spoken } from "../../web/words/texts.ts";
@@ -31,18 +31,8 @@ const CALLS = {
       given: model.given(checked),
     };
   },
-  words({ events, status, halfway }) {
-    const told = { events, status, omega: (number) => halfway[number] };
-    const story = model.story(told).map((sentence) => ({ ...sentence, text: spoken(sentence.text) }));
-    return { summary: spoken(model.summary(told)), story };
-  },
-  thresholds({ scenario, known }) {
-    const checked = model.fromDict(scenario, mechanics);
-    const infinity = ([name, value]) => [name, value === "inf" ? Infinity : value];
-    const rows = model.thresholds(checked, Object.fromEntries(Object.entries(known).map(infinity)));
-    return rows.map((row) => ({ ...row, label: spoken(row.label), text: spoken(row.text) }));
-  },
-  numbers: (values) => values.map((value) =>
+  numbers: (values) =>
+    values.map((value) =>
       ["{value!r}", "{value:g}", "{value:.3g}", "{value:.2e}", "{value:.1f}"]
         .map((template) => written(template, { value }).value)
         .join(" "),
@@ -51,7 +41,7 @@ const CALLS = {
   bounded({ name, body }) {
     const { checked, ...options } = model.requested(body, mechanics);
     if (name === "map") model.withinMap(checked, options);
-    else if (name === "film" || name === "samples") model.within(checked);
+    else model.within(checked);
     return null;
   },
   rates({ scenario, path }) {
@@ -66,19 +56,31 @@ const kernel = Object.assign(Object.create(mechanics), {
 });
 let carrying = null;
 const rated = () => (carrying ??= opened(derivatives));
-const local = new LocalBackend(kernel, mechanics);
-CALLS.local = async ({ name, body }) => {
-  const { header, arrays } = await local.call(name, body);
-  return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
+const local = new Backend(kernel, mechanics);
+const listed = (arrays) => Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]]));
+const packed = ({ header, arrays }) => ({ header, arrays: listed(arrays) });
+CALLS.film = async (body) => packed(await local.film(body));
+CALLS.map = async (body) => packed(await local.map(body));
+CALLS.samples = async ({ scenario, window }) => listed(await local.samples(scenario, window));
+CALLS.theory = ({ scenario }) => local.theory(scenario);
+// what Python has computed, as the page shows it
+CALLS.shown = ({ header, arrays }) => local.shown({ header, arrays }).header;
+// a Python that says what it is asked for, with a motion that was computed before
+CALLS.served = async ({ asked, motion }) => {
+  const said = [];
+  const python = {
+    motion: async (body) => (said.push(body), body.window ? { header: {}, arrays: { t: [7] } } : { header: motion, arrays: { t: [] } }),
+    file: async (name, query) => (said.push({ name, query }), new Blob(["of Python"])),
+  };
+  const served = new Backend(kernel, mechanics, { python });
+  const found = [];
+  for (const { film, samples, file, query } of asked) {
+    if (film) found.push((await served.film(film)).header);
+    else if (samples) found.push(listed(await served.samples(samples, [1, 2])));
+    else found.push(await (await served.file(file, query)).text());
+  }
+  return { said, found };
 };
-// a server that does no more than say what it is asked for
-const server = {
-  call: async (name, body) => ({ header: { name, body }, arrays: {} }),
-  file: async (name, query) => new Blob([JSON.stringify({ name, query })]),
-};
-const served = new LocalBackend(kernel, mechanics, { server });
-CALLS.served = async ({ name, body }) => (await served.call(name, body)).header;
-CALLS.servedFile = async ({ name, query }) => (await served.file(name, query)).text();
 CALLS.changes = async ({ scenario, path }) => {
   const found = await local.changes(scenario, path);
   const side = (one) => one && bits(one.rates);

@@ -9,7 +9,7 @@ from typing import Any
 from urllib.parse import quote_plus
 
 import hophoop as hh
-from hophoop.lab.presets import presets
+from hophoop.lab.site.presets import presets
 from hophoop.scenario import paths
 from hophoop.scenario.ranges import RANGES
 

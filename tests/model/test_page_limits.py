@@ -7,8 +7,8 @@ import random
 import re
 from typing import Any
 
-from hophoop.lab import calls
-from hophoop.lab.motion_map import MAP_QUANTITIES
+from hophoop.lab.api import calls
+from hophoop.lab.api.motion_map import MAP_QUANTITIES
 from hophoop.scenario import InputError
 from model.requests_drawn import plain
 from model.test_page_model import answers
@@ -40,14 +40,12 @@ def axis(draw: random.Random) -> dict[str, Any]:
 def request(seed: int) -> tuple[str, dict[str, Any]]:
     """A call with its body, as the page makes it; about half of them are meant to be allowed."""
     draw = random.Random(seed)
-    name = draw.choice(["film", "samples", "map", "map"])
+    name = draw.choice(["motion", "map", "map"])
     body: dict[str, Any] = {"query": draw.choice(COSTLY) if draw.random() < 0.6 else ""}
     if draw.random() < 0.3:
         pairs = 201 if draw.random() < 0.1 else draw.randint(0, 2)
         body["changes"] = [["duration", round(draw.uniform(0.1, 800), 1)] for _ in range(pairs)]
-    if name == "samples":
-        body["window"] = [draw.uniform(0.0, 3.0), draw.uniform(3.0, 9.0)]
-    elif name == "map":
+    if name == "map":
         body |= {"x": axis(draw), "y": axis(draw), "what": draw.choice([*MAP_QUANTITIES])}
     return name, json.loads(json.dumps(plain(body)))
 

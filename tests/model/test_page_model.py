@@ -18,9 +18,10 @@ import pytest
 
 import hophoop as hh
 import random_scenarios
-from hophoop import theory
 from hophoop._support import errors
-from hophoop.lab import calls, presets, tables, thresholds, typescript, words
+from hophoop.lab import tables
+from hophoop.lab.api import calls
+from hophoop.lab.site import typescript
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError
@@ -62,7 +63,7 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
 def of_python(body: Any) -> hh.Scenario | str:
     """The scenario by Python, or the start of the sentence that refuses it, which names the field."""
     try:
-        return calls.read("code", body).scenario
+        return calls.read("motion", body).scenario
     except InputError as error:
         return field_of(str(error)).removeprefix("scenario.")
 
@@ -198,67 +199,3 @@ def test_texts_are_made_safe_and_read_as_numbers_as_python_does():
 def test_a_key_that_may_have_been_meant_is_named(query, said):
     (answer,) = answers("scenario", [{"query": query}])
     assert said in answer["error"]
-
-
-# Words
-
-
-def motions() -> list[hh.Trajectory]:
-    """Three hundred: of presets, of every kind drawn, and of starts that do not turn, whose words are those of what comes."""
-    still = [
-        {"start": {"angle": angle, "vx": speed, "omega": 0.0}, "plane": {"mu": mu}, "duration": 1.5}
-        for angle in (0.3, 2.0, -1.2) for speed in (-1.0, 0.7) for mu in (0.05, 0.4, 1.1)
-    ]  # fmt: skip
-    bouncing = [{"plane": {"restitution": e}, "start": {"height": 0.5, "vx": 1.0}, "duration": 3.0} for e in (0.3, 0.6, 0.9)]
-    found = [preset.scenario for preset in presets.presets()]
-    found += [hh.Scenario.from_dict(keys) for keys in (*still, *bouncing)]
-    found += [random_scenarios.scenario_of(random_scenarios.draw(7, index)[1], 300) for index in range(300 - len(found))]
-    return [hh.simulate(scenario) for scenario in found]
-
-
-def test_three_hundred_motions_are_told_alike():
-    computed = motions()
-    bodies = []
-    for motion in computed:
-        still = [k for k, event in enumerate(motion.events[:-1]) if event.omega == 0.0]
-        halfway = {k: motion.at(0.5 * (motion.events[k].t + motion.events[k + 1].t)).omega for k in still}
-        result = motion.to_dict()
-        bodies.append({"events": result["events"], "status": result["status"], "halfway": halfway})
-    kinds = set()
-    for motion, answer in zip(computed, answers("words", bodies), strict=True):
-        assert answer["value"]["summary"] == words.summary(motion), motion.scenario.to_query()
-        assert answer["value"]["story"] == words.story(motion), motion.scenario.to_query()
-        kinds |= {event.kind for event in motion.events}
-    assert {"turn", "takeoff", "apex", "jam", "kane_gain", "skim", "rest", "slip_reversal", "bounce_limit"} <= kinds
-    assert any(body["halfway"] for body in bodies)
-
-
-def known_of(scenario: hh.Scenario) -> dict[str, Any]:
-    """What the module gives, as Python computes it."""
-    found = {quantity.key: quantity.value for quantity in theory.summary(scenario)}
-    names = (
-        "first_slip_speed", "first_hop_speed", "immediate_hop_speed", "needed_friction", "painleve_friction",
-        "painleve_angle", "stable_angle", "massless_loss_angle",
-    )  # fmt: skip
-    known: dict[str, Any] = {name: found.get(name) for name in names}
-    known["jam_angles"] = [value for key, value in found.items() if key.startswith("jam_angle")]
-    level = scenario.hoop.massless and scenario.plane.gravity > 0.0
-    loss = theory.massless_loss(scenario.start.speed or 0.0, scenario.hoop.radius, scenario.plane) if level else None
-    known["massless_loss_by_friction"] = loss is not None and bool(loss.by_friction)
-    return {name: "inf" if value == math.inf else value for name, value in known.items()}
-
-
-@pytest.mark.long
-def test_thresholds_are_told_alike():
-    found = [preset.scenario for preset in presets.presets()]
-    found += [random_scenarios.scenario_of(random_scenarios.draw(8, index)[1]) for index in range(24)]
-    found += [
-        hh.Scenario.from_query(query) for query in ("plane.gravity=0", "hoop.load_fraction=0", "plane.slope=-0.2&plane.mu=2")
-    ]
-    bodies = [{"scenario": scenario.to_dict(), "known": known_of(scenario)} for scenario in found]
-    told = set()
-    for scenario, answer in zip(found, answers("thresholds", bodies), strict=True):
-        expected = thresholds.thresholds(scenario)
-        assert answer["value"] == expected, scenario.to_query()
-        told |= {one["key"] for one in expected}
-    assert told >= {"first_slip", "first_hop", "immediate_hop", "needed_friction", "painleve", "jam", "rest", "loss"}

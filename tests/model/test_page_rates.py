@@ -11,7 +11,7 @@ import numpy as np
 import hophoop as hh
 from hophoop.derivatives.parameters import PATHS, allowed_sides, value_of
 from hophoop.derivatives.results.propagation import propagate
-from hophoop.lab import presets
+from hophoop.lab.site import presets
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from model.test_page_model import answers
 from module.module_tools import drawn, rates_of, references, same

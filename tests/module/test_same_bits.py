@@ -11,12 +11,12 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 from hophoop.derivatives.results.propagation import propagate
+from hophoop.kernel.compliant.parameters import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.margins import MARGINS
-from hophoop.lab.film import header
-from hophoop.lab.regions import regions
+from hophoop.lab.api.motion import codes_of
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, MODULE
@@ -25,8 +25,10 @@ from hophoop.maps.grid.kernel import NUMBERS as MAP_NUMBERS
 from hophoop.maps.grid.kernel import WORDS as MAP_WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.scenario.parts import combine
+from hophoop.scenario.scenario import time_unit
+from hophoop.simulation.compliant import to_compliance
 from hophoop.simulation.phases import margins
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.modes import MODE_LETTERS, mode_words
 
 pytest.importorskip("wasmtime")
 
@@ -174,9 +176,11 @@ def test_compliant_motions_and_their_states(host: Calls, contact: hh.Compliant, 
     numbers = np.array([math.nan if value is None else float(value) for value in [*given, contact.rtol]])
     motion = hh.simulate(scenario)
     chosen = host.compliance(cell_of(rigid), numbers)
-    told = header(motion)["automatic"]
-    assert same(chosen["stiffness"], told["contact.stiffness"])
-    assert same(chosen["slip_speed"], told["contact.slip_speed"])
+    _, used, _, _ = to_compliance(scenario)
+    hoop = scenario.hoop
+    stiffness, slip_speed = chosen_in_si(used, hoop.radius, time_unit(hoop, scenario.plane), hoop.mass)
+    assert same(chosen["stiffness"], stiffness)
+    assert same(chosen["slip_speed"], slip_speed)
     times = times_of(motion)
     heads, events, after, before = host.compliant_motion(cell_of(rigid), numbers, times)
     assert_told(heads, events, motion)
@@ -221,9 +225,14 @@ def test_regions(host: Calls, query: str) -> None:
     scenario = hh.Scenario.from_query(query)
     window = (-3.0, 7.0, -12.0, 12.0)
     codes, paradox = host.regions(cell_of(scenario), window, 90, 60)
-    theirs = regions(scenario, window, 90, 60)
-    assert np.array_equal(codes, theirs["modes"])
-    assert np.array_equal(paradox, theirs["paradox"])
+    angles = -3.0 + (np.arange(90) + 0.5) * (10.0 / 90)
+    rates = (-12.0 + (np.arange(60) + 0.5) * (24.0 / 60))[:, None]
+    hoop, plane = scenario.hoop, scenario.plane
+    words = mode_words(hh.theory.mode_of(angles, rates, hoop, plane), rates)
+    assert np.array_equal(codes, codes_of(words))
+    there = not hoop.massless and math.isfinite(plane.mu_kinetic) and plane.rolling_resistance == 0.0
+    sides = hh.theory.painleve_region(angles, plane.mu_kinetic, hoop) if there else np.zeros(90)
+    assert np.array_equal(paradox, sides)
 
 
 def parts_within(radius: float, draw: np.random.Generator) -> list[Any]:

@@ -13,10 +13,10 @@ from matplotlib.figure import Figure
 import hophoop as hh
 from hophoop import plots, theory
 from hophoop.kernel.records.layout import CELL, LAW
-from hophoop.lab import film, motion_map, regions
-from hophoop.lab import words as told
-from hophoop.lab.limits import USUAL
-from hophoop.lab.presets import presets
+from hophoop.lab.api import motion as film
+from hophoop.lab.api import motion_map
+from hophoop.lab.api.limits import USUAL
+from hophoop.lab.site.presets import presets
 from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem
@@ -58,9 +58,6 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
     assert next(piece.word for piece in phases(rocking) if piece.t < 7.5 < piece.end_t) == "skid"
     columns = film.columns(rocking)
     assert modes.MODE_WORDS[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
-    slip = [one for one in told.story(rocking) if one["t"] < 7.5][-1]
-    assert "skids" in slip["text"]
-    assert slip["mode"] == "K"  # the letter by which the page colours it
 
 
 @pytest.mark.parametrize("t", [1.0, 2.5, 3.3, 4.2, 5.9, 7.5, 8.6])
@@ -88,8 +85,6 @@ def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
         after = next(piece for piece in pieces if piece.t == turn.t)
         assert before.mode == after.mode
         assert {before.word, after.word} == {"spin", "skid"}
-        number = motion.events.index(turn)
-        assert f"and {modes.VERBS[after.word]} now" in next(one["text"] for one in told.story(motion) if one["event"] == number)
 
 
 def test_a_direction_is_that_of_the_coming_rotation():
@@ -99,8 +94,9 @@ def test_a_direction_is_that_of_the_coming_rotation():
 
 def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
     scenario = hh.Scenario(plane=hh.Plane(mu=0.3))
-    codes = regions.regions(scenario, (-3.0, 3.0, -8.0, 8.0), 60, 40)["modes"]
-    np.testing.assert_array_equal(codes, codes[::-1, ::-1])
+    angles, rates = np.linspace(-3.0, 3.0, 60), np.linspace(-8.0, 8.0, 40)[:, None]
+    words = modes.mode_words(theory.mode_of(angles, rates, scenario.hoop, scenario.plane), rates)
+    np.testing.assert_array_equal(words, words[::-1, ::-1])
     letters = theory.mode_of(1.0, np.array([2.0, -2.0]), scenario.hoop, scenario.plane)
     assert set(modes.mode_words(letters, [2.0, -2.0])) <= set(modes.MODE_WORDS)
 

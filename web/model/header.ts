@@ -1,4 +1,4 @@
-// What the player knows of a motion besides its frames: the page's side of lab/film.header.
+// What the player knows of a motion besides its frames.
 
 import { given, stateOf } from "./given.ts";
 import { toDict, toQuery } from "./scenario.ts";

@@ -37,6 +37,11 @@ export function within(checked: Checked): Checked {
   return { ...checked, contact: { ...contact, max_events: limits.events } };
 }
 
+/** Refuse a film that Python would not draw. */
+export function withinFilm({ duration }: Checked) {
+  if (duration > limits.film) throw new TooMuch(labText("film_too_long", { duration, most: limits.film }));
+}
+
 /** What the number of turns follows from. */
 function costOf({ duration, hoop: { radius }, plane: { gravity, slope }, start }: Checked): Record<string, number> {
   const { height, vx, vy, omega } = stateOf(start, radius);

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
+from collections.abc import Iterator
+from contextvars import ContextVar
 from typing import Any
 
 # A very long word or quoted value; the maximum length of a file name is 255.
@@ -102,7 +105,7 @@ class InputError(ValueError):
         -------
         error : InputError
         """
-        return cls(f"{field} = {_shown(value)} {rule} {allowed}.", field=field, value=value, allowed=allowed)
+        return cls(f"{field} = {shown(value)} {rule} {allowed}.", field=field, value=value, allowed=allowed)
 
     def renamed(self, name: str) -> InputError:
         """Return the same error with another name of its field, such as an option of the command line.
@@ -121,6 +124,36 @@ class InputError(ValueError):
         return InputError(message, self.errors, field=name, value=self.value, allowed=self.allowed)
 
 
-def _shown(value: Any) -> str:
+_json: ContextVar[bool] = ContextVar("json", default=False)
+
+
+@contextlib.contextmanager
+def json_words() -> Iterator[None]:
+    """Context in which errors write null, true and false instead of Python's None, True and False."""
+    token = _json.set(True)
+    try:
+        yield
+    finally:
+        _json.reset(token)
+
+
+def shown(value: Any) -> str:
+    """Return a value as errors write it.
+
+    Parameters
+    ----------
+    value : object
+
+    Returns
+    -------
+    text : str
+    """
+    if _json.get():
+        if value is None or isinstance(value, bool):
+            return {None: "null", True: "true", False: "false"}[value]
+        if isinstance(value, dict):
+            return f"{{{', '.join(f'{shown(key)}: {shown(item)}' for key, item in value.items())}}}"
+        if isinstance(value, list | tuple):
+            return f"[{', '.join(map(shown, value))}]"
     # the repr of a NumPy scalar contains the name of its type
     return repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)

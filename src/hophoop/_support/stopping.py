@@ -103,8 +103,8 @@ def _end(process: subprocess.Popen[Any]) -> None:
             process.wait()
 
 
-def _undo_all() -> None:
-    """Undo in reverse order: a process ends before the folder that it writes to is removed."""
+def clean_up() -> None:
+    """Undo everything in reverse order: a process ends before the folder that it writes to is removed."""
     for _ in range(TRIES):
         failed = False
         for undo in reversed(list(_undo.values())):
@@ -180,7 +180,7 @@ class Stopping:
         global _now
         self._running = False
         if self.heard and self.alone:
-            _undo_all()
+            clean_up()
             warnings.simplefilter("ignore")  # about unfinished resources
             self.say()
             with contextlib.suppress(OSError, ValueError, AttributeError):
@@ -261,7 +261,7 @@ class Stopping:
         """Clean up, print the message and end the process."""
         self._running = False
         try:
-            _undo_all()
+            clean_up()
             if not self._said:
                 # a progress bar may have hidden the cursor
                 shown = "\r\x1b[K\x1b[?25h" if os.isatty(2) and os.environ.get("TERM", "dumb") != "dumb" else ""

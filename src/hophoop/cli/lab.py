@@ -31,7 +31,7 @@ def lab(
 ) -> None:
     """Play with the hoop in a browser."""
     if export is not None:
-        from hophoop.lab import site
+        from hophoop.lab.site import export as site
 
         typer.echo(site.summary(export, site.export(export, docs or "")))
         return
@@ -43,7 +43,7 @@ def lab(
     if found is None:
         if film is not None:
             raise InputError("--film needs a fit to a track of that film, such as fitted/fit.json.")
-        from hophoop.lab.app import serve
+        from hophoop.lab.server.app import serve
 
         query = "" if file is None else Scenario.load(file).to_query()
         serve(host=host, port=port, workers=workers, browser=browser, query=query, names=name or ())
@@ -65,10 +65,10 @@ def fit_of_file(file: str | None) -> Any:
 
 
 def open_fit(found: Any, film: Path | None, **server: Any) -> None:
-    """Serve the lab with a fit's scenario and its film under the hoop; `server` goes to `hophoop.lab.app.serve`."""
+    """Serve the lab with a fit's scenario and its film under the hoop; `server` goes to `hophoop.lab.server.app.serve`."""
     from hophoop._support.progress import bar
     from hophoop._support.stopping import temporary_folder
-    from hophoop.lab.app import serve
+    from hophoop.lab.server.app import serve
 
     with temporary_folder() as folder:
         backdrop = None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -22,12 +21,12 @@ def theory(
     json: Annotated[bool, typer.Option("--json", help="Print JSON, in SI units and radians.")] = False,
 ) -> None:
     """Print the thresholds and closed forms of a hoop on its plane."""
-    from hophoop.theory import summary
+    from hophoop.theory.summary import summary, summary_dict
 
-    rows = summary(scenario)
     if json:
-        print_json(as_json(scenario, rows))
+        print_json(summary_dict(scenario))
         return
+    rows = summary(scenario)
     titles = ("quantity", "value", "unit", "")
     print_table(table_of(titles, map(_cells, rows), right=("value",), wrap=("quantity", "unit", "")), 120)
 
@@ -36,21 +35,3 @@ def _cells(row: Quantity) -> list[str]:
     value = math.degrees(row.value) if row.unit == "rad" and row.value is not None else row.value
     unit = {"1": "", "rad": "°"}.get(row.unit, row.unit)
     return [row.words, "–" if value is None else f"{value:.9g}", unit, row.note]
-
-
-def as_json(scenario: Any, rows: Sequence[Quantity]) -> dict[str, Any]:
-    """Convert the rows for JSON: numbers in SI units, "inf" without a bound, null without a value."""
-    from hophoop._version import __version__
-
-    def plain(value: float | None) -> float | str | None:
-        if value is None or math.isnan(value):
-            return None
-        return value if math.isfinite(value) else "inf" if value > 0.0 else "-inf"
-
-    return {
-        "schema": "hophoop-theory/1",
-        "version": __version__,
-        "scenario": scenario.to_dict(),
-        "theory": {row.key: plain(row.value) for row in rows},
-        "notes": {row.key: row.note for row in rows if row.note},
-    }

@@ -143,7 +143,7 @@ def _print(found: Any) -> None:
 
 
 def _pick(video: Path, hints: Any) -> Any:
-    from hophoop.lab.pick import pick
+    from hophoop.lab.server.pick import pick
 
     return pick(video, hints)
 

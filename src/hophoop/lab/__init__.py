@@ -2,13 +2,17 @@
 
 from typing import Any
 
-__all__ = ["show"]
+__all__ = ["serve", "show"]
 
 
 def __getattr__(name: str) -> Any:
-    # the widget imports its own libraries, which the server does not need
+    # server and widget need different libraries
     if name == "show":
         from hophoop.lab.widget import show
 
         return show
+    if name == "serve":
+        from hophoop.lab.server.app import serve
+
+        return serve
     raise AttributeError(f"module 'hophoop.lab' has no attribute {name!r}")

@@ -20,14 +20,13 @@ from pydantic.fields import FieldInfo
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.records.refusal import Refusal
-from hophoop.lab import typescript
-from hophoop.lab.controls import GRAVITIES
-from hophoop.lab.files import SAMPLES_PER_SECOND
-from hophoop.lab.film import SHOWN
-from hophoop.lab.limits import USUAL
-from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
-from hophoop.lab.presets import GROUPS, presets
-from hophoop.lab.setup import setup
+from hophoop.lab.api.files import SAMPLES_PER_SECOND
+from hophoop.lab.api.limits import USUAL
+from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
+from hophoop.lab.site import typescript
+from hophoop.lab.site.controls import GRAVITIES
+from hophoop.lab.site.presets import GROUPS, presets
+from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base
@@ -41,7 +40,7 @@ from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
-from hophoop.vocabulary.parameters import TABLE, Range
+from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
 from hophoop.vocabulary.statuses import STATUSES
@@ -54,7 +53,7 @@ _KINDS = {base._number: "number", base._friction: "friction", base._whole: "whol
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
-_BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes")
+_BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes", "film")
 
 
 def tables() -> dict[str, Any]:
@@ -102,7 +101,8 @@ def tables() -> dict[str, Any]:
         "lab": LAB,
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
-        "shown": SHOWN,
+        # sliders whose values may follow from the scenario instead of being in it
+        "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
     }
     return found
 

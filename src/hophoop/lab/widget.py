@@ -33,8 +33,8 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     -------
     widget : anywidget.AnyWidget
         Its `motion` is the Trajectory shown, also after a slider has moved; assign another one to show it. Its `query`, the
-        scenario's link, changes with it and can be observed. The film is stored in the notebook and plays without a kernel;
-        sliders need one.
+        scenario's link, changes with it and can be observed. The film is stored in the notebook, with what its
+        sliders need: both work without a kernel.
 
     Raises
     ------
@@ -60,17 +60,18 @@ def _widget_class() -> Any:
         return _made[0]
     anywidget = need("anywidget", "lab")
     traitlets = need("traitlets", "lab")
-    from hophoop.lab import calls, page, site
+    from hophoop.lab.api import calls
+    from hophoop.lab.site import export
 
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """A motion with its player and its sliders."""
 
-        _esm = page.static_text("widget.js")
-        _css = page.style()
+        _esm = export.static_text("widget.js")
+        _css = export.static_text("lab.css")
+        # the results of the motion; the page makes its words from them
         film = traitlets.Bytes().tag(sync=True)
-        setup = traitlets.Dict().tag(sync=True)
         panels = traitlets.List().tag(sync=True)
-        # the page's own kernel and worker: sliders need no round trip, even in a notebook exported to HTML
+        # the page's kernel and worker: sliders need no round trip, even in a notebook exported to HTML
         module = traitlets.Bytes().tag(sync=True)
         worker = traitlets.Unicode().tag(sync=True)
         # of all languages: a saved notebook speaks that of its reader
@@ -80,12 +81,11 @@ def _widget_class() -> Any:
 
         def __init__(self, motion: Trajectory, panels: list[str]) -> None:
             super().__init__(
-                film=calls.film_of(motion).packed(),
-                setup=calls.answer(calls.read("setup", {})).header,
+                film=calls.shown(motion).packed(),
                 panels=panels,
-                module=site.packed_module(),
-                worker=site.static_bytes("kernel.js").decode(),
-                words=site.packed_words(),
+                module=export.packed_module(),
+                worker=export.static_text("kernel.js"),
+                words=export.packed_words(),
                 query=motion.scenario.to_query(),
             )
             self._motion = motion
@@ -102,35 +102,36 @@ def _widget_class() -> Any:
         def motion(self, motion: Trajectory) -> None:
             self._motion = motion
             self._shown = motion.scenario.to_query()
-            self.film = calls.film_of(motion).packed()
+            self.film = calls.shown(motion).packed()
             self.query = self._shown
 
         def _follow(self, change: Any) -> None:
             """After an undo, or a switch between two hoops, recompute: the motion shown is not the one computed last."""
             if change["new"] != self._shown:
-                self._motion = calls.computed(Scenario.from_query(change["new"]))
-                self._shown = change["new"]
+                self._compute(Scenario.from_query(change["new"]))
+
+        def _compute(self, scenario: Scenario) -> None:
+            self._motion = calls.computed(scenario)
+            self._shown = scenario.to_query()
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
             reply = {"view": message.get("view"), "number": message.get("number")}
             if message.get("call") == "derivatives":  # larger than most notebooks, so only sent on request
-                content = np.frombuffer(site.packed_module(DERIVATIVES), np.uint8)
+                content = np.frombuffer(export.packed_module(DERIVATIVES), np.uint8)
                 self.send(reply, [calls.Reply({}, {"content": content}).packed()])
                 return
             try:
                 request = calls.read(message.get("call"), message.get("body"))
-                if request.call == "film":
-                    # keep the motion for the notebook's next cell
-                    self._motion = calls.computed(request.scenario)
-                    self._shown = request.scenario.to_query()
-                    answered = calls.film_of(self._motion, request.scenario)
+                if request.call == "motion" and request.body.window is None:
+                    self._compute(request.scenario)  # kept for the notebook's next cell
+                    answered = calls.shown(self._motion, request.scenario)
                 else:
                     answered = calls.answer(request)
             except (InputError, MissingExtra) as error:
                 self.send({**reply, "error": str(error)})
                 return
             except Exception:
-                self.send({**reply, "error": "The computation failed."})
+                self.send({**reply, "error": "server.failed"})  # a key of the page's words
                 raise
             self.send(reply, [answered.packed()])
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
-from hophoop._support.errors import InputError, shortened
+from hophoop._support.errors import InputError, shortened, shown
 from hophoop.scenario.texts import TEXTS, say
 
 # Where a model's fields stand in a scenario.
@@ -179,8 +179,7 @@ def _either(words: Sequence[str]) -> str:
 
 
 def _show(value: Any) -> str:
-    # NumPy's scalars would name their type.
     try:
-        return shortened(repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value))
+        return shortened(shown(value))
     except ValueError:  # nor does it write one
         return "(a number of too many digits)"

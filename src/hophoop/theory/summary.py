@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
+from hophoop._version import __version__
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory.critical import first_hop_speed, first_slip_speed, hop_angle, immediate_hop_speed, slip_angle
 from hophoop.theory.massless import massless_loss
@@ -57,6 +58,34 @@ def summary(scenario: Scenario) -> tuple[Quantity, ...]:
     (2.043174, 'm/s')
     """
     return tuple(_quantities(scenario))
+
+
+def summary_dict(scenario: Scenario) -> dict[str, Any]:
+    """Return the quantities of `summary`, ready for JSON.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    document : dict
+        `theory` by key in SI units: "inf" for one without a bound, None for one without a value; `notes` by key.
+    """
+
+    def plain(value: float | None) -> float | str | None:
+        if value is None or math.isnan(value):
+            return None
+        return value if math.isfinite(value) else "inf" if value > 0.0 else "-inf"
+
+    rows = summary(scenario)
+    return {
+        "schema": "hophoop-theory/1",
+        "version": __version__,
+        "scenario": scenario.to_dict(),
+        "theory": {row.key: plain(row.value) for row in rows},
+        "notes": {row.key: row.note for row in rows if row.note},
+    }
 
 
 def _quantities(scenario: Scenario) -> Iterator[Quantity]:

@@ -19,10 +19,9 @@ SLOWER = 8
 def address():
     """The lab on loopback."""
     uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-    from hophoop.lab import api, app
+    from hophoop.lab.server import routes
 
-    app.warm_up()
-    config = uvicorn.Config(api.create_app(), host="127.0.0.1", port=0, log_level="error")
+    config = uvicorn.Config(routes.create_app(), host="127.0.0.1", port=0, log_level="error")
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, daemon=True)
     thread.start()
@@ -38,7 +37,7 @@ def address():
 @pytest.fixture(scope="session")
 def site_folder(tmp_path_factory):
     """The lab as a folder of files."""
-    from hophoop.lab import site
+    from hophoop.lab.site import export as site
 
     made = tmp_path_factory.mktemp("site")
     site.export(made)

@@ -120,7 +120,7 @@ def test_a_link_that_holds_no_scenario_says_so(visit):
 def test_every_preset_plays(visit):
     page = visit()
     wait_for(page, "!lab.surrounding")
-    from hophoop.lab.presets import presets
+    from hophoop.lab.site.presets import presets
 
     for preset in presets():
         page.locator(".presets").select_option(preset.key)

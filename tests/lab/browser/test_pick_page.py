@@ -9,7 +9,7 @@ pytest.importorskip("av", reason="the extra 'track' is not installed")
 
 import hophoop as hh
 from film_maker import Film, article_like, make
-from hophoop.lab.pick import pick
+from hophoop.lab.server.pick import pick
 from hophoop.tracking import Hints
 
 FILM = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), frames=12, marker_size=0.06)

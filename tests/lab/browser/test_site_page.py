@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import hophoop as hh
-from hophoop.lab import site
+from hophoop.lab.site import export as site
 from lab_page_tools import wait_for
 
 PATIENCE = 30_000

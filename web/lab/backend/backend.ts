@@ -1,122 +1,148 @@
-// Where answers come from: the server of the page, or the notebook's kernel. Both take the same calls.
+// Where answers come from: numbers from the kernel in the page, everything else from the model beside it.
 
-import { unpack } from "./packing.ts";
-import { Refused } from "../words/words.ts";
+import * as model from "../../model/index.ts";
 
-const TRIES = 4; // of a server that says it is busy
-const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
+const REGION_COLUMNS = 360;
+const REGION_ROWS = 240;
 
-export class HttpBackend {
-  shares = true;
+/** Files that need no Python. */
+const OWN_FILES: Record<string, string> = {
+  "motion.toml": "application/toml",
+  "motion.csv": "text/csv; charset=utf-8",
+  "motion.json": "application/json",
+};
+const PYTHON_FILES = ["motion.nc", "motion.mp4", "motion.gif"];
 
-  constructor(readonly base: URL) {}
+/** A scenario, or its link, and changes to it. */
+export type Asked = { scenario?: any; query?: string; changes?: Change[] };
 
-  async call(name: string, body: object, signal?: AbortSignal) {
-    const asked = {
-      method: "POST",
-      headers: { "Content-Type": "application/json" },
-      body: JSON.stringify(body),
-      signal,
-    };
-    const response = await this.answered(new URL(`lab/${name}`, this.base), asked);
-    return unpack(await response.arrayBuffer());
+export class Backend {
+  /** links of motions that Python has computed */
+  undecided: Set<string> = new Set();
+  base: URL | null;
+  python: Python | null;
+  shares: boolean;
+  files: string[];
+
+  /** `beside`: the page's address, where there is one to share, and what answers where Python is needed. */
+  constructor(
+    readonly kernel: Kernel,
+    public mechanics: Mechanics,
+    { base = null, python = null }: { base?: URL | null; python?: Python | null } = {},
+  ) {
+    this.base = base;
+    this.python = python;
+    this.shares = base !== null;
+    this.files = [...Object.keys(OWN_FILES), ...(python ? PYTHON_FILES : [])];
   }
 
-  /** What the server answers; a busy one is asked again when it says so, and one that is gone is named in words. */
-  async answered(place: URL, asked?: RequestInit) {
-    for (let left = TRIES; ; left--) {
-      const response = await fetch(place, asked).catch((error) => {
-        throw error.name === "AbortError" ? error : new Error(GONE);
-      });
-      if (response.ok) return response;
-      const again = Number(response.headers.get("Retry-After"));
-      if (response.status !== 503 || !(again > 0) || left <= 1) {
-        const said = await response.json().catch(() => ({}));
-        throw said.detail
-          ? new Error(said.detail)
-          : new Refused({ key: "The server answered {status}.", values: { status: response.status } });
-      }
-      await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
-      asked?.signal?.throwIfAborted();
+  /** The motion of a scenario for the player. */
+  async film(asked: Asked, signal?: AbortSignal): Promise<Reply> {
+    signal?.throwIfAborted();
+    const checked = model.asked(asked, this.mechanics);
+    const given = model.given(model.within(checked));
+    const { motion, columns } = this.kernel.film
+      ? await this.kernel.film(given, signal)
+      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+    const { doubt } = motion;
+    if (doubt !== null && this.python) {
+      const query = model.toQuery(checked);
+      const computed = await this.python.motion({ query }, signal);
+      this.undecided.add(query);
+      return this.shown(computed, checked);
     }
+    const omega = await this.turning(given, motion, signal);
+    const header = model.headerOf(checked, motion, omega, this.mechanics);
+    return { header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) }, arrays: columns };
+  }
+
+  /** A motion that Python has computed, for the player. `checked`: that it was computed for. */
+  shown({ header: motion, arrays }: Reply, checked: Checked = model.fromQuery(motion.query, this.mechanics)): Reply {
+    const omega = (number: number) => motion.turning[number];
+    return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays };
+  }
+
+  /** A part of a motion, for a film that is too long to be as dense as it is seen. `window`: times from and to. */
+  async samples(scenario: any, window: [number, number], signal?: AbortSignal) {
+    const checked = model.asked({ scenario }, this.mechanics);
+    const query = model.toQuery(checked);
+    if (this.python && this.undecided.has(query)) return (await this.python.motion({ query, window }, signal)).arrays;
+    return this.kernel.columns(model.given(model.within(checked)), signal, window);
+  }
+
+  /** How the hoop turns after events at which it slips and does not turn yet. */
+  async turning(given: Given, { events }: ComputedMotion, signal?: AbortSignal): Promise<(number: number) => number> {
+    const still = model.stills(events);
+    if (!still.length) return () => 0;
+    const times = Float64Array.from(still, (number) => model.halfway(events, number));
+    const { omega } = await this.kernel.samples(given, times, signal);
+    return (number) => omega[still.indexOf(number)];
+  }
+
+  /** The Python and the file of a scenario. */
+  code(scenario: any) {
+    const checked = model.asked({ scenario }, this.mechanics);
+    return { python: model.pythonCode(checked), toml: model.toToml(checked) };
+  }
+
+  /** What theory says of the hoop of a scenario. */
+  async theory(scenario: any, signal?: AbortSignal) {
+    signal?.throwIfAborted();
+    const checked = model.asked({ scenario }, this.mechanics);
+    return model.thresholds(checked, await this.kernel.thresholds(model.given(checked), signal));
+  }
+
+  /** The modes that follow in the (θ, θ̇) plane. `window`: of θ and of θ̇. */
+  async regions(scenario: any, window: [number, number, number, number], signal?: AbortSignal) {
+    signal?.throwIfAborted();
+    const given = model.given(model.asked({ scenario }, this.mechanics));
+    return this.kernel.regions(given, window, REGION_COLUMNS, REGION_ROWS, signal);
+  }
+
+  /** What a little more of a parameter does to each event. Returns null where the parameter can be no other. */
+  async changes(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null> {
+    if (!this.kernel.changes) throw new TypeError("This kernel has no derivatives.");
+    const checked = model.within(model.asked({ scenario }, this.mechanics));
+    const given = model.given(checked);
+    if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
+    const found = model.ratesOf(checked, path);
+    if (!found) return null;
+    const { rates, smaller, larger } = found;
+    const sides = await this.kernel.changes(given, rates, signal);
+    return { count: sides.count, smaller: smaller ? sides.smaller : null, larger: larger ? sides.larger : null };
+  }
+
+  /** A map over two parameters. */
+  async map(asked: Asked & { x: any; y: any; what: string }, signal?: AbortSignal): Promise<Reply> {
+    signal?.throwIfAborted();
+    const { checked, x, y, what } = model.requested(asked, this.mechanics);
+    const base = model.withinMap(checked, { x, y, what });
+    const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
+    return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, model.spanOf(what), signal));
   }
 
   async file(name: string, query: string) {
-    return (await this.answered(new URL(`api/v1/files/${name}?${query}`, this.base))).blob();
+    if (!(name in OWN_FILES)) {
+      if (this.python && /\.(mp4|gif)$/.test(name)) model.withinFilm(model.asked({ query }, this.mechanics));
+      if (this.python) return this.python.file(name, query);
+      throw new model.InputError({ key: "save.needs_python", values: { name } });
+    }
+    return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
+  }
+
+  async fileText(name: string, query: string) {
+    const asked = model.asked({ query }, this.mechanics);
+    if (name === "motion.toml") return model.toToml(asked);
+    const checked = model.within(asked);
+    const given = model.given(checked);
+    const motion = await this.kernel.motion(given);
+    if (motion.doubt !== null && this.python) return (await this.python.file(name, query)).text(); // as the film
+    if (name === "motion.json") return model.resultText(checked, motion);
+    const times = model.timesOf(motion.duration);
+    return model.tableText(times, await this.kernel.samples(given, times));
   }
 
   link(query: string, hash: string) {
-    return `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
-  }
-}
-
-const PATIENCE = 20_000; // milliseconds; files take longer
-const FILE_PATIENCE = 300_000;
-
-// Messages to the kernel behind an anywidget model.
-/** The part of an anywidget model that is used. */
-export type Model = {
-  get(name: string): any;
-  set(name: string, value: unknown): void;
-  save_changes(): void;
-  send(message: object): void;
-  on(name: string, listener: (...values: any[]) => void): void;
-  off(name: string, listener: (...values: any[]) => void): void;
-};
-
-export class KernelBackend {
-  shares = false;
-  waiting: Map<any, any> = new Map();
-  number = 0;
-  // several views of one widget share its messages; each answers to its own
-  view = Math.random().toString(36).slice(2);
-  listen: (message: any, buffers: any[]) => void;
-
-  constructor(readonly model: Model) {
-    this.listen = (message: any, buffers: any[]) => this.answered(message, buffers);
-    model.on("msg:custom", this.listen);
-  }
-
-  answered(message: any, buffers: any[]) {
-    const waits = message?.view === this.view && this.waiting.get(message.number);
-    if (!waits) return;
-    clearTimeout(waits.timer);
-    this.waiting.delete(message.number);
-    if (message.error) waits.reject(new Error(message.error));
-    else waits.resolve(unpack(buffers[0]));
-  }
-
-  call(name: string, body: object, signal?: AbortSignal) {
-    const number = ++this.number;
-    return new Promise<any>((resolve, reject) => {
-      // a saved notebook plays without a kernel, but cannot compute
-      const timer = setTimeout(
-        () => {
-          this.waiting.delete(number);
-          reject(new Error("The notebook’s kernel does not answer; run the cell again."));
-        },
-        name === "file" ? FILE_PATIENCE : PATIENCE,
-      );
-      this.waiting.set(number, { resolve, reject, timer });
-      signal?.addEventListener("abort", () => {
-        clearTimeout(timer);
-        this.waiting.delete(number);
-        reject(new DOMException("superseded", "AbortError"));
-      });
-      this.model.send({ view: this.view, number, call: name, body });
-    });
-  }
-
-  async file(name: string, query: string) {
-    const { arrays } = await this.call("file", { query, name });
-    return new Blob([arrays.content]);
-  }
-
-  link() {
-    return null;
-  }
-
-  close() {
-    this.model.off("msg:custom", this.listen);
+    return this.base && `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
   }
 }

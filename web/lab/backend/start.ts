@@ -1,38 +1,33 @@
-// Where a page's answers come from: its own kernel where the browser can run it, else the server of the page, if it has one.
+// What a page answers with: the kernel that it computes with, and Python beside it where there is one.
 
 import { WorkerKernel } from "../../kernel/kernel.ts";
-import { HttpBackend, KernelBackend, type Model } from "./backend.ts";
-import { LocalBackend } from "./local_backend.ts";
+import { Backend } from "./backend.ts";
+import { Server, type Model, type NotebookKernel } from "./python.ts";
+
+async function backend(loading: Promise<WorkerKernel>, beside: { base?: URL; python?: Python | null }) {
+  const kernel = await loading.catch((error) => {
+    const able = typeof WebAssembly === "object" && !(error instanceof WebAssembly.CompileError);
+    throw able ? error : new Error("This needs a browser that runs WebAssembly.");
+  });
+  return new Backend(kernel, kernel.mechanics, beside);
+}
 
 /**
- * `folder`: of the script, with the module beside it; `server`: address of the page's server; `page`: what links
+ * `folder`: of the script, with the module beside it; `server`: address of the page's server; `base`: what links
  * begin with.
  */
-export async function backendOf(folder: URL, server: URL | null, page: URL): Promise<Backend> {
-  const remote = server && new HttpBackend(server);
-  try {
-    const kernel = await WorkerKernel.load(folder);
-    return new LocalBackend(kernel, kernel.mechanics, { base: page, server: remote });
-  } catch (error) {
-    if (remote) return remote;
-    throw error;
-  }
+export function backendOf(folder: URL, server: URL | null, base: URL) {
+  return backend(WorkerKernel.load(folder), { base, python: server && new Server(server) });
+}
+
+/** Of a notebook: the module has come with it. */
+export function widgetBackend(model: Model, python: NotebookKernel) {
+  const kernel = WorkerKernel.unpack(model.get("module"), model.get("worker"), () => python.derivatives());
+  return backend(kernel, { python });
 }
 
 // The page without a network: the browser keeps its files once they have been there.
 export function keepOffline(script: string) {
   // a page that is opened from a disk, or embedded, does without
   navigator.serviceWorker?.register(script).catch(() => {});
-}
-
-/** Of a notebook: its page computes by itself; what needs Python, and what the page may not do, its kernel does. */
-export async function widgetBackend(model: Model): Promise<Backend & { close?(): void }> {
-  const remote = new KernelBackend(model);
-  try {
-    const derivatives = async () => (await remote.call("derivatives", {})).arrays.content;
-    const kernel = await WorkerKernel.unpack(model.get("module"), model.get("worker"), derivatives);
-    return new LocalBackend(kernel, kernel.mechanics, { server: remote });
-  } catch {
-    return remote;
-  }
 }

@@ -93,7 +93,7 @@ export class PhasePlane {
     try {
       const part = await this.painted(
         this.films[this.active].scenario,
-        [...this.range, this.bottom(), this.top()],
+        [...this.range, this.bottom(), this.top()] as [number, number, number, number],
         this.sharpening.signal,
       );
       this.pictures = [this.pictures[0], part];
@@ -103,14 +103,14 @@ export class PhasePlane {
     }
   }
 
-  async painted(scenario: Scenario, window: number[], signal: AbortSignal | undefined) {
-    const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
+  async painted(scenario: Scenario, window: [number, number, number, number], signal: AbortSignal | undefined) {
+    const { modes, paradox } = await this.backend.regions(scenario, window, signal);
     // an answer may be on its way already when it is given up
     signal?.throwIfAborted();
     return {
-      window: header.window,
-      paradox: arrays.paradox,
-      picture: pictureOf(arrays.modes, arrays.paradox.length, this.colors.modes),
+      window,
+      paradox,
+      picture: pictureOf(modes, paradox.length, this.colors.modes),
     };
   }
 

@@ -201,7 +201,7 @@ export class MotionMap {
     const { signal } = this.asked;
     const base = this.film.scenario;
     // maps know rigid contact only
-    const changes = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
+    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
     this.computing = true;
     // the coarse layers stay below as long as they show the same quantity of the same motion
     const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
@@ -213,7 +213,7 @@ export class MotionMap {
         say(this.state, { key: "computing {count} motions …", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
-        const reply = await this.backend.call("map", body, signal);
+        const reply = await this.backend.map(body, signal);
         const layer = layerOf(reply);
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));

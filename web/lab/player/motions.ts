@@ -62,7 +62,7 @@ export class Motions {
   }
 
   async load(queries: string[]) {
-    this.set(await Promise.all(queries.map((query) => this.backend.call("film", { query }))));
+    this.set(await Promise.all(queries.map((query) => this.backend.film({ query }))));
   }
 
   /** Each move of a slider; `commit` when the hand lets go. */
@@ -89,7 +89,7 @@ export class Motions {
     lane.since = null;
     lane.busy = true;
     try {
-      lane.film = new Film(await this.backend.call("film", { scenario: lane.film.scenario, changes }));
+      lane.film = new Film(await this.backend.film({ scenario: lane.film.scenario, changes }));
       if (this.lanes.includes(lane)) this.listener.shown(since);
     } catch (error) {
       if (this.lanes.includes(lane)) this.listener.failed(error as Error, changes);
@@ -107,9 +107,9 @@ export class Motions {
       if (!window) continue;
       lane.refining = true;
       this.backend
-        .call("samples", { scenario: film.scenario, window })
-        .then(({ arrays }) => {
-          film.refine(arrays);
+        .samples(film.scenario, window)
+        .then((columns) => {
+          film.refine(columns);
           this.listener.refined();
         })
         .catch(() => {

@@ -200,7 +200,6 @@ export class More {
     const { signal } = this.asked;
     this.known = `${path} ${film.query}`;
     if (!found || !Number.isFinite(found.value)) return this.refuse("It is infinite: there is no more of it.");
-    if (!lab.backend.changes) return this.refuse("This needs a browser that runs WebAssembly.");
     try {
       const sides = await lab.backend.changes(film.scenario, path, signal);
       if (signal.aborted || lab.film() !== film) return undefined;

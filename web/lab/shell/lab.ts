@@ -235,7 +235,7 @@ export class Lab {
   async take(preset: Preset) {
     this.taken = preset;
     try {
-      const reply = await this.backend.call("film", { query: preset.query });
+      const reply = await this.backend.film({ query: preset.query });
       if (this.taken !== preset) return; // another was chosen meanwhile
       this.clock.time = 0;
       this.motions.replace(reply);
@@ -331,8 +331,7 @@ export class Lab {
     this.asked = new AbortController();
     const { signal } = this.asked;
     try {
-      const reply = await this.backend.call("theory", { scenario }, signal);
-      this.theory.draw(reply.header.thresholds, this.motions.name());
+      this.theory.draw(await this.backend.theory(scenario, signal), this.motions.name());
       await this.phase.fetch(scenario, signal);
     } catch (error) {
       if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: saidOf(error) }]);

@@ -1,11 +1,13 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
+import { tables } from "../../model/index.ts";
 import { readShown } from "./address.ts";
+import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
 import { unpack } from "../backend/packing.ts";
+import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
-import { preferred, saidOf, speak, spoken, wordsFrom } from "../words/words.ts";
-import type { Model } from "../backend/backend.ts";
+import { preferred, saidOf, speak, wordsFrom } from "../words/words.ts";
 
 const here = new URL("./", import.meta.url);
 
@@ -37,19 +39,17 @@ async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
   let backend: Backend;
-  let setup: Setup;
   const words = speakFrom(here);
   try {
     backend = await backendOf(here, site ? null : base, base);
-    setup = (await backend.call("setup", {})).header;
   } catch (error) {
     await words;
-    root.textContent = spoken(saidOf(error));
+    say(root, saidOf(error));
     return;
   }
   await words;
   if (site) keepOffline(site.getAttribute("content") ?? "");
-  const lab = new Lab(root, backend, setup, { hosted: true });
+  const lab = new Lab(root, backend, tables.setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
   const shown = readShown(location.hash);
@@ -68,8 +68,7 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
   const words = speakFrom(folder);
   const backend = await backendOf(folder, null, new URL("../", folder));
   await words;
-  const { header } = await backend.call("setup", {});
-  const lab = new Lab(root, backend, header, { panels });
+  const lab = new Lab(root, backend, tables.setup, { panels });
   await lab.open([query]);
   return lab;
 }
@@ -78,8 +77,19 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
 async function render({ model, el }: { model: Model; el: HTMLElement }) {
   const root = document.createElement("div");
   el.append(root);
-  const [backend] = await Promise.all([widgetBackend(model), speakPacked(model.get("words"))]);
-  const lab = new Lab(root, backend, model.get("setup"), {
+  const words = speakPacked(model.get("words"));
+  const python = new NotebookKernel(model);
+  let backend: Backend;
+  try {
+    backend = await widgetBackend(model, python);
+    await words;
+  } catch (error) {
+    await words;
+    say(root, saidOf(error));
+    return () => python.close();
+  }
+  const shown = () => backend.shown(unpack(model.get("film")));
+  const lab = new Lab(root, backend, tables.setup, {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
     onmotion: (query) => {
@@ -88,13 +98,13 @@ async function render({ model, el }: { model: Model; el: HTMLElement }) {
       model.save_changes();
     },
   });
-  lab.motions.set([unpack(model.get("film"))]);
+  lab.motions.set([shown()]);
   lab.begin();
-  const replaced = () => lab.motions.replace(unpack(model.get("film")));
+  const replaced = () => lab.motions.replace(shown());
   model.on("change:film", replaced);
   return () => {
     model.off("change:film", replaced);
-    backend.close?.();
+    python.close();
     lab.close();
   };
 }

@@ -26,7 +26,7 @@ export class Share {
         "div",
         { class: "menu-body" },
         lab.backend.shares && this.item("Copy the link", () => this.copyLink()),
-        FILES.filter(([name]) => lab.backend.files?.includes(name) ?? true).map(([name, label]) =>
+        FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
           this.item(label, () => this.download(name)),
         ),
         this.item("Picture (PNG)", () => this.picture("png", png)),
@@ -90,8 +90,8 @@ export class Share {
   }
 
   async code() {
-    const { header } = await this.lab.backend.call("code", { scenario: this.lab.film().scenario });
-    this.show("The same motion in Python", header.python, "The scenario as a file", header.toml);
+    const { python, toml } = this.lab.backend.code(this.lab.film().scenario);
+    this.show("The same motion in Python", python, "The scenario as a file", toml);
   }
 
   /** Headings and texts in turn. */

@@ -81,7 +81,7 @@ export class Challenges {
   async load(query: string) {
     const { lab } = this;
     try {
-      const reply = await lab.backend.call("film", { query });
+      const reply = await lab.backend.film({ query });
       lab.clock.play(false);
       lab.clock.time = 0;
       lab.motions.replace(reply);

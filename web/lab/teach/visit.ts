@@ -100,7 +100,7 @@ export class Visit {
     this.element.hidden = false;
     lab.root.classList.toggle("visiting", number < STEPS.length - 1);
     try {
-      const replies = await Promise.all(step.queries.map((query) => lab.backend.call("film", { query })));
+      const replies = await Promise.all(step.queries.map((query) => lab.backend.film({ query })));
       if (asked !== this.asked) return;
       this.films = replies.map((reply) => new Film(reply));
       lab.motions.active = 0;

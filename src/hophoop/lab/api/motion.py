@@ -1,27 +1,22 @@
-"""A motion for the player: a header, and states at sufficiently many times, on both sides of every event."""
+"""A motion for the player: its results, and states at sufficiently many times, on both sides of every event."""
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
 import numpy as np
 
-from hophoop.lab import words
-from hophoop.lab.packing import PRECISE
-from hophoop.scenario import Compliant, Scenario, time_unit
+from hophoop.lab.api.packing import PRECISE
+from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Floats, Trajectory
 from hophoop.vocabulary.modes import MODE_WORDS, coming_rotation, mode_words
-from hophoop.vocabulary.parameters import TABLE, section_of
-from hophoop.vocabulary.statuses import STATUSES
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
     "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
-
-SHOWN = tuple(row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start"))
-"""Paths of the sliders whose values may follow from the scenario instead of being in it."""
 
 
 def columns(
@@ -88,8 +83,8 @@ def codes_of(words: np.ndarray) -> Floats:
     return codes
 
 
-def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, Any]:
-    """Return what the player needs besides the samples.
+def result(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, Any]:
+    """Return the results of a motion, from which the page makes its words.
 
     Parameters
     ----------
@@ -99,58 +94,18 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
 
     Returns
     -------
-    header : dict
-        Result, scenario, link, values of the sliders, and the motion in words.
+    result : dict
+        As in a result file, with the scenario's link under `query`; `turning` holds, for events with θ̇ = 0, the angular
+        velocity halfway to the next event [rad/s].
     """
-    scenario = motion.scenario if scenario is None else scenario
-    result = motion.to_dict()
-    del result["scenario"]
-    many = len(result["events"]) > 2000
-    if many:
-        result["events"] = result["events"][:2000]
+    found = motion.to_dict()
+    for key in ("schema", "version", "scenario"):
+        del found[key]
+    pairs = enumerate(itertools.pairwise(motion.events))
+    halfway = {number: 0.5 * (event.t + following.t) for number, (event, following) in pairs if event.omega == 0.0}
     return {
-        **result,
-        "scenario": scenario.to_dict(),
-        "query": scenario.to_query(),
+        **found,
+        "query": (scenario or motion.scenario).to_query(),
         "duration": motion.duration,
-        "values": _values(scenario),
-        # values chosen automatically for what the scenario leaves open
-        "automatic": _automatic(scenario),
-        "massless": scenario.hoop.massless,
-        "summary": words.summary(motion),
-        "story": words.story(motion),
-        "ending": STATUSES[motion.status].sentence,
-        "shortened": many,
+        "turning": {str(number): motion.at(t).omega for number, t in halfway.items()},
     }
-
-
-def _values(scenario: Scenario) -> dict[str, Any]:
-    """Return the values of the sliders, however the scenario is written."""
-    state = scenario.start.state(scenario.hoop)
-    found: dict[str, Any] = {}
-    for path in SHOWN:
-        section, _, name = path.partition(".")
-        holder: Any = state if section == "start" and name != "speed" else getattr(scenario, section)
-        found[path] = _finite(getattr(holder, name))
-    return found
-
-
-def _automatic(scenario: Scenario) -> dict[str, float]:
-    contact = scenario.contact
-    if not isinstance(contact, Compliant):
-        return {}
-    from hophoop.kernel.compliant.parameters import chosen_in_si
-    from hophoop.simulation.compliant import to_compliance
-
-    _, chosen, _, _ = to_compliance(scenario)
-    second = time_unit(scenario.hoop, scenario.plane)
-    stiffness, slip_speed = chosen_in_si(chosen, scenario.hoop.radius, second, scenario.hoop.mass)
-    return {
-        "contact.stiffness": stiffness,
-        "contact.slip_speed": slip_speed,
-        "contact.restitution": scenario.plane.restitution,
-    }
-
-
-def _finite(value: float | None) -> float | str | None:
-    return "inf" if value == float("inf") else value

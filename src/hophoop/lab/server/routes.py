@@ -1,4 +1,4 @@
-"""The lab over HTTP: the programming interface under /api/v1, the page's own calls, and the page itself.
+"""The lab over HTTP: the programming interface under /api/v1, motions that the page cannot decide, and the page itself.
 
 Stateless: every answer follows from its request alone, so any number of workers can serve requests, and any cache may keep
 answers. A NiceGUI page would keep a session per visitor in one process, so the page consists of plain modules on FastAPI.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import gzip
 import json
 import re
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
@@ -19,28 +18,31 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from fastapi.routing import APIRoute, APIRouter
 from pydantic import AfterValidator
+from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import ClientDisconnect
 
+from hophoop._support.errors import json_words, shortened
 from hophoop._support.extras import MissingExtra
 from hophoop._version import __version__
-from hophoop.lab import calls, files, page, replies, requests
-from hophoop.lab.guard import HEAD, Guard
-from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
-from hophoop.lab.worker import Job
-from hophoop.lab.workers import FILM, HEAVY, Workers, while_connected
+from hophoop.lab.api import calls, files, replies, requests
+from hophoop.lab.api.limits import USUAL, Limits, TooBusy, TooMuch
+from hophoop.lab.server import page
+from hophoop.lab.server.guard import HEAD, Guard
+from hophoop.lab.server.pool import FILM, HEAVY, Pool, while_connected
+from hophoop.lab.server.work import Job
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.sentences import findings_sentence, parse_reason
 
 if TYPE_CHECKING:
     from hophoop.fitting import Backdrop
 
-WAIT = 0.5  # seconds between checks whether the kernel of maps is compiled
 PACK = 1000  # bytes; larger answers are compressed
+CLOSE = {"Connection": "close"}  # the rest of a body would keep the connection
 GONE = 499  # nginx's status for a client that has disconnected; nobody reads it
 
 
 def create_app(
-    limits: Limits = USUAL, names: Iterable[str] = (), workers: Workers | None = None, backdrop: Backdrop | None = None
+    limits: Limits = USUAL, names: Iterable[str] = (), pool: Pool | None = None, backdrop: Backdrop | None = None
 ) -> FastAPI:
     """Return the whole lab as an ASGI application.
 
@@ -50,7 +52,7 @@ def create_app(
         Bounds of one request, and the number of processes.
     names : iterable of str, optional
         Names under which the lab is reached, besides addresses, localhost and this machine's own.
-    workers : Workers, optional
+    pool : Pool, optional
         Processes that compute; new ones by default.
     backdrop : Backdrop, optional
         A film to show under the hoop.
@@ -60,7 +62,7 @@ def create_app(
     app : FastAPI
     """
     # The usual documentation pages load scripts from other sites; /openapi.json is enough for any tool.
-    computing = Workers(limits) if workers is None else workers
+    computing = Pool(limits) if pool is None else pool
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
@@ -78,7 +80,7 @@ def create_app(
         lifespan=lifespan,
     )
     app.state.limits = limits
-    app.state.workers = computing
+    app.state.pool = computing
 
     @app.exception_handler(InputError)
     async def _bad_input(request: Request, error: InputError) -> JSONResponse:
@@ -88,7 +90,8 @@ def create_app(
     async def _not_valid(request: Request, error: RequestValidationError) -> JSONResponse:
         # the first element names the location of a value: body, path or query
         found = [{**finding, "loc": finding["loc"][1:]} for finding in error.errors()]
-        return JSONResponse({"detail": findings_sentence(found)}, 422)
+        with json_words():
+            return JSONResponse({"detail": findings_sentence(found)}, 422)
 
     @app.exception_handler(TooBusy)
     async def _busy(request: Request, error: TooBusy) -> JSONResponse:
@@ -98,7 +101,8 @@ def create_app(
     async def _missing(request: Request, error: MissingExtra) -> JSONResponse:
         return JSONResponse({"detail": str(error)}, 501)
 
-    app.add_middleware(Guard, names=names)
+    app.add_middleware(GZipMiddleware, minimum_size=PACK, compresslevel=6)
+    app.add_middleware(Guard, names=names)  # the outermost: it also answers HEAD
     app.include_router(router)
     page.mount(app, backdrop)
     return app
@@ -120,7 +124,7 @@ class LabRequest(Request):
                 async with asyncio.timeout(self.app.state.limits.reading):
                     self._body = await self._whole() or b"{}"
             except TimeoutError:
-                raise HTTPException(408, "The body of the request did not arrive.") from None
+                raise HTTPException(408, "The body of the request did not arrive.", CLOSE) from None
         return self._body
 
     async def _whole(self) -> bytes:
@@ -129,13 +133,16 @@ class LabRequest(Request):
         async for piece in self.stream():
             size += len(piece)
             if size > most:
-                raise HTTPException(413, f"The body has more than {most} bytes.")
+                raise HTTPException(413, f"The body has more than {most} bytes.", CLOSE)
             pieces.append(piece)
         body = b"".join(pieces)
         kind = self.scope.get(WRITTEN, "").partition(";")[0].strip().lower()
         # a form on another site can send any type but this one
         if body and kind != JSON:
             raise HTTPException(415, f"Content-Type = {kind[:60]!r} must be {JSON}.")
+        coding = self.headers.get("content-encoding", "").strip().lower()
+        if body and coding not in ("", "identity"):
+            raise HTTPException(415, f"Content-Encoding = {coding[:60]!r} must be identity: send the body as it is.")
         return body
 
     async def json(self) -> Any:
@@ -148,7 +155,7 @@ class LabRequest(Request):
         """
         try:
             body = await self.body()
-            found = json.loads(body, parse_constant=_no_constant)
+            found = json.loads(body, parse_constant=_no_constant, object_pairs_hook=_no_twice)
             if re.search(rb"\\u[dD][89a-fA-F]", body):
                 json.dumps(found, ensure_ascii=False).encode()  # an unpaired surrogate cannot be encoded again
             return found
@@ -169,7 +176,8 @@ class LabRoute(APIRoute):
             others = [(name, value) for name, value in scope["headers"] if name != b"content-type"]
             scope["headers"] = [*others, (b"content-type", JSON.encode())]
             try:
-                return await following(LabRequest(scope, request.receive))
+                with json_words():
+                    return await following(LabRequest(scope, request.receive))
             except (ClientDisconnect, asyncio.CancelledError):  # the client has disconnected, or the server stops
                 return Response(status_code=GONE)
 
@@ -184,21 +192,21 @@ router = APIRouter(route_class=LabRoute)
 async def _reply(request: Request, call: str, body: Any, packed: bool = False) -> Response:
     limits = request.app.state.limits
     asked = calls.read(call, body, limits)
-    tag = f'"{asked.tag}{"-b" if packed else ""}"'
+    tag = f'W/"{asked.tag}{"-b" if packed else ""}"'  # weak: the same content compressed or not
     headers = {"ETag": tag, "Cache-Control": "public, max-age=0, must-revalidate", "Vary": "Accept"}
-    if tag in _tags(request.headers.get("if-none-match", "")):
+    if _tag(tag) in _tags(request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=headers)
     calls.bounded(asked, limits)
     content = await _computed(request, Job(asked, limits, "packed" if packed else "json"), calls.cost(asked, limits))
     kind = "application/octet-stream" if packed else JSON
-    return answered(request, content, kind, headers)
+    return answered(content, kind, headers)
 
 
 async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
     """Compute a job in a process; None if the client disconnects, which also stops the job."""
 
     async def work() -> bytes:
-        content: bytes = await request.app.state.workers.run(job, cost)
+        content: bytes = await request.app.state.pool.run(job, cost)
         return content
 
     async def gone() -> None:
@@ -208,31 +216,9 @@ async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
     return await while_connected(work(), gone())
 
 
-def answered(request: Request, content: bytes | None, kind: str, headers: dict[str, str]) -> Response:
-    """Return a response, compressed if that is worthwhile and the client accepts it.
-
-    Parameters
-    ----------
-    request : Request
-    content : bytes or None
-        None if the client has disconnected.
-    kind : str
-        Its media type.
-    headers : dict
-
-    Returns
-    -------
-    response : Response
-    """
-    if content is None:
-        return Response(status_code=GONE)
-    # packed arrays hardly compress
-    if len(content) < PACK or kind == "application/octet-stream" or not page.takes_gzip(request.headers):
-        return Response(content, media_type=kind, headers=headers)
-    headers = {**headers, "Content-Encoding": "gzip", "Vary": f"{headers.get('Vary', '')}, Accept-Encoding".lstrip(", ")}
-    if "ETag" in headers:
-        headers["ETag"] = f"W/{headers['ETag']}"  # a weak tag: same content in other bytes
-    return Response(gzip.compress(content, 5, mtime=0), media_type=kind, headers=headers)
+def answered(content: bytes | None, kind: str, headers: dict[str, str]) -> Response:
+    """Return a response of a media type; no content if the client has disconnected."""
+    return Response(status_code=GONE) if content is None else Response(content, media_type=kind, headers=headers)
 
 
 @router.post(
@@ -276,13 +262,10 @@ async def map_of_motions(request: Request, body: Annotated[requests.MapRequest, 
     return await _reply(request, "map", body, packed=_wants_bytes(request))
 
 
-@router.post("/lab/{call}", include_in_schema=False)
-async def page_call(request: Request, call: str, body: Annotated[Any, Body()]) -> Response:
-    """Answer the page's own calls."""
-    if call not in calls.CALLS:
-        raise HTTPException(404, f"There is no call {call!r}.")
-    asked = calls.read(call, body, request.app.state.limits)
-    return await _reply(request, call, asked.body, packed=True)
+@router.post("/lab/motion", include_in_schema=False)
+async def motion(request: Request, body: Annotated[requests.MotionRequest, Body()]) -> Response:
+    """Return results and columns of a motion that doubles do not decide, for the page."""
+    return await _reply(request, "motion", body, packed=True)
 
 
 @router.get(
@@ -311,16 +294,16 @@ async def download(
     limits = request.app.state.limits
     if name not in files.KINDS:
         raise HTTPException(404, f"file = {name!r} must be one of {', '.join(files.KINDS)}.")
-    asked = calls.read("film", {"query": request.url.query}, limits)
-    tag = f'"{asked.tag}-{name}"'
+    asked = calls.read("motion", {"query": request.url.query}, limits)
+    tag = f'W/"{asked.tag}-{name}"'
     headers = {"ETag": tag, "Content-Disposition": f'attachment; filename="hophoop-{name}"'}
-    if tag in _tags(request.headers.get("if-none-match", "")):
+    if _tag(tag) in _tags(request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=headers)
     kind = files.KINDS[name]
     if HEAD in request.scope:  # no film is rendered for a HEAD request
         return Response(media_type=kind.media_type, headers=headers)
     content = await _computed(request, Job(asked, limits, name), FILM if kind.slow else HEAVY)
-    return answered(request, content, kind.media_type, headers)
+    return answered(content, kind.media_type, headers)
 
 
 @router.get("/healthz", summary="Whether the server answers")
@@ -330,11 +313,24 @@ async def health() -> replies.Health:
 
 
 def _tags(header: str) -> set[str]:
-    return {tag.strip().removeprefix("W/") for tag in header.split(",")}
+    return {_tag(tag) for tag in header.split(",")}
+
+
+def _tag(tag: str) -> str:
+    return tag.strip().removeprefix("W/")
 
 
 def _wants_bytes(request: Request) -> bool:
     return "application/octet-stream" in request.headers.get("accept", "")
+
+
+def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        keys = [key for key, _ in pairs]
+        twice = next(key for key in keys if keys.count(key) > 1)
+        raise ValueError(f"it gives the key {json.dumps(shortened(twice), ensure_ascii=False)} twice")
+    return found
 
 
 def _no_constant(name: str) -> float:

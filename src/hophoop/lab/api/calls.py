@@ -1,4 +1,4 @@
-"""Calls of page and widget, independent of a browser: each takes JSON and returns a reply."""
+"""Answers to programs, page and widget, independent of HTTP: each call takes JSON and returns a reply."""
 
 from __future__ import annotations
 
@@ -12,16 +12,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.lab import files, film, motion_map, requests, thresholds
-from hophoop.lab.limits import USUAL, Limits, TooMuch, turns_of, within
-from hophoop.lab.packing import pack
-from hophoop.lab.python_code import python_code
-from hophoop.lab.regions import regions
-from hophoop.lab.setup import setup
+from hophoop.lab.api import files, motion_map, requests
+from hophoop.lab.api.limits import USUAL, Limits, TooMuch, turns_of, within
+from hophoop.lab.api.motion import columns, result
+from hophoop.lab.api.packing import pack
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.theory.summary import summary_dict
 
 LIGHT_SAMPLES, LIGHT_TURNS = 2000, 2000.0  # beyond these a request counts as heavy
 
@@ -86,27 +85,14 @@ def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
     return simulate(within(scenario, limits))
 
 
-def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
-    """Return the reply for the player of a computed motion; `scenario` is the one shown with it."""
-    return Reply(film.header(motion, scenario), film.columns(motion))
+def shown(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
+    """Return the results and columns of a computed motion for the player; `scenario` is the one shown with it."""
+    return Reply(result(motion, scenario), columns(motion))
 
 
-def _film(request: Request, limits: Limits) -> Reply:
-    return film_of(computed(request.scenario, limits), request.scenario)
-
-
-def _samples(request: Request, limits: Limits) -> Reply:
-    """Return a part of a motion, for a film too long to be sent in full density."""
-    window = request.body.window
-    return Reply({"window": list(window)}, film.columns(computed(request.scenario, limits), window=window))
-
-
-def _setup(request: Request, limits: Limits) -> Reply:
-    return Reply(dict(setup()))
-
-
-def _code(request: Request, limits: Limits) -> Reply:
-    return Reply({"python": python_code(request.scenario), "toml": request.scenario.to_toml()})
+def _motion(request: Request, limits: Limits) -> Reply:
+    motion, window = computed(request.scenario, limits), request.body.window
+    return shown(motion, request.scenario) if window is None else Reply({}, columns(motion, window=window))
 
 
 def _simulate(request: Request, limits: Limits) -> Reply:
@@ -125,12 +111,7 @@ def _simulate(request: Request, limits: Limits) -> Reply:
 
 
 def _theory(request: Request, limits: Limits) -> Reply:
-    return Reply({"thresholds": thresholds.thresholds(request.scenario)})
-
-
-def _regions(request: Request, limits: Limits) -> Reply:
-    window = request.body.window
-    return Reply({"window": list(window)}, regions(request.scenario, window))
+    return Reply(summary_dict(request.scenario))
 
 
 def _map(request: Request, limits: Limits) -> Reply:
@@ -153,14 +134,10 @@ class Call(NamedTuple):
 
 
 CALLS: dict[str, Call] = {
-    "setup": Call(requests.SetupRequest, _setup),
-    "film": Call(requests.ScenarioRequest, _film),
-    "samples": Call(requests.SamplesRequest, _samples),
-    "code": Call(requests.ScenarioRequest, _code),
     "simulate": Call(requests.SimulateRequest, _simulate),
     "theory": Call(requests.ScenarioRequest, _theory),
-    "regions": Call(requests.RegionsRequest, _regions),
     "map": Call(requests.MapRequest, _map),
+    "motion": Call(requests.MotionRequest, _motion),
     "file": Call(requests.FileRequest, _file),
 }
 
@@ -211,7 +188,7 @@ def bounded(request: Request, limits: Limits = USUAL) -> None:
     """
     if request.call == "map":
         motion_map.bounded(request.scenario, request.body.x, request.body.y, request.body.what, limits)
-    elif request.call in ("film", "samples", "simulate"):
+    elif request.call in ("motion", "simulate"):
         within(request.scenario, limits)
 
 
@@ -226,7 +203,7 @@ def cost(request: Request, limits: Limits = USUAL) -> str:
     Returns
     -------
     lane : {'light', 'heavy'}
-        Light requests, such as those of the page's sliders, are answered at once.
+        Light requests are answered at once.
     """
     scenario = request.scenario
     many = request.call == "map" or getattr(request.body, "samples", 0) > LIGHT_SAMPLES

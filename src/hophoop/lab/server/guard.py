@@ -10,8 +10,10 @@ from typing import Any
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import JSONResponse
 
-from hophoop.lab.page import SECURITY_HEADERS
+from hophoop.lab.server.page import SECURITY_HEADERS
 
+LONGEST = 16_384  # bytes of an address
+TOO_LONG = "The address of this request is too long; send the scenario in the body of a POST request."
 HEAD = "hophoop.head"  # set in the scope of a HEAD request
 
 
@@ -34,11 +36,31 @@ def host_name(header: str) -> str:
     return name.partition(":")[0] if name.count(":") <= 1 else ""
 
 
+def takes_gzip(header: str) -> bool:
+    """Return True if a client accepts a compressed answer.
+
+    Parameters
+    ----------
+    header : str
+        Its Accept-Encoding.
+
+    Returns
+    -------
+    takes : bool
+    """
+    for part in header.split(","):
+        name, _, quality = part.partition(";")
+        if name.strip().lower() == "gzip":
+            return quality.replace(" ", "") not in ("q=0", "q=0.0", "q=0.00", "q=0.000")
+    return False
+
+
 class Guard:
     """Middleware that refuses requests under foreign names and from foreign pages.
 
     A page on another site can make a browser send requests to this machine: under its own name, which it lets resolve to this
-    machine (DNS rebinding), or by a form. Addresses cannot be rebound; other names must be known.
+    machine (DNS rebinding), or by a form. Addresses cannot be rebound; other names must be known. Starlette's
+    TrustedHostMiddleware cannot do this: it has patterns of names, but none for any address.
 
     Parameters
     ----------
@@ -60,7 +82,13 @@ class Guard:
         if scope["method"] == "HEAD":
             scope = {**scope, "method": "GET", HEAD: True}
             send = _without_body(send)
+        if "gzip" in headers.get("accept-encoding", "") and not takes_gzip(headers["accept-encoding"]):
+            # Starlette's compression reads no qualities
+            scope = {**scope, "headers": [pair for pair in scope["headers"] if pair[0] != b"accept-encoding"]}
         send = _with(send, SECURITY_HEADERS)
+        if len(scope.get("raw_path", b"")) + len(scope["query_string"]) > LONGEST:
+            await JSONResponse({"detail": TOO_LONG}, 414)(scope, receive, send)
+            return
         refusal = self.refusal(headers, scope["path"])
         if refusal:
             await JSONResponse({"detail": refusal}, 403)(scope, receive, send)

@@ -11,7 +11,7 @@ from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from hophoop import maps
-from hophoop.lab.limits import Limits, TooMuch, turns_of, within
+from hophoop.lab.api.limits import Limits, TooMuch, turns_of, within
 from hophoop.maps.grid.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse

@@ -1,6 +1,6 @@
 """Answers of the programming interface as pydantic models, for its OpenAPI document; tests compare answers with them.
 
-The answers themselves come from `hophoop.lab.calls`, shared with page and widget.
+The answers themselves come from `hophoop.lab.api.calls`.
 """
 
 from __future__ import annotations
@@ -82,20 +82,14 @@ class Result(BaseModel):
     samples: dict[str, Any] | None = Field(None, description="Name → values at equally spaced times")
 
 
-class Threshold(BaseModel):
-    """A threshold of theory for a hoop."""
-
-    key: str
-    label: str
-    value: float | None
-    unit: str
-    text: str
-
-
 class Theory(BaseModel):
-    """Thresholds of theory."""
+    """Thresholds and closed forms of theory for a hoop, as from `hophoop theory --json`; SI units, radians."""
 
-    thresholds: list[Threshold]
+    schema_name: Literal["hophoop-theory/1"] = Field(alias="schema")
+    version: str
+    scenario: dict[str, Any] = Field(description="As it was asked for")
+    theory: dict[str, float | Literal["inf", "-inf"] | None] = Field(description="Quantity → value; null without a value")
+    notes: dict[str, str] = Field(description="Quantity → remark, such as why it has no value")
 
 
 class MapClass(BaseModel):

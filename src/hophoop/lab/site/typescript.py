@@ -11,10 +11,10 @@ from pathlib import Path
 from types import NoneType, UnionType
 from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin, is_typeddict
 
-from hophoop.lab import controls, setup
+from hophoop.lab.site import controls, setup
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Start
 
-FILE: Final = Path(__file__).parents[3] / "web" / "generated.d.ts"
+FILE: Final = Path(__file__).parents[4] / "web" / "generated.d.ts"
 
 # Python's types and their names on the page.
 _NAMES: Final[dict[type, str]] = {

@@ -1,10 +1,9 @@
-"""Requests to the lab: one pydantic model per call, for the programming interface and its document, for page and widget."""
+"""Requests to the lab: one pydantic model per call, for the programming interface, its document and the widget."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Annotated, Any, TypeVar
 
@@ -12,16 +11,14 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, Wi
 from pydantic_core import PydanticCustomError
 
 from hophoop._version import __version__
-from hophoop.lab import files
-from hophoop.lab.limits import Limits, TooMuch
-from hophoop.lab.motion_map import MAP_QUANTITIES, Axis
+from hophoop.lab.api import files
+from hophoop.lab.api.limits import Limits, TooMuch
+from hophoop.lab.api.motion_map import MAP_QUANTITIES, Axis
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.scenario.paths import contradiction
 from hophoop.scenario.sentences import findings_sentence
 from hophoop.vocabulary.sentences import LAB
-
-WIDEST = 1e300  # maximum of a window's limits, so that their difference is finite
 
 
 def _among(names: Iterable[str]) -> Callable[[str], str]:
@@ -48,20 +45,10 @@ def _pair(change: Any) -> Any:
     return change
 
 
-def _rising(window: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
-    left, right, bottom, top = window
-    if not (left < right and bottom < top and max(map(abs, window)) < WIDEST):
-        raise PydanticCustomError("value", LAB["window"])
-    return window
-
-
-def _of_length(length: int, sentence: str) -> Callable[[Any], Any]:
-    def check(numbers: Any) -> Any:
-        if not (isinstance(numbers, list | tuple) and len(numbers) == length):
-            raise PydanticCustomError("value", LAB[sentence])
-        return numbers
-
-    return check
+def _two(numbers: Any) -> Any:
+    if not (isinstance(numbers, list | tuple) and len(numbers) == 2):
+        raise PydanticCustomError("value", LAB["times"])
+    return numbers
 
 
 def _times(window: tuple[float, float]) -> tuple[float, float]:
@@ -82,12 +69,7 @@ FileName = Annotated[
 ]
 Samples = Annotated[Count, Field(ge=0), AfterValidator(not_one)]
 Change = Annotated[tuple[str, Any], BeforeValidator(_pair)]
-Window = Annotated[tuple[Number, Number, Number, Number], BeforeValidator(_of_length(4, "window")), AfterValidator(_rising)]
-Times = Annotated[tuple[Number, Number], BeforeValidator(_of_length(2, "times")), AfterValidator(_times)]
-
-
-class SetupRequest(Frozen):
-    """Request for the page's initial data; no options."""
+Times = Annotated[tuple[Number, Number], BeforeValidator(_two), AfterValidator(_times)]
 
 
 class ScenarioRequest(Frozen):
@@ -147,16 +129,10 @@ class SimulateRequest(ScenarioRequest):
             raise TooMuch.of_field("samples", self.samples, f"at most {limits.samples} in the lab")
 
 
-class SamplesRequest(ScenarioRequest):
-    """Request for a part of a motion, as densely as the player shows it."""
+class MotionRequest(ScenarioRequest):
+    """Request for a motion as the player shows it, or for a part of it."""
 
-    window: Times = Field(description="Times from and to [s]")
-
-
-class RegionsRequest(ScenarioRequest):
-    """Request for the regions of the (θ, θ̇) plane."""
-
-    window: Window = Field((0.0, 2.0 * math.pi, -12.0, 12.0), description="θ from and to [rad], θ̇ from and to [rad/s]")
+    window: Times | None = Field(None, description="Times from and to [s]; the whole motion by default")
 
 
 class MapRequest(ScenarioRequest):

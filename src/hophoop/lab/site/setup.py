@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TypedDict
 
 from hophoop._version import __version__
-from hophoop.lab.controls import ControlsInfo, controls
-from hophoop.lab.motion_map import MAP_QUANTITIES
-from hophoop.lab.presets import presets
+from hophoop.lab.api.motion_map import MAP_QUANTITIES
+from hophoop.lab.site.controls import ControlsInfo, controls
+from hophoop.lab.site.presets import presets
 from hophoop.vocabulary import colors, modes
 
 

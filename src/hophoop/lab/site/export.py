@@ -58,6 +58,12 @@ def static_bytes(name: str) -> bytes:
 
 
 @cache
+def static_text(name: str) -> str:
+    """Return the text of a file of static/; page and notebook widget share lab.js, since a widget takes a single file."""
+    return static_bytes(name).decode()
+
+
+@cache
 def packed_module(name: str = MODULE) -> bytes:
     """Return a module compressed by gzip, for the notebook widget."""
     return gzip.compress((files("hophoop.lab.wasm") / name).read_bytes(), 9, mtime=0)
@@ -91,7 +97,7 @@ def site_files(docs: str = "") -> dict[str, bytes]:
     for name, content in sorted(made.items()):
         digest.update(name.encode() + hashlib.sha256(content).digest())
     listed = ", ".join(json.dumps(name) for name in ("./", *sorted(made)))
-    worker = static_bytes("service_worker.js").decode()
+    worker = static_text("service_worker.js")
     made["service-worker.js"] = (
         worker.replace("{version}", digest.hexdigest()[:16]).replace('"{files}"', listed).encode()
     )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import socket
 import sys
 import threading
@@ -14,9 +15,8 @@ from urllib.request import urlopen
 
 from hophoop._support.extras import need
 from hophoop._support.stopping import forget
-from hophoop.lab.limits import USUAL
-from hophoop.scenario import Compliant, InputError, Scenario
-from hophoop.simulation.simulate import simulate
+from hophoop.lab.api.limits import USUAL
+from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
     from hophoop.fitting import Backdrop
@@ -24,24 +24,6 @@ if TYPE_CHECKING:
 LOOPBACK = "127.0.0.1"
 PORT = 8765
 CONNECTIONS = 1000  # maximum of simultaneous connections; further ones get the answer that the server is busy
-
-
-def warm_up() -> None:
-    """Compile all kernels that a visitor may need; other processes find the result on disk."""
-    from hophoop import theory
-    from hophoop.lab import calls
-
-    scenario = Scenario()
-    simulate(scenario).at(0.5)
-    # a request that waited for this compilation would exceed its time limit
-    simulate(scenario.replace("contact", Compliant())).at(0.5)
-    theory.critical_speeds(scenario.hoop, scenario.plane)
-    axes = {
-        "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 10},
-        "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 10},
-    }
-    for call, options in (("map", axes), ("regions", {}), ("theory", {})):
-        calls.answer(calls.read(call, options))
 
 
 def serve(
@@ -78,10 +60,11 @@ def serve(
     ValueError
         If the port is in use or a number is not allowed.
     ImportError
-        If FastAPI or Uvicorn is missing.
+        If FastAPI, Uvicorn or Pebble is missing.
     """
     uvicorn = need("uvicorn", "lab")
     need("fastapi", "lab")
+    need("pebble", "lab")
     if not 0 <= port <= 65535:
         raise InputError.of_field("port", port, "from 0 to 65535")
     if not 1 <= workers <= 256:
@@ -101,10 +84,10 @@ def serve(
         file=sys.stderr,
         flush=True,
     )
-    from hophoop.lab.api import create_app
-    from hophoop.lab.connections import Connection
+    from hophoop.lab.server.connections import Connection, Server
+    from hophoop.lab.server.routes import create_app
 
-    uvicorn.run(
+    config = uvicorn.Config(
         create_app(replace(USUAL, processes=workers), [host, *names], backdrop=backdrop),
         host=host,
         port=port,
@@ -118,6 +101,8 @@ def serve(
         limit_concurrency=CONNECTIONS,
         h11_max_incomplete_event_size=32768,
     )
+    with contextlib.suppress(KeyboardInterrupt):
+        Server(config).run()
     forget()  # Ctrl-C is the normal end of a server
 
 

@@ -1,0 +1,1 @@
+"""Answers to programs: requests, limits and results, independent of HTTP."""

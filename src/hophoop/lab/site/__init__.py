@@ -1,0 +1,1 @@
+"""The page: its files, its controls and the motions to start from."""

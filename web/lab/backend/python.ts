@@ -1,0 +1,122 @@
+// What needs Python: motions that doubles do not decide, and some files. Its results come from the server of the page, or from
+// the kernel of the notebook.
+
+import { unpack } from "../backend/packing.ts";
+import { Refused } from "../words/words.ts";
+
+const TRIES = 4; // of a server that says it is busy
+const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
+
+export class Server implements Python {
+  constructor(readonly base: URL) {}
+
+  async motion(body: object, signal?: AbortSignal) {
+    const asked = {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+      signal,
+    };
+    return unpack(await (await this.answered(new URL("lab/motion", this.base), asked)).arrayBuffer());
+  }
+
+  async file(name: string, query: string) {
+    return (await this.answered(new URL(`api/v1/files/${name}?${query}`, this.base))).blob();
+  }
+
+  /** What the server answers; a busy one is asked again when it says so, and one that is gone is named in words. */
+  async answered(place: URL, asked?: RequestInit) {
+    for (let left = TRIES; ; left--) {
+      const response = await fetch(place, asked).catch((error) => {
+        throw error.name === "AbortError" ? error : new Error(GONE);
+      });
+      if (response.ok) return response;
+      const again = Number(response.headers.get("Retry-After"));
+      if (response.status !== 503 || !(again > 0) || left <= 1) {
+        const { detail } = await response.json().catch(() => ({}));
+        if (response.status === 503) throw new Refused({ key: "server.busy", values: { count: again } });
+        if (response.status === 413) throw new Error("server.too_much");
+        if (response.status === 500) throw new Error("server.failed");
+        throw detail
+          ? new Error(detail)
+          : new Refused({ key: "The server answered {status}.", values: { status: response.status } });
+      }
+      await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
+      asked?.signal?.throwIfAborted();
+    }
+  }
+}
+
+const PATIENCE = 20_000; // milliseconds; files take longer
+const FILE_PATIENCE = 300_000;
+
+/** The part of an anywidget model that is used. */
+export type Model = {
+  get(name: string): any;
+  set(name: string, value: unknown): void;
+  save_changes(): void;
+  send(message: object): void;
+  on(name: string, listener: (...values: any[]) => void): void;
+  off(name: string, listener: (...values: any[]) => void): void;
+};
+
+export class NotebookKernel implements Python {
+  waiting: Map<any, any> = new Map();
+  number = 0;
+  // several views of one widget share its messages; each answers to its own
+  view = Math.random().toString(36).slice(2);
+  listen: (message: any, buffers: any[]) => void;
+
+  constructor(readonly model: Model) {
+    this.listen = (message: any, buffers: any[]) => this.answered(message, buffers);
+    model.on("msg:custom", this.listen);
+  }
+
+  answered(message: any, buffers: any[]) {
+    const waits = message?.view === this.view && this.waiting.get(message.number);
+    if (!waits) return;
+    clearTimeout(waits.timer);
+    this.waiting.delete(message.number);
+    if (message.error) waits.reject(new Error(message.error));
+    else waits.resolve(unpack(buffers[0]));
+  }
+
+  ask(call: "motion" | "file" | "derivatives", body: object, signal?: AbortSignal): Promise<Reply> {
+    const number = ++this.number;
+    return new Promise((resolve, reject) => {
+      // a saved notebook plays without a kernel, but its kernel makes no files
+      const timer = setTimeout(
+        () => {
+          this.waiting.delete(number);
+          reject(new Error("The notebook’s kernel does not answer; run the cell again."));
+        },
+        call === "file" ? FILE_PATIENCE : PATIENCE,
+      );
+      this.waiting.set(number, { resolve, reject, timer });
+      signal?.addEventListener("abort", () => {
+        clearTimeout(timer);
+        this.waiting.delete(number);
+        reject(new DOMException("superseded", "AbortError"));
+      });
+      this.model.send({ view: this.view, number, call, body });
+    });
+  }
+
+  motion(body: object, signal?: AbortSignal) {
+    return this.ask("motion", body, signal);
+  }
+
+  async file(name: string, query: string) {
+    const { arrays } = await this.ask("file", { query, name });
+    return new Blob([arrays.content]);
+  }
+
+  /** The module of derivatives, which only comes when it is asked for: it is larger than most notebooks. */
+  async derivatives() {
+    return (await this.ask("derivatives", {})).arrays.content;
+  }
+
+  close() {
+    this.model.off("msg:custom", this.listen);
+  }
+}
