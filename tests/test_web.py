@@ -80,7 +80,7 @@ def test_a_translation_is_beside_the_page_and_english_in_it_once():
     for path in (WEB / "words").glob("*.json"):
         table = json.loads(path.read_text(encoding="utf-8"))
         count = Counter(text for text in table.values() if isinstance(text, str))
-        plain = {text for text, times in count.items() if times == 1 and re.fullmatch(r"[\w ,.;–]{30,}", text)}
+        plain = {text for text, times in count.items() if times == 1 and re.fullmatch(r"[\w ,.;–，。；]{16,}", text)}
         assert len(plain) > 10
         times = {len(re.findall(f"[\"'`]{re.escape(text)}[\"'`]", page)) for text in plain}
         assert times == {int(path.stem == "en")}
