@@ -97,6 +97,10 @@ def test_types_hold(node):
     node("node_modules/typescript/bin/tsc", "--project", ".")
 
 
+def test_pure_modules_do_what_their_tests_say(node):
+    node("tests/run.mjs")
+
+
 def test_no_lock_file_names_a_registry():
     kept = subprocess.run(["git", "ls-files", "web"], cwd=ROOT, capture_output=True, text=True, check=False).stdout.split()
     assert not [name for name in kept if re.search(r"[-./]lock\b", name)]

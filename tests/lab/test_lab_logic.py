@@ -1,6 +1,5 @@
-"""What the page's scripts compute without a browser: entries, marks of the bar of time, windows of the map, steps, links."""
+"""What the page's scripts compute without a browser: windows of the map, flights, films; web/tests has the rest."""
 
-import itertools
 import json
 import math
 import subprocess
@@ -36,75 +35,12 @@ def js(tmp_path_factory):
     return evaluate
 
 
-def test_what_is_typed_is_read_as_it_is_meant(js):
-    meant = {
-        "3.1": 3.1, "3,1": 3.1, ",5": 0.5, "−2": -2, " 1e-3 ": 1e-3, "inf": "Infinity", "∞": "Infinity",
-        "-inf": "-Infinity", "3·10⁻⁵": 3e-5, "2×10^6": 2e6, "1 000": 1000, "3.1 m/s": 3.1,
-        "1,234.5": "NaN", "1.2.3": "NaN", "abc": "NaN", "": "NaN", "--1": "NaN", "1e": "NaN", "0x10": "NaN",
-    }  # fmt: skip
-    said = js("entry.ts", "return typed.map((text) => lab.readNumber(text, 'm/s'))", typed=list(meant))
-    assert dict(zip(meant, said, strict=True)) == meant
-
-
-def test_a_refusal_names_the_field_in_its_own_unit(js):
-    field = {"label": "Slope", "unit": "°", "range": {"least": -90, "most": 90, "also": []}}
-    said = js(
-        "entry.ts", "return ['100', 'x', '12'].map((text) => lab.refusal(text, lab.readNumber(text), field))", field=field
-    )
-    said = [english(one) for one in said]
-    assert said == ["Slope = 100° must be from −90 to 90°.", "Slope = x must be a number, such as 2.5.", ""]
-    friction = "{ label: 'Friction', unit: '', range: { least: 0, most: 1e6, also: [Infinity] } }"
-    said = js("entry.ts", f"return [-1, Infinity].map((value) => lab.refusal(String(value), value, {friction}))")
-    said = [english(one) for one in said]
-    assert said == ["Friction = −1 must be from 0 to 1·10⁶, or inf.", ""]
-
-
 def test_the_page_knows_the_ranges_that_python_allows():
     for sliders in controls()["groups"].values():
         for info in sliders:
             allowed = RANGES[info["path"]]
             assert (info["allowed"]["least"], info["allowed"]["most"]) == (allowed.least, allowed.most), info["path"]
             assert [math.inf if value == "inf" else value for value in info["allowed"]["also"]] == list(allowed.also)
-
-
-# The bar of time
-
-
-def test_a_rare_mark_is_not_hidden_by_a_usual_one(js):
-    """Kane's gain happens at the instant of an impact."""
-    events = [{"kind": "impact", "x": 100}, {"kind": "kane_gain", "x": 100}, {"kind": "apex", "x": 300}]
-    found = js("marks.ts", "return lab.placed(events)", events=events)
-    assert [mark["mark"] for mark in found] == ["✚", "▼", "•"]
-    places = [mark["x"] for mark in found]
-    assert places[0] == 100
-    assert places[1] - places[0] >= 8
-
-
-def test_a_crowd_of_marks_stays_apart(js):
-    events = [{"kind": kind, "x": 0.7 * k} for k, kind in enumerate(["takeoff", "apex", "impact"] * 300)]
-    events.append({"kind": "jam", "x": 333.3})
-    places = js("marks.ts", "return lab.placed(events)", events=events)
-    assert "✖" in [mark["mark"] for mark in places]
-    gaps = [b["x"] - a["x"] for a, b in itertools.pairwise(places)]
-    assert min(gaps) >= 8
-    assert len(places) > 30
-
-
-def test_stretches_shorter_than_a_pixel_show_what_lasts_longest(js):
-    phases, t = [], 0.0
-    for _ in range(1000):  # 1,000 hops of 0.9 s with slips of 0.1 s on 100 pixels
-        phases += [{"mode": "H", "from": t, "to": t + 0.9}, {"mode": "K", "from": t + 0.9, "to": t + 1.0}]
-        t += 1.0
-    found = js("marks.ts", "return lab.stretches(phases, (t) => t / 10, 100)", phases=phases)
-    assert found == [{"mode": "H", "from": 0, "wide": 100}]
-
-
-def test_long_stretches_lie_where_they_are(js):
-    phases = [{"mode": "R", "from": 0, "to": 2.55}, {"mode": "K", "from": 2.55, "to": 4}, {"mode": "R", "from": 4, "to": 10}]
-    found = js("marks.ts", "return lab.stretches(phases, (t) => 10 * t, 100)", phases=phases)
-    assert [part["mode"] for part in found] == ["R", "K", "R"]
-    assert [part["from"] for part in found] == pytest.approx([0, 25.5, 40], abs=1)
-    assert sum(part["wide"] for part in found) == pytest.approx(100)
 
 
 # The map
@@ -138,72 +74,6 @@ def test_a_map_says_when_its_starts_are_others(js):
     assert [english(one) for one in said] == ["with a rolling start, unlike this motion", ""]
     said = js("map_words.ts", code, scenario={"start": {"speed": 3.1}})
     assert [english(one) for one in said] == ["", "with a start in any state; this motion starts rolling"]
-
-
-# Steps back and forth
-
-
-def test_keys_in_a_row_on_one_control_are_one_step(js):
-    code = """
-      const history = new lab.History();
-      const steps = [["a"], ["b"], ["c"]].map((queries, k) => history.note(queries, "start.speed", 100 * k));
-      steps.push(history.note(["d"], "plane.mu", 350), history.note(["e"], "plane.mu", 5000));
-      return [steps, history.past];
-    """
-    steps, past = js("history.ts", code)
-    assert steps == ["same", "step", "again", "step", "step"]
-    assert past == [["a"], ["c"], ["d"]]
-
-
-def test_keys_in_a_row_are_one_step_also_where_answers_are_slow(js):
-    """Each key within a second after the one before, the motion of the last of them four seconds after the first."""
-    code = """
-      const history = new lab.History();
-      history.note(["a"]);
-      const steps = [history.note(["b"], "start.speed", 100)];
-      for (let when = 900; when <= 4500; when += 900) history.touch("start.speed", when);
-      steps.push(history.note(["c"], "start.speed", 4500));
-      for (const when of [4600, 5700]) history.touch("start.speed", when);
-      steps.push(history.note(["d"], "start.speed", 5700));
-      return steps;
-    """
-    assert js("history.ts", code) == ["step", "again", "step"]
-
-
-def test_a_step_is_kept_until_it_is_shown(js):
-    code = """
-      const history = new lab.History();
-      for (const query of "abc") history.note([query]);
-      const asked = history.next(-1);
-      const before = structuredClone([history.past, history.now]);
-      history.step(-1);
-      history.arrive(["c"]);
-      const forth = structuredClone([history.past, history.now, history.future]);
-      history.arrive(["a"]);
-      const back = structuredClone([history.past, history.now, history.future]);
-      history.arrive(["elsewhere"]);
-      return [asked, before, forth, back, [history.past, history.now, history.future]];
-    """
-    asked, before, forth, back, elsewhere = js("history.ts", code)
-    assert asked == ["b"]
-    assert before == [[["a"], ["b"]], ["c"]]
-    assert forth == [[["a"], ["b"]], ["c"], []]
-    assert back == [[], ["a"], [["c"], ["b"]]]
-    assert elsewhere == [[], ["elsewhere"], []]
-
-
-def test_a_link_holds_time_view_and_map(js):
-    shown = {
-        "time": 1.25, "zoom": 2, "pan": [0.125, -0.3], "from": [0.5, 0.31, 7],
-        "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
-        "options": {"traces": True, "forces": False, "speed": True, "whole": False, "three": True},
-    }  # fmt: skip
-    text = js("address.ts", "return lab.written(shown)", shown=shown)
-    assert text == "t=1.25&show=tc3&zoom=2&pan=0.125,-0.3&from=0.5,0.31,7&map=hop_height,start.speed,1,2.5,plane.mu,0,1"
-    assert js("address.ts", "return lab.readShown('#with=x&' + text)", text=text) == shown
-    usual = {"options": {"traces": True, "forces": True, "speed": True, "whole": False, "three": False}}
-    assert js("address.ts", "return lab.written(shown)", shown=usual) == ""
-    assert js("address.ts", "return lab.readShown('t=-3&zoom=x&pan=1&from=1,a,2&map=a,b,1,0,c,0,1')") == {}
 
 
 # Where a flight begins

@@ -18,7 +18,7 @@ from hophoop.lab.api.limits import USUAL
 from hophoop.lab.site import presets
 from hophoop.vocabulary.classes import class_color, class_text
 from model.test_page_model import answers
-from web_tools import needs_node
+from web_tools import english, needs_node
 
 pytestmark = needs_node
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import random
-import re
 from typing import Any
 
 from hophoop.lab.api import calls
 from hophoop.lab.api.motion_map import MAP_QUANTITIES
 from hophoop.scenario import InputError
 from model.requests_drawn import plain
-from model.test_page_model import answers
+from model.test_page_model import answers, written
 from web_tools import needs_node
 
 pytestmark = needs_node
@@ -48,11 +47,6 @@ def request(seed: int) -> tuple[str, dict[str, Any]]:
     if name == "map":
         body |= {"x": axis(draw), "y": axis(draw), "what": draw.choice([*MAP_QUANTITIES])}
     return name, json.loads(json.dumps(plain(body)))
-
-
-def written(sentence: str) -> str:
-    """A sentence with numbers as JavaScript writes them."""
-    return re.sub(r"e([+-])0(\d)", r"e\1\2", re.sub(r"(\d)\.0\b", r"\1", sentence))
 
 
 def of_python(name: str, body: dict[str, Any]) -> dict[str, Any]:

@@ -230,7 +230,7 @@ export class PhasePlane {
     }
     for (const [lane, film] of this.films.entries()) this.way(context, film, lane);
     context.restore();
-    axes(context, this, width, height);
+    axes(context, this);
     if (this.keyed !== look.dark) {
       this.keyed = look.dark;
       const names = Object.entries(colors.mode_names).filter(([letter]) => "RSKH".includes(letter));

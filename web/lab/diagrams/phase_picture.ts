@@ -1,10 +1,11 @@
 // What the plane of angle and rate is drawn of: the regions of modes, Painlevé's paradox, the axes.
 
 import { tables } from "../../model/tables.ts";
+import { drawAxes } from "../common/axes.ts";
 import { faded, parsed } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { niceStep, tickText, ticks } from "../common/numbers.ts";
-import { LEFT, RIGHT, TOP } from "./plot_axes.ts";
+import { LEFT, TOP } from "./plot_axes.ts";
 import { t } from "../words/words.ts";
 import type { PhasePlane } from "./phase.ts";
 
@@ -54,37 +55,26 @@ export function hatch(context: CanvasRenderingContext2D, plane: PhasePlane, para
   }
 }
 
-export function axes(context: CanvasRenderingContext2D, plane: PhasePlane, width: number, height: number) {
-  const { look } = plane;
-  context.font = `11px ${look.font}`;
-  context.strokeStyle = look.soft;
-  context.fillStyle = look.soft;
-  context.lineWidth = 1;
-  context.strokeRect(LEFT + 0.5, TOP + 0.5, plane.box.width - 1, plane.box.height - 1);
-  context.textAlign = "center";
-  const low = (plane.range[0] * 180) / Math.PI;
-  const high = (plane.range[1] * 180) / Math.PI;
+export function axes(context: CanvasRenderingContext2D, plane: PhasePlane) {
+  const { look, box } = plane;
+  const [low, high] = plane.range.map((angle) => (angle * 180) / Math.PI);
   const step = high - low > 200 ? 45 : niceStep(high - low, 6);
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9; k++) {
-    const x = plane.x((k * step * Math.PI) / 180);
-    context.beginPath();
-    context.moveTo(x, TOP + plane.box.height);
-    context.lineTo(x, TOP + plane.box.height + 4);
-    context.stroke();
-    context.fillText(tickText(k * step, step), x, TOP + plane.box.height + 15);
-  }
-  context.textAlign = "right";
-  context.fillText(t("angle θ within a turn [°]"), width - RIGHT, height - 3);
-  context.textBaseline = "middle";
-  const span = plane.top() - plane.bottom();
-  for (const value of ticks(plane.bottom(), plane.top(), 5)) {
-    context.fillText(tickText(value, niceStep(span, 5)), LEFT - 6, plane.y(value));
-  }
-  context.textBaseline = "alphabetic";
-  context.save();
-  context.translate(11, TOP + 0.5 * plane.box.height);
-  context.rotate(-Math.PI / 2);
-  context.textAlign = "center";
-  context.fillText("θ̇ [rad/s]", 0, 0);
-  context.restore();
+  const angles = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9; k++) angles.push(k * step);
+  const tall = niceStep(plane.top() - plane.bottom(), 5);
+  drawAxes(
+    context,
+    look,
+    { left: LEFT, top: TOP, box },
+    {
+      across: {
+        marks: angles.map((angle) => ({ at: plane.x((angle * Math.PI) / 180), text: tickText(angle, step) })),
+        name: t("angle θ within a turn [°]"),
+      },
+      up: {
+        marks: ticks(plane.bottom(), plane.top(), 5).map((rate) => ({ at: plane.y(rate), text: tickText(rate, tall) })),
+        name: "θ̇ [rad/s]",
+      },
+    },
+  );
 }

@@ -108,7 +108,7 @@ export class Plot {
     );
     this.heights = this.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[active], colors);
-    grid(context, this, width, height);
+    grid(context, this);
     context.save();
     context.beginPath();
     context.rect(LEFT, TOP, this.box.width, this.box.height);

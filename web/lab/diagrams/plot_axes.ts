@@ -1,5 +1,6 @@
 // The axes of a diagram: their place, their ends, their numbers.
 
+import { drawAxes, named } from "../common/axes.ts";
 import { niceStep, tickText, ticks } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { t } from "../words/words.ts";
@@ -35,48 +36,33 @@ export function heightsOf(values: number[], symmetric: boolean) {
 }
 
 /** Axes with their numbers, and a line across for each height. */
-export function grid(context: CanvasRenderingContext2D, plot: Plot, width: number, height: number) {
+export function grid(context: CanvasRenderingContext2D, plot: Plot) {
   const { look, box, heights, range } = plot;
-  context.font = `11px ${look.font}`;
-  context.strokeStyle = look.line;
-  context.fillStyle = look.soft;
-  context.lineWidth = 1;
   let tall = Math.max(box.height / 28, 4);
   // one number alone gives no scale
   while (ticks(heights[0], heights[1], tall).length < 3 && tall < 12) tall += 1;
   const step = niceStep(heights[1] - heights[0], tall);
-  context.textAlign = "right";
-  context.textBaseline = "middle";
-  for (const value of ticks(heights[0], heights[1], tall)) {
-    const y = Math.round(plot.y(value)) + 0.5;
-    context.globalAlpha = Math.abs(value) < 1e-9 * step ? 1 : 0.55;
-    context.beginPath();
-    context.moveTo(LEFT, y);
-    context.lineTo(width - RIGHT, y);
-    context.stroke();
-    context.globalAlpha = 1;
-    context.fillText(tickText(value, step), LEFT - 6, y);
-  }
   const wide = box.width / 70;
   const across = niceStep(range[1] - range[0], wide);
-  context.textAlign = "center";
-  context.textBaseline = "alphabetic";
-  const { name, unit: inUnit } = QUANTITIES[plot.shared.axis];
-  const unit = inUnit ? `${t(name)} [${inUnit}]` : t(name);
-  for (const value of ticks(range[0], range[1], wide)) {
-    const x = plot.x(value);
-    context.beginPath();
-    context.moveTo(x, TOP + box.height);
-    context.lineTo(x, TOP + box.height + 4);
-    context.stroke();
-    context.fillText(tickText(value, across), x, TOP + box.height + 15);
-  }
-  context.textAlign = "right";
-  context.fillText(unit, width - RIGHT, height - 3);
-  context.save();
-  context.translate(11, TOP + 0.5 * box.height);
-  context.rotate(-Math.PI / 2);
-  context.textAlign = "center";
-  context.fillText(t(plot.unit), 0, 0);
-  context.restore();
+  const { name, unit } = QUANTITIES[plot.shared.axis];
+  drawAxes(
+    context,
+    look,
+    { left: LEFT, top: TOP, box },
+    {
+      up: {
+        marks: ticks(heights[0], heights[1], tall).map((value) => ({
+          at: plot.y(value),
+          text: tickText(value, step),
+          strong: Math.abs(value) < 1e-9 * step,
+        })),
+        name: t(plot.unit),
+      },
+      across: {
+        marks: ticks(range[0], range[1], wide).map((value) => ({ at: plot.x(value), text: tickText(value, across) })),
+        name: named(name, unit),
+      },
+      lines: true,
+    },
+  );
 }

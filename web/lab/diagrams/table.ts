@@ -4,7 +4,6 @@ import { h, saveBlob, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { t } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -49,7 +48,15 @@ export class Table {
   body: HTMLTableSectionElement;
   element: HTMLElement;
 
-  constructor(public lab: Lab) {
+  readonly source: () => Film;
+  readonly clock: Clock;
+  readonly names: () => Record<string, string>;
+
+  /** `names`: of the modes. */
+  constructor({ film, clock, names }: { film: () => Film; clock: Clock; names: () => Record<string, string> }) {
+    this.source = film;
+    this.clock = clock;
+    this.names = names;
     this.step = h(
       "select",
       { onchange: () => this.fill() },
@@ -104,7 +111,7 @@ export class Table {
   open(open: boolean) {
     this.element.hidden = !open;
     if (!open) return;
-    this.draw(this.lab.film());
+    this.draw(this.source());
     this.element.scrollIntoView({ block: "nearest" });
     this.element.querySelector("select")?.focus();
   }
@@ -118,7 +125,7 @@ export class Table {
   fill() {
     const { film, columns } = this;
     const step = Number(this.step.value);
-    const names = this.lab.theme.colors.mode_names;
+    const names = this.names();
     const units = columns.map((key) => QUANTITIES[key]);
     this.head.replaceChildren(
       h(
@@ -135,7 +142,7 @@ export class Table {
       time,
       row: h(
         "tr",
-        { onclick: () => this.lab.clock.seek(time) },
+        { onclick: () => this.clock.seek(time) },
         values.map((value, i) => (i === 0 ? h("th", { scope: "row" }, show(value, 4)) : h("td", {}, show(value, 4)))),
         h("td", { class: "table-mode" }, names[mode]),
       ),
@@ -144,7 +151,7 @@ export class Table {
     const whole = film.duration / step + 1 <= MOST + 1e-6;
     const more = { key: "The first {count} rows.", values: { count: MOST } };
     say(this.caption, whole ? film.summary : [film.summary, " ", more]);
-    this.cursor(this.lab.clock.time);
+    this.cursor(this.clock.time);
   }
 
   cursor(time: number) {

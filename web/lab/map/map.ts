@@ -252,7 +252,7 @@ export class MotionMap {
       cross(context, axes.x(this.pointed.x), axes.y(this.pointed.y), "#D55E00", look.paper);
     }
     context.restore();
-    axes.draw(context, height, look);
+    axes.draw(context, look);
   }
 
   // Where the present motion stands on the map.

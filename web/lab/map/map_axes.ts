@@ -1,5 +1,6 @@
 // The two axes of a map: which parameters, from where to where, and where that is on the canvas.
 
+import { type Axis, drawAxes } from "../common/axes.ts";
 import { niceStep, show, tickText, ticks, withUnit, clamp } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 
@@ -154,46 +155,29 @@ export class MapAxes {
   }
 
   /** Frame, numbers and names. */
-  draw(context: CanvasRenderingContext2D, height: number, look: Look) {
-    context.strokeStyle = look.soft;
-    context.fillStyle = look.soft;
-    context.lineWidth = 1;
-    context.strokeRect(this.left + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
-    context.font = `11px ${look.font}`;
-    for (const name of AXES) {
-      const info = this.info(name);
-      const scale = info.degrees ? 1 / DEGREE : 1;
-      const [low, high] = this.windows[name].map((value) => value * scale);
-      const count = name === "x" ? this.box.width / 80 : this.box.height / 40;
-      const step = niceStep(high - low, count);
-      // far in, the labels show the distance from a rounded value that stands with the axis' name
-      const deep = this.deep(name);
-      const origin = deep ? Number((0.5 * (low + high)).toPrecision(12)) : 0;
-      const all = deep ? ticks(low - origin, high - origin, count).map((v) => v + origin) : ticks(low, high, count);
-      for (const value of all) {
-        const text = deep ? show(value - origin, 3) : tickText(value, step);
-        if (name === "x") {
-          context.textAlign = "center";
-          context.fillText(text, this.x(value / scale), TOP + this.box.height + 14);
-        } else {
-          context.textAlign = "right";
-          context.textBaseline = "middle";
-          context.fillText(text, this.left - 5, this.y(value / scale));
-          context.textBaseline = "alphabetic";
-        }
-      }
-      const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
-      const label = `${t(info.label)}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
-      context.save();
-      context.textAlign = "center";
-      if (name === "x") context.translate(this.left + 0.5 * this.box.width, height - 5);
-      else {
-        context.translate(12, TOP + 0.5 * this.box.height);
-        context.rotate(-Math.PI / 2);
-      }
-      context.fillText(label, 0, 0);
-      context.restore();
-    }
+  draw(context: CanvasRenderingContext2D, look: Look) {
+    const { left, box } = this;
+    const [across, up] = [this.axis("x", box.width / 80), this.axis("y", box.height / 40)];
+    drawAxes(context, look, { left, top: TOP, box }, { across, up, middle: true });
+  }
+
+  axis(name: AxisName, count: number): Axis {
+    const info = this.info(name);
+    const scale = info.degrees ? 1 / DEGREE : 1;
+    const [low, high] = this.windows[name].map((value) => value * scale);
+    const step = niceStep(high - low, count);
+    // far in, the labels show the distance from a rounded value that stands with the axis' name
+    const deep = this.deep(name);
+    const origin = deep ? Number((0.5 * (low + high)).toPrecision(12)) : 0;
+    const all = deep ? ticks(low - origin, high - origin, count).map((v) => v + origin) : ticks(low, high, count);
+    const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
+    return {
+      marks: all.map((value) => ({
+        at: this[name](value / scale),
+        text: deep ? show(value - origin, 3) : tickText(value, step),
+      })),
+      name: `${t(info.label)}${offset}${info.unit ? ` [${info.unit}]` : ""}`,
+    };
   }
 }
 

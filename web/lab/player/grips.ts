@@ -13,6 +13,9 @@ import type { Scene } from "./scene2d.ts";
 const REST = 700; // milliseconds after the last key until the start counts as chosen
 const SMALL = 44; // pixels, the least that a finger hits
 
+/** What the hand moves, and what shows it. */
+type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
+
 const GRIPS: [Grip, string, string][] = [
   ["plane", "Slope of the plane", "Tilt the plane: drag, or arrow keys"],
   ["hoop", "The hoop: height and speed", "Lift, roll or throw the hoop: drag, or arrow keys"],
@@ -32,7 +35,7 @@ export class Grips {
   element: HTMLDivElement;
   settle: () => void;
 
-  constructor(public lab: Lab) {
+  constructor(readonly lab: Hands) {
     this.places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
     this.tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
     this.element = h(
@@ -41,7 +44,6 @@ export class Grips {
       [...this.places.values()],
       this.tip,
     );
-    lab.stage.element.before(this.element);
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);
@@ -247,7 +249,7 @@ export class Grips {
     const { lab } = this;
     lab.stage.options.ahead = true;
     lab.clock.seek(0);
-    lab.root.classList.add("holding");
+    lab.mark("holding", true);
   }
 
   change(grip: Grip, held: Held, commit: boolean) {
@@ -276,7 +278,7 @@ export class Grips {
     this.before = null;
     this.tip.hidden = true;
     lab.stage.options.ahead = false;
-    lab.root.classList.remove("holding");
+    lab.mark("holding", false);
     if (play) lab.clock.seek(0);
     if (play) lab.clock.run();
     lab.request();

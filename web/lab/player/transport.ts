@@ -28,6 +28,7 @@ export class Transport {
   playButton: HTMLButtonElement;
   speeds: HTMLSelectElement;
   switches: Map<keyof StageOptions, HTMLButtonElement>;
+  row: HTMLDivElement; // of the switches
   element: HTMLDivElement;
 
   /** `say`: what is seen; `tell`: what a screen reader says. */
@@ -57,6 +58,7 @@ export class Transport {
         h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label),
       ]),
     );
+    this.row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
     this.element = h(
       "div",
       { class: "transport" },
@@ -77,7 +79,7 @@ export class Transport {
         button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
       ),
       this.speeds,
-      h("div", { class: "buttons switches" }, [...this.switches.values()]),
+      this.row,
     );
   }
 

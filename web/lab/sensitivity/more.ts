@@ -8,6 +8,12 @@ import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arr
 import { saidOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
+/** The motion that is asked about, and what shows and says the answer. */
+type Asked = Pick<
+  Lab,
+  "stage" | "clock" | "motions" | "backend" | "controls" | "story" | "film" | "request" | "marked" | "address"
+>;
+
 const DEGREE = Math.PI / 180;
 const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
@@ -43,7 +49,7 @@ export class More {
   rows: HTMLDetailsElement;
   element: HTMLElement;
 
-  constructor(public lab: Lab) {
+  constructor(readonly lab: Asked) {
     this.later = once(() => this.fetch(), WAIT);
     this.switch = h(
       "button",
@@ -108,7 +114,7 @@ export class More {
       this.scale,
     );
     lab.stage.flat.over = (scene, lane) => {
-      const guessing = lab.root.classList.contains("guessing"); // what comes is to be guessed
+      const guessing = lab.marked("guessing"); // what comes is to be guessed
       if (!this.on || guessing || lane !== lab.motions.active) return;
       const factor = magnified(this.arrows, scene.film.radius, scene.scale);
       if (factor || this.arrows.some(({ dx }) => Number.isNaN(dx))) drawArrows(scene, this.arrows, factor || 1);

@@ -2,7 +2,7 @@
 
 import { once } from "../common/dom.ts";
 import { clamp } from "../common/numbers.ts";
-import type { Lab } from "./lab.ts";
+import type { Motions } from "../player/motions.ts";
 
 const LETTERS: [keyof StageOptions, string][] = [
   ["traces", "t"],
@@ -88,7 +88,11 @@ export class Address {
   soon: () => void;
   listen: () => Promise<void>;
 
-  constructor(public lab: Lab) {
+  /** `link`: to what is shown. */
+  constructor(
+    readonly motions: Motions,
+    readonly link: () => string | null,
+  ) {
     this.soon = once(() => this.write("same"), WAIT);
     this.listen = () => this.arrived();
     addEventListener("popstate", this.listen);
@@ -99,11 +103,11 @@ export class Address {
   }
 
   write(step: "same" | "step" | "again" | "travelled") {
-    const { lab } = this;
-    if (!lab.motions.lanes.length) return;
+    const { motions } = this;
+    if (!motions.lanes.length) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
-    if (!lab.motions.history.holds(lab.motions.queries())) return;
-    const link = lab.link();
+    if (!motions.history.holds(motions.queries())) return;
+    const link = this.link();
     if (step === "step") history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
   }
@@ -121,8 +125,8 @@ export class Address {
   async arrived() {
     const number = history.state?.number ?? 0;
     const asked = queries();
-    if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
-    else if (await this.lab.motions.arrive(asked)) this.number = number;
+    if (JSON.stringify(asked) === JSON.stringify(this.motions.queries())) this.number = number;
+    else if (await this.motions.arrive(asked)) this.number = number;
     else if (number !== this.number) history.go(this.number - number); // stay with what is shown
   }
 }

@@ -16,48 +16,44 @@ import { current, repeat, t } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
 export class Extras {
-  grips = new Grips(this.lab);
+  grips: Grips;
   sound = new Sound();
-  present = new Present(this.lab);
-  challenges = new Challenges(this.lab);
+  present: Present;
+  challenges: Challenges;
   visit: Visit;
   table: Table;
   more: More;
   teach: HTMLDialogElement;
-  loop: HTMLButtonElement | undefined;
-  slow: HTMLButtonElement | undefined;
-  loud: HTMLButtonElement | undefined;
-  large: HTMLButtonElement | undefined;
+  tools: HTMLElement;
+  menu: HTMLDetailsElement;
+  languages: HTMLElement;
+  loop: HTMLButtonElement;
+  slow: HTMLButtonElement;
+  loud: HTMLButtonElement;
+  large: HTMLButtonElement;
 
-  constructor(public lab: Lab) {
+  constructor(readonly lab: Lab) {
+    const film = () => lab.film();
+    const load = (query: string) => lab.load(query);
+    this.grips = new Grips(lab);
+    this.present = new Present(lab.root, () => lab.show());
+    this.challenges = new Challenges({ film, load, ahead: () => lab.stage.options.ahead });
     this.visit = new Visit(lab, () => this.challenges.open());
-    this.table = new Table(lab);
+    this.table = new Table({ film, clock: lab.clock, names: () => lab.theme.colors.mode_names });
     this.more = new More(lab);
-    this.teach = teachDialog(
-      (query) => this.challenges.load(query),
-      () => this.visit.start(),
-    );
-    this.layOut();
+    this.teach = teachDialog(load, () => this.visit.start());
+    this.tools = this.makeTools();
+    this.menu = this.makeMenu();
+    this.languages = languageMenu(() => {
+      this.spoken();
+      repeat(lab.root);
+      lab.show();
+    });
     this.spoken();
   }
 
-  layOut() {
-    const { lab } = this;
-    const player = lab.stage.element.parentElement as HTMLElement;
-    const side = lab.root.querySelector(".side");
-    if (side) side.prepend(this.visit.element, this.challenges.element);
-    else player.before(this.visit.element, this.challenges.element);
-    player.after(this.more.element, this.table.element);
-    lab.transport.element.querySelector(".switches")?.append(this.more.switch);
-    lab.root.append(this.teach);
-    lab.transport.element.querySelector(".switches")?.before(this.tools());
-    const right = lab.header.element.querySelector(".right");
-    right?.prepend(this.menu(), this.languages());
-    if (lab.hosted && !location.search && !location.hash) this.visit.offer();
-  }
-
   /** Switches beside those of the player. */
-  tools() {
+  makeTools() {
     const { clock } = this.lab;
     const toggle = (name: any, title: string, action: () => void) =>
       h("button", { type: "button", title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
@@ -82,13 +78,13 @@ export class Extras {
 
   mark() {
     const { clock } = this.lab;
-    this.loop?.setAttribute("aria-pressed", String(clock.loop));
-    this.slow?.setAttribute("aria-pressed", String(clock.speed === 0.1));
-    this.loud?.setAttribute("aria-pressed", String(this.sound.on));
-    this.large?.setAttribute("aria-pressed", String(this.present.on));
+    this.loop.setAttribute("aria-pressed", String(clock.loop));
+    this.slow.setAttribute("aria-pressed", String(clock.speed === 0.1));
+    this.loud.setAttribute("aria-pressed", String(this.sound.on));
+    this.large.setAttribute("aria-pressed", String(this.present.on));
   }
 
-  menu() {
+  makeMenu() {
     const item = (words: string, action: () => void) =>
       h(
         "button",
@@ -116,9 +112,6 @@ export class Extras {
         item("For teachers", () => this.teach.showModal()),
       ),
     );
-    this.lab.root.addEventListener("pointerdown", (event: PointerEvent) => {
-      if (!menu.contains(event.target as Node)) menu.open = false;
-    });
     menu.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || !menu.open) return;
       event.stopPropagation();
@@ -126,15 +119,6 @@ export class Extras {
       menu.querySelector("summary")?.focus();
     });
     return menu;
-  }
-
-  languages() {
-    const changed = () => {
-      this.spoken();
-      repeat(this.lab.root);
-      this.lab.show();
-    };
-    return languageMenu(changed, (error) => this.lab.notice.fail(error));
   }
 
   spoken() {

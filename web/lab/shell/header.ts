@@ -22,6 +22,7 @@ export class Header {
   undo: HTMLButtonElement;
   redo: HTMLButtonElement;
   compare: HTMLButtonElement;
+  right: HTMLDivElement;
   element: HTMLElement;
 
   /** `keep`: the menu of what can be kept. */
@@ -58,6 +59,13 @@ export class Header {
     this.redo = button(icon("redo"), "Redo (y)", actions.redo);
     const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
     this.compare = button(words, "Compare two hoops", actions.compare);
+    this.right = h(
+      "div",
+      { class: "buttons right" },
+      keep,
+      button(icon("theme"), "Dark or light (d)", actions.theme),
+      button("?", "Keys and help (?)", actions.help),
+    );
     this.element = h(
       "header",
       { class: "top" },
@@ -69,13 +77,7 @@ export class Header {
       ),
       this.presets,
       h("div", { class: "buttons" }, this.undo, this.redo, this.compare),
-      h(
-        "div",
-        { class: "buttons right" },
-        keep,
-        button(icon("theme"), "Dark or light (d)", actions.theme),
-        button("?", "Keys and help (?)", actions.help),
-      ),
+      this.right,
     );
   }
 

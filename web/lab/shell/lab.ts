@@ -30,6 +30,8 @@ export interface Options {
   onmotion?: (query: string) => void; // called when another motion is a step that can be undone
 }
 
+export type State = "holding" | "visiting" | "guessing";
+
 export class Lab {
   requested = false; // a picture
   surrounding = false; // diagrams and words, which follow the picture
@@ -80,7 +82,6 @@ export class Lab {
     const { colors } = setup;
     this.known = setup.presets;
     this.sameness = new Sameness(setup.presets);
-    this.address = hosted ? new Address(this) : null;
     this.clock = new Clock();
     this.motions = new Motions(backend, {
       shown: (since) => this.changed(since),
@@ -90,6 +91,7 @@ export class Lab {
       travelled: async (way) => this.address?.travel(way),
       failed: (error, changes) => this.failed(error, changes),
     });
+    this.address = hosted ? new Address(this.motions, () => this.link()) : null;
     this.notice = new Notice();
     this.theme = new Theme(root, colors, hosted, () => this.show());
     this.stage = new Stage(colors, () => {
@@ -131,8 +133,9 @@ export class Lab {
       theme: () => this.theme.toggle(),
       help: () => this.help.showModal(),
     });
-    this.sticky = layOut(this, panels);
     this.extras = new Extras(this);
+    this.sticky = layOut(this, panels);
+    if (hosted && !location.search && !location.hash) this.extras.visit.offer();
     this.later = once(() => this.fetchTheory(), 120);
     this.frame = this.frame.bind(this);
     this.clock.listeners.add(() => {
@@ -243,6 +246,27 @@ export class Lab {
     } catch (error) {
       this.failed(error as Error);
     }
+  }
+
+  /** Show the motion of a link from its start, at rest. */
+  async load(query: string) {
+    try {
+      const reply = await this.backend.call("film", { query });
+      this.clock.play(false);
+      this.clock.time = 0;
+      this.motions.replace(reply);
+    } catch (error) {
+      this.notice.fail(error as Error);
+    }
+  }
+
+  /** A state of the whole page, which the style sheet knows. */
+  mark(state: State, on: boolean) {
+    this.root.classList.toggle(state, on);
+  }
+
+  marked(state: State) {
+    return this.root.classList.contains(state);
   }
 
   travel(way: -1 | 1) {

@@ -20,22 +20,37 @@ export function prepareRoot(root: HTMLElement, hosted: boolean) {
  * lab owns the page.
  */
 export function layOut(lab: Lab, panels: string[] | null) {
-  const { root, notice, hosted } = lab;
+  const { root, notice, hosted, extras, transport, header } = lab;
   const want: (name: string) => boolean = (name) => !panels || panels.includes(name);
+  const cards = [extras.visit.element, extras.challenges.element];
   const side = h(
     "aside",
     { class: "side", "aria-label": "Parameters" },
+    ...cards,
     lab.hoops.element,
     notice.message,
     lab.controls.element,
   );
-  const player = h("div", { class: "player" }, lab.stage.element, lab.timeline.element, lab.transport.element);
+  transport.row.append(extras.more.switch);
+  transport.row.before(extras.tools);
+  header.right.prepend(extras.menu, extras.languages);
+  const player = h(
+    "div",
+    { class: "player" },
+    extras.grips.element,
+    lab.stage.element,
+    lab.timeline.element,
+    transport.element,
+  );
   const sticky = hosted ? keepInSight(player, () => lab.request()) : null;
   const middle = h(
     "div",
     { class: "middle" },
     sticky?.edge,
+    !want("controls") && cards,
     player,
+    extras.more.element,
+    extras.table.element,
     h("div", { class: "words" }, lab.story.element, want("theory") && lab.theory.element),
     want("map") && lab.map.element,
   );
@@ -45,13 +60,18 @@ export function layOut(lab: Lab, panels: string[] | null) {
       "div",
       { class: "page" },
       hosted && skipTo(lab.timeline.element),
-      lab.header.element,
+      header.element,
       h("div", { class: "columns" }, want("controls") && side, middle, why),
     ),
     notice.toast,
     lab.share.dialog,
     lab.help,
+    extras.teach,
   );
+  // a menu closes where one presses elsewhere
+  root.addEventListener("pointerdown", ({ target }) => {
+    for (const menu of [lab.share.menu, extras.menu]) if (!menu.contains(target as Node)) menu.open = false;
+  });
   root.classList.toggle("no-controls", !want("controls"));
   return sticky;
 }

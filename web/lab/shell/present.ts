@@ -1,14 +1,15 @@
 // For a class: the player alone, large, on the whole screen.
 
-import type { Lab } from "./lab.ts";
-
 export class Present {
   full = false;
   on = false;
   left: () => void;
   onchange: () => void;
 
-  constructor(public lab: Lab) {
+  constructor(
+    readonly root: HTMLElement,
+    readonly show: () => void,
+  ) {
     this.left = () => {
       if (!document.fullscreenElement && this.full) this.turn(false);
     };
@@ -17,11 +18,11 @@ export class Present {
   }
 
   async turn(on: boolean = !this.on) {
-    const { root } = this.lab;
+    const { root } = this;
     this.on = on;
     root.classList.toggle("presenting", on);
     this.onchange();
-    this.lab.show();
+    this.show();
     if (!on) {
       const full = this.full;
       this.full = false;

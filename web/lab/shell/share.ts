@@ -5,6 +5,9 @@ import { record } from "../player/recording.ts";
 import { png, svg } from "../player/pictures.ts";
 import type { Lab } from "./lab.ts";
 
+/** What is kept, and who makes it. */
+type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link">;
+
 const FILES = [
   ["motion.toml", "Scenario (TOML)"],
   ["motion.csv", "States (CSV)"],
@@ -17,7 +20,7 @@ export class Share {
   menu: HTMLDetailsElement;
   dialog: HTMLDialogElement;
 
-  constructor(public lab: Lab) {
+  constructor(readonly lab: Kept) {
     this.menu = h(
       "details",
       { class: "menu" },
@@ -36,9 +39,6 @@ export class Share {
       ),
     );
     this.dialog = h("dialog", { class: "code-dialog", "aria-label": "The same motion in Python" });
-    lab.root.addEventListener("pointerdown", (event: PointerEvent) => {
-      if (!this.menu.contains(event.target as Node)) this.menu.open = false;
-    });
   }
 
   item(label: string, action: () => void) {
@@ -80,7 +80,7 @@ export class Share {
     this.lab.notice.say({ key: "{name} is there.", values: { name } });
   }
 
-  async picture(kind: string, make: (lab: Lab) => Promise<Blob> | Blob) {
+  async picture(kind: string, make: (shown: Kept) => Promise<Blob> | Blob) {
     saveBlob(await make(this.lab), `hophoop.${kind}`);
   }
 

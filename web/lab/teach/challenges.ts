@@ -4,7 +4,6 @@ import { h, say } from "../common/dom.ts";
 import { GOALS, stars, type Goal } from "./goals.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { spoken } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
 
 const KEY = "hophoop-best-";
 
@@ -20,7 +19,13 @@ export class Challenges {
   kept: HTMLParagraphElement;
   element: HTMLElement;
 
-  constructor(public lab: Lab) {
+  readonly film: () => Film;
+  readonly load: (query: string) => Promise<void>;
+  readonly ahead: () => boolean;
+
+  /** `load`: shows the motion of a link; `ahead`: whether the hoop is in the hand. */
+  constructor({ film, load, ahead }: Pick<Challenges, "film" | "load" | "ahead">) {
+    Object.assign(this, { film, load, ahead });
     this.tabs = new Map(
       GOALS.map((goal) => [
         goal.key,
@@ -78,30 +83,18 @@ export class Challenges {
     this.changed();
   }
 
-  async load(query: string) {
-    const { lab } = this;
-    try {
-      const reply = await lab.backend.film({ query });
-      lab.clock.play(false);
-      lab.clock.time = 0;
-      lab.motions.replace(reply);
-    } catch (error) {
-      lab.notice.fail(error as Error);
-    }
-  }
-
   /** Another motion is there: its score. A start that is still in the hand does not count. */
   changed() {
-    const { goal, lab } = this;
+    const { goal } = this;
     if (!goal) return;
-    const { points, text, values = {} } = goal.score(lab.film());
+    const { points, text, values = {} } = goal.score(this.film());
     this.meter.value = points;
     const what = { key: text, values };
     const said = { key: "{stars} {points} points. {what}", values: { stars: drawn(points), count: points, what } };
     if (this.result.textContent !== spoken(said)) say(this.result, said);
     const best = Number(recall(KEY + goal.key) ?? 0);
-    if (points > best && !lab.stage.options.ahead) remember(KEY + goal.key, String(points));
-    const count = Math.max(best, lab.stage.options.ahead ? 0 : points);
+    if (points > best && !this.ahead()) remember(KEY + goal.key, String(points));
+    const count = Math.max(best, this.ahead() ? 0 : points);
     say(this.kept, { key: "Your best: {points} points.", values: { count } });
   }
 }

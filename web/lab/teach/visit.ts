@@ -10,6 +10,9 @@ import type { Guess } from "./predict.ts";
 
 const KEY = "hophoop-visit";
 
+/** What a visit plays, and what it says. */
+type Guided = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "films" | "show" | "changed" | "mark">;
+
 export class Visit {
   step: Step | null = null;
   guess: Guess | null = null;
@@ -35,7 +38,7 @@ export class Visit {
   element: HTMLElement;
 
   constructor(
-    public lab: Lab,
+    readonly lab: Guided,
     challenges: () => void,
   ) {
     this.onchallenges = challenges;
@@ -81,7 +84,7 @@ export class Visit {
     this.step = this.guess = this.stop = null;
     this.element.hidden = true;
     this.unwind();
-    this.lab.root.classList.remove("visiting");
+    this.lab.mark("visiting", false);
     this.veil();
     this.lab.show();
   }
@@ -98,7 +101,7 @@ export class Visit {
     this.unwind();
     say(this.said, "");
     this.element.hidden = false;
-    lab.root.classList.toggle("visiting", number < STEPS.length - 1);
+    lab.mark("visiting", number < STEPS.length - 1);
     try {
       const replies = await Promise.all(step.queries.map((query) => lab.backend.film({ query })));
       if (asked !== this.asked) return;
@@ -117,7 +120,7 @@ export class Visit {
 
   /** What would tell the answer waits for the guess. */
   veil() {
-    this.lab.root.classList.toggle("guessing", this.guessing);
+    this.lab.mark("guessing", this.guessing);
     if (this.guessing) name(this.lab.stage.element, "aria-label", "The hoop, before it is let go.");
   }
 

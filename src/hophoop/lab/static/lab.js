@@ -1,19 +1,19 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources f9a55140999f02550519f9ba8f6563d0 */
-var ol=Object.create;var Uo=Object.defineProperty;var il=Object.getOwnPropertyDescriptor;var al=Object.getOwnPropertyNames;var rl=Object.getPrototypeOf,ll=Object.prototype.hasOwnProperty;var hl=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var cl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of al(e))!ll.call(n,o)&&o!==t&&Uo(n,o,{get:()=>e[o],enumerable:!(s=il(e,o))||s.enumerable});
-return n};var ul=(n,e,t)=>(t=n!=null?ol(rl(n)):{},cl(e||!n||!n.__esModule?Uo(t,"default",{value:n,enumerable:!0}):t,n));var dr=hl(Fn=>{"use strict";Object.defineProperty(Fn,"__esModule",{value:!0});function hr(n){return!n||typeof n=="string"?n:n+""}var xo=class{async svg2canvas(e,t,s){
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 100f025fa8c3223e3fafc9c1bbaea4ad */
+var al=Object.create;var Ko=Object.defineProperty;var rl=Object.getOwnPropertyDescriptor;var ll=Object.getOwnPropertyNames;var hl=Object.getPrototypeOf,cl=Object.prototype.hasOwnProperty;var ul=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var dl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ll(e))!cl.call(n,o)&&o!==t&&Ko(n,o,{get:()=>e[o],enumerable:!(s=rl(e,o))||s.enumerable});
+return n};var ml=(n,e,t)=>(t=n!=null?al(hl(n)):{},dl(e||!n||!n.__esModule?Ko(t,"default",{value:n,enumerable:!0}):t,n));var Pa=ul(Rn=>{"use strict";Object.defineProperty(Rn,"__esModule",{value:!0});function Aa(n){return!n||typeof n=="string"?n:n+""}var Ns=class{async svg2canvas(e,t,s){
 let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=s,i.getContext(
 "2d").drawImage(o,0,0),i}toDataURL(e,t,s,o,i,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
-c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var d="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
-r);if(o==="image/svg+xml"||!o)return a.async?Promise.resolve(d):d;if(o==="image/jpeg"||o==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
-st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(d,t,s),m=h.toDataURL(o,i);return h.remove(),m})()}throw new Error(
+c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var m="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
+r);if(o==="image/svg+xml"||!o)return a.async?Promise.resolve(m):m;if(o==="image/jpeg"||o==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
+st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(m,t,s),d=h.toDataURL(o,i);return h.remove(),d})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,s,o,i,a,r,l){if(l||(l={}),!l.async)throw new Error(
-"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,s,"image/svg+xml");return(async()=>{let d=await this.svg2canvas(c,t,s),
-m=d.getContext("2d").getImageData(o,i,a,r);return d.remove(),m})()}},cr=new xo;var ur=(function(){var n,e,t,s,o;function i(h,m){var p=Object.keys(m),f;for(f=0;f<
-p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),m[p[f]]);return h}function a(h){var m,p,f;if(!h)throw new Error("cannot create a random attribute nam\
-e for an undefined object");m="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=m[Math.floor(Math.random()*m.length)];while(h[p]);
-return p}function r(h,m){var p,f,g={},b;for(h=h.split(","),m=m||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],m),g[f]="&#"+b+";";return g["\\xa0"]="&#\
-160;",g}function l(h){var m={left:"start",right:"end",center:"middle",start:"start",end:"end"};return m[h]||m.start}function c(h){var m={alphabetic:"alphabetic",
-hanging:"hanging",top:"text-before-edge",bottom:"text-after-edge",middle:"central"};return m[h]||m.alphabetic}o=r("50,nbsp,51,iexcl,52,cent,53,pound,54,curren,5\
+"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,s,"image/svg+xml");return(async()=>{let m=await this.svg2canvas(c,t,s),
+d=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),d})()}},La=new Ns;var Ra=(function(){var n,e,t,s,o;function i(h,d){var p=Object.keys(d),f;for(f=0;f<
+p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),d[p[f]]);return h}function a(h){var d,p,f;if(!h)throw new Error("cannot create a random attribute nam\
+e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
+return p}function r(h,d){var p,f,g={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],d),g[f]="&#"+b+";";return g["\\xa0"]="&#\
+160;",g}function l(h){var d={left:"start",right:"end",center:"middle",start:"start",end:"end"};return d[h]||d.start}function c(h){var d={alphabetic:"alphabetic",
+hanging:"hanging",top:"text-before-edge",bottom:"text-after-edge",middle:"central"};return d[h]||d.alphabetic}o=r("50,nbsp,51,iexcl,52,cent,53,pound,54,curren,5\
 5,yen,56,brvbar,57,sect,58,uml,59,copy,5a,ordf,5b,laquo,5c,not,5d,shy,5e,reg,5f,macr,5g,deg,5h,plusmn,5i,sup2,5j,sup3,5k,acute,5l,micro,5m,para,5n,middot,5o,ced\
 il,5p,sup1,5q,ordm,5r,raquo,5s,frac14,5t,frac12,5u,frac34,5v,iquest,60,Agrave,61,Aacute,62,Acirc,63,Atilde,64,Auml,65,Aring,66,AElig,67,Ccedil,68,Egrave,69,Eacu\
 te,6a,Ecirc,6b,Euml,6c,Igrave,6d,Iacute,6e,Icirc,6f,Iuml,6g,ETH,6h,Ntilde,6i,Ograve,6j,Oacute,6k,Ocirc,6l,Otilde,6m,Ouml,6n,times,6o,Oslash,6p,Ugrave,6q,Uacute,\
@@ -32,526 +32,126 @@ p,rsquo,80q,sbquo,80s,ldquo,80t,rdquo,80u,bdquo,810,dagger,811,Dagger,81g,permil
 stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"stroke"},miterLimit:{svgAttr:"stroke-miterlimit",canvas:10,svg:4,apply:"stroke"},
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
-abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,m){this.__root=h,this.__ctx=m},t.prototype.addColorStop=function(h,m){
-var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),hr(m).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-g=f.exec(m),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",hr(m)),this.
-__root.appendChild(p)},s=function(h,m){this.__root=h,this.__ctx=m},e=function(h){var m={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=m,p.
-width=arguments[0],p.height=arguments[1]):h?p=h:p=m,!(this instanceof e))return new e(p);this.width=p.width||m.width,this.height=p.height||m.height,this.enableMirroring=
-p.enableMirroring!==void 0?p.enableMirroring:m.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
+abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
+var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Aa(d).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+g=f.exec(d),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Aa(d)),this.
+__root.appendChild(p)},s=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
+width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
+p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
 __document.createElement("canvas"),this.__ctx=this.__canvas.getContext("2d")),this.__setDefaultStyles(),this.__styleStack=[this.__getStyleState()],this.__groupStack=
 [],this.__root=this.__document.createElementNS("http://www.w3.org/2000/svg","svg"),this.__root.setAttribute("version",1.1),this.__root.setAttribute("xmlns","htt\
 p://www.w3.org/2000/svg"),this.__root.setAttributeNS("http://www.w3.org/2000/xmlns/","xmlns:xlink","http://www.w3.org/1999/xlink"),this.__root.setAttribute("wid\
 th",this.width),this.__root.setAttribute("height",this.height),this.__ids={},this.__defs=this.__document.createElementNS("http://www.w3.org/2000/svg","defs"),this.
 __root.appendChild(this.__defs),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
 this.resetTransform(),this.__options=p,this.__id=Math.random().toString(16).substring(2,8),this.__debug("new",h)},e.prototype.__debug=function(...h){this.__options.
-debug&&console.debug(`svgcanvas#${this.__id}:`,...h)},e.prototype.__createElement=function(h,m,p){typeof m>"u"&&(m={});var f=this.__document.createElementNS("ht\
-tp://www.w3.org/2000/svg",h),g=Object.keys(m),b,w;for(p&&(f.setAttribute("fill","none"),f.setAttribute("stroke","none")),b=0;b<g.length;b++)w=g[b],f.setAttribute(
-w,m[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(n),m,p;for(m=0;m<h.length;m++)p=h[m],this[p]=n[p].canvas},e.prototype.__applyStyleState=
-function(h){var m=Object.keys(h),p,f;for(p=0;p<m.length;p++)f=m[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,m={},p=Object.keys(n),f;for(h=0;h<
-p.length;h++)f=p[h],m[f]=this[f];return m},e.prototype.__applyTransformation=function(h,m){let{a:p,b:f,c:g,d:b,e:w,f:y}=m||this.getTransform();h.setAttribute("t\
-ransform",`matrix(${p} ${f} ${g} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var m=this.__currentElement,p=this.__currentElementsToStyle;
-p&&(m.setAttribute(h,""),m=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(n),g,b,w,y,v,_,T,L;for(g=0;g<f.length;g++)if(b=n[f[g]],
+debug&&console.debug(`svgcanvas#${this.__id}:`,...h)},e.prototype.__createElement=function(h,d,p){typeof d>"u"&&(d={});var f=this.__document.createElementNS("ht\
+tp://www.w3.org/2000/svg",h),g=Object.keys(d),b,w;for(p&&(f.setAttribute("fill","none"),f.setAttribute("stroke","none")),b=0;b<g.length;b++)w=g[b],f.setAttribute(
+w,d[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(n),d,p;for(d=0;d<h.length;d++)p=h[d],this[p]=n[p].canvas},e.prototype.__applyStyleState=
+function(h){var d=Object.keys(h),p,f;for(p=0;p<d.length;p++)f=d[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,d={},p=Object.keys(n),f;for(h=0;h<
+p.length;h++)f=p[h],d[f]=this[f];return d},e.prototype.__applyTransformation=function(h,d){let{a:p,b:f,c:g,d:b,e:w,f:y}=d||this.getTransform();h.setAttribute("t\
+ransform",`matrix(${p} ${f} ${g} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var d=this.__currentElement,p=this.__currentElementsToStyle;
+p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(n),g,b,w,y,v,_,T,L;for(g=0;g<f.length;g++)if(b=n[f[g]],
 w=this[f[g]],b.apply){if(w instanceof s){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],_=L.getAttribute("id"),this.__ids[_]=
-_,this.__defs.appendChild(L);m.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)m.setAttribute(b.apply,i("url(#{id}\
+_,this.__defs.appendChild(L);d.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,i("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-v=y.exec(w),m.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var P=v[4],F=this.globalAlpha;F!=null&&(P*=F),m.setAttribute(b.svgAttr+"-opac\
-ity",P)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,m.getAttribute(A))continue}else if(f[g]==="lineWidth"){var I=this.__getTransformScale();
-w=w*Math.max(I.x,I.y)}m.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
-h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var m=new XMLSerializer().serializeToString(this.__root),p,f,g,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
-y.test(m)&&(m=m.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(o),f=0;f<p.length;f++)g=p[f],b=o[g],
-w=new RegExp(g,"gi"),w.test(m)&&(m=m.replace(w,b));return m},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
-"g"),m=this.__closestGroupOrSvg();this.__groupStack.push(m),m.appendChild(h),this.__currentElement=h;let p=this.__getStyleState();this.__debug("save style",p),this.
+v=y.exec(w),d.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var R=v[4],F=this.globalAlpha;F!=null&&(R*=F),d.setAttribute(b.svgAttr+"-opac\
+ity",R)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,d.getAttribute(A))continue}else if(f[g]==="lineWidth"){var D=this.__getTransformScale();
+w=w*Math.max(D.x,D.y)}d.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
+h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var d=new XMLSerializer().serializeToString(this.__root),p,f,g,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
+y.test(d)&&(d=d.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(o),f=0;f<p.length;f++)g=p[f],b=o[g],
+w=new RegExp(g,"gi"),w.test(d)&&(d=d.replace(w,b));return d},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
+"g"),d=this.__closestGroupOrSvg();this.__groupStack.push(d),d.appendChild(h),this.__currentElement=h;let p=this.__getStyleState();this.__debug("save style",p),this.
 __styleStack.push(p),this.__transformMatrixStack||(this.__transformMatrixStack=[]),this.__transformMatrixStack.push(this.getTransform())},e.prototype.restore=function(){
 this.__currentElement=this.__groupStack.pop(),this.__currentElementsToStyle=null,this.__currentElement||(this.__currentElement=this.__root.childNodes[1]);var h=this.
 __styleStack.pop();this.__debug("restore style",h),this.__applyStyleState(h),this.__transformMatrixStack&&this.__transformMatrixStack.length>0&&this.setTransform(
-this.__transformMatrixStack.pop())},e.prototype.beginPath=function(){var h,m;this.__currentDefaultPath="",this.__currentPosition={},h=this.__createElement("path",
-{},!0),m=this.__closestGroupOrSvg(),m.appendChild(h),this.__currentElement=h},e.prototype.__applyCurrentDefaultPath=function(){var h=this.__currentElement;h.nodeName===
+this.__transformMatrixStack.pop())},e.prototype.beginPath=function(){var h,d;this.__currentDefaultPath="",this.__currentPosition={},h=this.__createElement("path",
+{},!0),d=this.__closestGroupOrSvg(),d.appendChild(h),this.__currentElement=h},e.prototype.__applyCurrentDefaultPath=function(){var h=this.__currentElement;h.nodeName===
 "path"?h.setAttribute("d",this.__currentDefaultPath):console.error("Attempted to apply path command to node",h.nodeName)},e.prototype.__addPathCommand=function(h){
-this.__currentDefaultPath+=" ",this.__currentDefaultPath+=h},e.prototype.moveTo=function(h,m){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.__currentPosition=
-{x:h,y:m},this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,m).x,y:this.__matrixTransform(h,m).y}))},e.prototype.closePath=function(){this.__currentDefaultPath&&
-this.__addPathCommand("Z")},e.prototype.lineTo=function(h,m){this.__currentPosition={x:h,y:m},this.__currentDefaultPath.indexOf("M")>-1?this.__addPathCommand(i(
-"L {x} {y}",{x:this.__matrixTransform(h,m).x,y:this.__matrixTransform(h,m).y})):this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,m).x,y:this.__matrixTransform(
-h,m).y}))},e.prototype.bezierCurveTo=function(h,m,p,f,g,b){this.__currentPosition={x:g,y:b},this.__addPathCommand(i("C {cp1x} {cp1y} {cp2x} {cp2y} {x} {y}",{cp1x:this.
-__matrixTransform(h,m).x,cp1y:this.__matrixTransform(h,m).y,cp2x:this.__matrixTransform(p,f).x,cp2y:this.__matrixTransform(p,f).y,x:this.__matrixTransform(g,b).
-x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,m,p,f){this.__currentPosition={x:p,y:f},this.__addPathCommand(i("Q {cpx} {cpy} {x}\
- {y}",{cpx:this.__matrixTransform(h,m).x,cpy:this.__matrixTransform(h,m).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var d=function(h){
-var m=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/m,h[1]/m]};return e.prototype.arcTo=function(h,m,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
+this.__currentDefaultPath+=" ",this.__currentDefaultPath+=h},e.prototype.moveTo=function(h,d){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.__currentPosition=
+{x:h,y:d},this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,d).x,y:this.__matrixTransform(h,d).y}))},e.prototype.closePath=function(){this.__currentDefaultPath&&
+this.__addPathCommand("Z")},e.prototype.lineTo=function(h,d){this.__currentPosition={x:h,y:d},this.__currentDefaultPath.indexOf("M")>-1?this.__addPathCommand(i(
+"L {x} {y}",{x:this.__matrixTransform(h,d).x,y:this.__matrixTransform(h,d).y})):this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,d).x,y:this.__matrixTransform(
+h,d).y}))},e.prototype.bezierCurveTo=function(h,d,p,f,g,b){this.__currentPosition={x:g,y:b},this.__addPathCommand(i("C {cp1x} {cp1y} {cp2x} {cp2y} {x} {y}",{cp1x:this.
+__matrixTransform(h,d).x,cp1y:this.__matrixTransform(h,d).y,cp2x:this.__matrixTransform(p,f).x,cp2y:this.__matrixTransform(p,f).y,x:this.__matrixTransform(g,b).
+x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,d,p,f){this.__currentPosition={x:p,y:f},this.__addPathCommand(i("Q {cpx} {cpy} {x}\
+ {y}",{cpx:this.__matrixTransform(h,d).x,cpy:this.__matrixTransform(h,d).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var m=function(h){
+var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(g<0)throw new Error("IndexSizeError: The radius provided ("+g+") is nega\
-tive.");if(b===h&&w===m||h===p&&m===f||g===0){this.lineTo(h,m);return}var y=d([b-h,w-m]),v=d([p-h,f-m]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,m);return}var _=y[0]*
-v[0]+y[1]*v[1],T=Math.acos(Math.abs(_)),L=d([y[0]+v[0],y[1]+v[1]]),P=g/Math.sin(T/2),F=h+P*L[0],A=m+P*L[1],I=[-y[1],y[0]],H=[v[1],-v[0]],ie=function(Wo){var Go=Wo[0],
-sl=Wo[1];return sl>=0?Math.acos(Go):-Math.acos(Go)},Oe=ie(I),Ot=ie(H);this.lineTo(F+I[0]*g,A+I[1]*g),this.arc(F,A,g,Oe,Ot)}},e.prototype.stroke=function(){this.
+tive.");if(b===h&&w===d||h===p&&d===f||g===0){this.lineTo(h,d);return}var y=m([b-h,w-d]),v=m([p-h,f-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var _=y[0]*
+v[0]+y[1]*v[1],T=Math.acos(Math.abs(_)),L=m([y[0]+v[0],y[1]+v[1]]),R=g/Math.sin(T/2),F=h+R*L[0],A=d+R*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],ie=function(Go){var Uo=Go[0],
+il=Go[1];return il>=0?Math.acos(Uo):-Math.acos(Uo)},De=ie(D),Ot=ie(H);this.lineTo(F+D[0]*g,A+D[1]*g),this.arc(F,A,g,De,Ot)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
-this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,m,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,m),this.lineTo(
-h+p,m),this.lineTo(h+p,m+f),this.lineTo(h,m+f),this.lineTo(h,m),this.closePath()},e.prototype.roundRect=function(h,m,p,f,g){this.__currentElement.nodeName!=="pa\
-th"&&this.beginPath();let b,w,y,v;typeof g=="number"?(b=g,w=g,y=g,v=g):[b,w,y,v]=g,this.moveTo(h+b,m),this.arcTo(h+p,m,h+p,m+f,w),this.arcTo(h+p,m+f,h,m+f,y),this.
-arcTo(h,m+f,h,m,v),this.arcTo(h,m,h+p,m,b),this.closePath()},e.prototype.fillRect=function(h,m,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();JSON.stringify(
-[g,b,w,y,v,_])===JSON.stringify([1,0,0,1,0,0])&&h===0&&m===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:m,
+this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
+h+p,d),this.lineTo(h+p,d+f),this.lineTo(h,d+f),this.lineTo(h,d),this.closePath()},e.prototype.roundRect=function(h,d,p,f,g){this.__currentElement.nodeName!=="pa\
+th"&&this.beginPath();let b,w,y,v;typeof g=="number"?(b=g,w=g,y=g,v=g):[b,w,y,v]=g,this.moveTo(h+b,d),this.arcTo(h+p,d,h+p,d+f,w),this.arcTo(h+p,d+f,h,d+f,y),this.
+arcTo(h,d+f,h,d,v),this.arcTo(h,d,h+p,d,b),this.closePath()},e.prototype.fillRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();JSON.stringify(
+[g,b,w,y,v,_])===JSON.stringify([1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:d,
 width:p,height:f},!0),L=this.__closestGroupOrSvg(),L.appendChild(T),this.__currentElement=T,this.__applyTransformation(T),this.__applyStyleToCurrentElement("fil\
-l")},e.prototype.strokeRect=function(h,m,p,f){var g,b;g=this.__createElement("rect",{x:h,y:m,width:p,height:f},!0),b=this.__closestGroupOrSvg(),b.appendChild(g),
+l")},e.prototype.strokeRect=function(h,d,p,f){var g,b;g=this.__createElement("rect",{x:h,y:d,width:p,height:f},!0),b=this.__closestGroupOrSvg(),b.appendChild(g),
 this.__currentElement=g,this.__applyTransformation(g),this.__applyStyleToCurrentElement("stroke")},e.prototype.__clearCanvas=function(){var h=this.__root.childNodes[1];
 this.__root.removeChild(h),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
-this.__groupStack=[]},e.prototype.clearRect=function(h,m,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();if(JSON.stringify([g,b,w,y,v,_])===JSON.stringify([
-1,0,0,1,0,0])&&h===0&&m===0&&p===this.width&&f===this.height){this.__clearCanvas();return}var T,L=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
-y:m,width:p,height:f,fill:"#FFFFFF"},!0),this.__applyTransformation(T),L.appendChild(T)},e.prototype.createLinearGradient=function(h,m,p,f){var g=this.__createElement(
-"linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:m+"px",y2:f+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(g),new t(g,this)},
-e.prototype.createRadialGradient=function(h,m,p,f,g,b){var w=this.__createElement("radialGradient",{id:a(this.__ids),cx:f+"px",cy:g+"px",r:b+"px",fx:h+"px",fy:m+
-"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(w),new t(w,this)},e.prototype.__applyText=function(h,m,p,f){var g=document.createElement(
+this.__groupStack=[]},e.prototype.clearRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();if(JSON.stringify([g,b,w,y,v,_])===JSON.stringify([
+1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height){this.__clearCanvas();return}var T,L=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
+y:d,width:p,height:f,fill:"#FFFFFF"},!0),this.__applyTransformation(T),L.appendChild(T)},e.prototype.createLinearGradient=function(h,d,p,f){var g=this.__createElement(
+"linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:d+"px",y2:f+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(g),new t(g,this)},
+e.prototype.createRadialGradient=function(h,d,p,f,g,b){var w=this.__createElement("radialGradient",{id:a(this.__ids),cx:f+"px",cy:g+"px",r:b+"px",fx:h+"px",fy:d+
+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(w),new t(w,this)},e.prototype.__applyText=function(h,d,p,f){var g=document.createElement(
 "span");g.setAttribute("style","font:"+this.font);var b=g.style,w=this.__closestGroupOrSvg(),y=this.__createElement("text",{"font-family":b.fontFamily,"font-siz\
-e":b.fontSize,"font-style":b.fontStyle,"font-weight":b.fontWeight,"text-decoration":this.__fontUnderline,x:m,y:p,"text-anchor":l(this.textAlign),"dominant-basel\
+e":b.fontSize,"font-style":b.fontStyle,"font-weight":b.fontWeight,"text-decoration":this.__fontUnderline,x:d,y:p,"text-anchor":l(this.textAlign),"dominant-basel\
 ine":c(this.textBaseline)},!0);if(y.appendChild(this.__document.createTextNode(h)),this.__currentElement=y,this.__applyTransformation(y),this.__applyStyleToCurrentElement(
 f),this.__fontHref){var v=this.__createElement("a");v.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",this.__fontHref),v.appendChild(y),y=v}w.appendChild(
-y)},e.prototype.fillText=function(h,m,p){this.__applyText(h,m,p,"fill")},e.prototype.strokeText=function(h,m,p){this.__applyText(h,m,p,"stroke")},e.prototype.measureText=
-function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,m,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
-(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=m+p*Math.sin(g),v=h+p*Math.cos(f),_=m+p*Math.sin(f),T=b?0:1,L=0,P=g-f;P<0&&(P+=2*Math.PI),b?L=P>
-Math.PI?0:1:L=P>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
+y)},e.prototype.fillText=function(h,d,p){this.__applyText(h,d,p,"fill")},e.prototype.strokeText=function(h,d,p){this.__applyText(h,d,p,"stroke")},e.prototype.measureText=
+function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,d,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
+(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=d+p*Math.sin(g),v=h+p*Math.cos(f),_=d+p*Math.sin(f),T=b?0:1,L=0,R=g-f;R<0&&(R+=2*Math.PI),b?L=R>
+Math.PI?0:1:L=R>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
 this.lineTo(v,_),this.__addPathCommand(i("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*F,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
-endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,m,p,f,g,b,w,y){if(b!==w){
-var v=this.__matrixTransform(h,m);h=v.x,m=v.y;var _=this.__getTransformScale();p=p*_.x,f=f*_.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
-b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=m-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
-sin(w),P=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=m-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,I=0,H=w-b;H<0&&(H+=2*Math.PI),
-y?I=H>Math.PI?0:1:I=H>Math.PI?1:0;var ie=this.__transformMatrix;this.resetTransform(),this.lineTo(P,F),this.__transformMatrix=ie,this.__addPathCommand(i("A {rx}\
- {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:I,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
-{x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),m=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
-h.removeChild(this.__currentElement),m.setAttribute("id",p),m.appendChild(this.__currentElement),this.__defs.appendChild(m),h.setAttribute("clip-path",i("url(#{\
-id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),m=h[0],p,f,g,b,w=0,y=0,v,_,
-T,L,P,F,A,I,H,ie;if(h.length===3)p=h[1],f=h[2],v=m.width,_=m.height,g=v,b=_;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=m.width,_=m.height;else if(h.length===
+endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,f,g,b,w,y){if(b!==w){
+var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var _=this.__getTransformScale();p=p*_.x,f=f*_.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
+b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=d-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
+sin(w),R=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=d-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,D=0,H=w-b;H<0&&(H+=2*Math.PI),
+y?D=H>Math.PI?0:1:D=H>Math.PI?1:0;var ie=this.__transformMatrix;this.resetTransform(),this.lineTo(R,F),this.__transformMatrix=ie,this.__addPathCommand(i("A {rx}\
+ {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:D,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
+{x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
+h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),h.setAttribute("clip-path",i("url(#{\
+id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,f,g,b,w=0,y=0,v,_,
+T,L,R,F,A,D,H,ie;if(h.length===3)p=h[1],f=h[2],v=d.width,_=d.height,g=v,b=_;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=d.width,_=d.height;else if(h.length===
 9)w=h[1],y=h[2],v=h[3],_=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
-this.__currentElement;let Oe=this.getTransform().translate(p,f);if(m instanceof e){if(L=m.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(P=L.childNodes[0];P.
-childNodes.length;)ie=P.childNodes[0].getAttribute("id"),this.__ids[ie]=ie,this.__defs.appendChild(P.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
-F,Oe),T.appendChild(F))}}else(m.nodeName==="CANVAS"||m.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
-A.setAttribute("preserveAspectRatio","none"),(w||y||v!==m.width||_!==m.height)&&(I=this.__document.createElement("canvas"),I.width=g,I.height=b,H=I.getContext("\
-2d"),H.drawImage(m,w,y,v,_,0,0,g,b),m=I),this.__applyTransformation(A,Oe),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",m.nodeName==="CANVAS"?m.toDataURL():
-m.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,m){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
+this.__currentElement;let De=this.getTransform().translate(p,f);if(d instanceof e){if(L=d.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(R=L.childNodes[0];R.
+childNodes.length;)ie=R.childNodes[0].getAttribute("id"),this.__ids[ie]=ie,this.__defs.appendChild(R.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
+F,De),T.appendChild(F))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
+A.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||_!==d.height)&&(D=this.__document.createElement("canvas"),D.width=g,D.height=b,H=D.getContext("\
+2d"),H.drawImage(d,w,y,v,_,0,0,g,b),d=D),this.__applyTransformation(A,De),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
+d.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 f=a(this.__ids),g;return p.setAttribute("id",f),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(g=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),g.setAttribute("width",h.width),g.setAttribute(
 "height",h.height),g.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",h.nodeName==="CANVAS"?h.toDataURL():h.getAttribute("src")),p.appendChild(g),this.
 __defs.appendChild(p)):h instanceof e&&(p.appendChild(h.__root.childNodes[1]),this.__defs.appendChild(p)),new s(p,this)},e.prototype.setLineDash=function(h){h&&
-h.length>0?this.lineDash=h.join(","):this.lineDash=null},e.prototype.setTransform=function(h,m,p,f,g,b){h instanceof DOMMatrix?this.__transformMatrix=new DOMMatrix(
-[h.a,h.b,h.c,h.d,h.e,h.f]):this.__transformMatrix=new DOMMatrix([h,m,p,f,g,b])},e.prototype.getTransform=function(){let{a:h,b:m,c:p,d:f,e:g,f:b}=this.__transformMatrix;
-return new DOMMatrix([h,m,p,f,g,b])},e.prototype.resetTransform=function(){this.setTransform(1,0,0,1,0,0)},e.prototype.scale=function(h,m){if(m===void 0&&(m=h),
-isNaN(h)||isNaN(m)||!isFinite(h)||!isFinite(m))return;let p=this.getTransform().scale(h,m);this.setTransform(p)},e.prototype.rotate=function(h){let m=this.getTransform().
-multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));this.setTransform(m)},e.prototype.translate=function(h,m){let p=this.getTransform().
-translate(h,m);this.setTransform(p)},e.prototype.transform=function(h,m,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,m,p,f,g,b]));this.setTransform(
-w)},e.prototype.__matrixTransform=function(h,m){return new DOMPoint(h,m).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
+h.length>0?this.lineDash=h.join(","):this.lineDash=null},e.prototype.setTransform=function(h,d,p,f,g,b){h instanceof DOMMatrix?this.__transformMatrix=new DOMMatrix(
+[h.a,h.b,h.c,h.d,h.e,h.f]):this.__transformMatrix=new DOMMatrix([h,d,p,f,g,b])},e.prototype.getTransform=function(){let{a:h,b:d,c:p,d:f,e:g,f:b}=this.__transformMatrix;
+return new DOMMatrix([h,d,p,f,g,b])},e.prototype.resetTransform=function(){this.setTransform(1,0,0,1,0,0)},e.prototype.scale=function(h,d){if(d===void 0&&(d=h),
+isNaN(h)||isNaN(d)||!isFinite(h)||!isFinite(d))return;let p=this.getTransform().scale(h,d);this.setTransform(p)},e.prototype.rotate=function(h){let d=this.getTransform().
+multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));this.setTransform(d)},e.prototype.translate=function(h,d){let p=this.getTransform().
+translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,f,g,b]));this.setTransform(
+w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,m,p,f,g){return cr.getImageData(this.getSvg(),
-this.width,this.height,h,m,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
-globalCompositeOperation=function(){},e})();function Ne(n){this.ctx=new ur(n),this.svg=this.ctx.__root;var e=this.svg,t=this,s=document.createElement("div");s.style.
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,f,g){return La.getImageData(this.getSvg(),
+this.width,this.height,h,d,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
+globalCompositeOperation=function(){},e})();function Pe(n){this.ctx=new Ra(n),this.svg=this.ctx.__root;var e=this.svg,t=this,s=document.createElement("div");s.style.
 display="inline-block",s.appendChild(e),this.wrapper=s,Object.defineProperty(this,"className",{get:function(){return s.getAttribute("class")||""},set:function(o){
 return s.setAttribute("class",o)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(o){
 Object.defineProperty(t,o,{get:function(){return e.getAttribute(o)|0},set:function(i){if(!(isNaN(i)||typeof i>"u"))return t.ctx[o]=i,e.setAttribute(o,i),s[o]=i}})}),
 ["style","id"].forEach(function(o){Object.defineProperty(t,o,{get:function(){return s[o]},set:function(i){if(typeof i<"u")return s[o]=i}})}),["getBoundingClient\
-Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}Ne.prototype.getContext=function(n){if(n!=="2d")throw new Error("Unsupported type of context for SVG\
-Canvas");return this.ctx};Ne.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),e=new Blob([n],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(n,e,t){return cr.toDataURL(this.svg,this.width,this.height,n,e,t)};Ne.prototype.addEventListener=
-function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.prototype.getAttribute=function(n){
-return this.wrapper.getAttribute(n)};Ne.prototype.setAttribute=function(n,e){this.wrapper.setAttribute(n,e)};Fn.Context=ur;Fn.Element=Ne});var k={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
-.4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
-tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
-_until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
-om_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","fri\
-ction","impact_normal","impact_tangential","gain","collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","fric\
-tion_force","normal_force","friction","impact_normal","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:[
-"normal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_no\
-rmal","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
-"law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh",
-"linear","bristle"],chosen:["stiffness","slip_speed"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","needed_friction_\
-angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_loss_by_frictio\
-n"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_time","takeoff_a\
-ngle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","painleve"],keys:4,
-letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{angle:6.283185307179586,
-stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,
-first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,takeoff_time:1,
-takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undetermined","event\
-_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stick","slip_revers\
-al","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:[
-"no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],impact_laws:["newton","poisson","stro\
-nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam",
-"kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit",
-"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var qe=n=>Object.fromEntries(n.map((e,t)=>[e,t])),Ko=qe(k.cell),he=qe(k.heads),B=qe(k.events),as=qe(k.samples),Vo=qe(k.changes),Jo=qe(k.numbers),rs=qe(k.words),
-ml={law:({impact_law:n})=>k.impact_laws.indexOf(n),strike:({painleve:n})=>+(n==="impact"),allowed:()=>1},ut=k.cell.map(n=>ml[n]??(e=>Number(e[n]??0))),Fe=n=>Float64Array.
-from(ut,e=>e(n));function qt(n){let e=n?{...n,law:k.laws.indexOf(n.law),friction_law:k.friction_laws.indexOf(n.friction)}:{};return Float64Array.from(k.compliant,
-t=>e[t]??Number.NaN)}var Yo={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
-of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
-unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
-{path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
-degrees:!1,allowed:{least:1e-12,most:1e6,also:[0]}},{path:"hoop.radius",label:"Radius",symbol:"R",unit:"m",help:"Rim radius",least:.05,most:3,step:.05,logarithmic:!1,
-degrees:!1,allowed:{least:1e-6,most:1e6,also:[]}},{path:"hoop.mass",label:"Mass",symbol:"m",unit:"kg",help:"Total mass",least:.1,most:10,step:.1,logarithmic:!1,
-degrees:!1,allowed:{least:1e-12,most:1e12,also:[]}}],plane:[{path:"plane.mu",label:"Friction",symbol:"μ",unit:"",help:"Friction, static and kinetic",least:0,most:1.5,
-step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_static",label:"Static friction",symbol:"μs",unit:"",help:"Static fr\
-iction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_kinetic",label:"Kinetic friction",symbol:"μ\
-k",unit:"",help:"Kinetic friction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.slope",label:"Slope",
-symbol:"β",unit:"°",help:"Slope of the plane, downhill along +x",least:-30,most:30,step:.5,logarithmic:!1,degrees:!0,allowed:{least:-1.57,most:1.57,also:[]}},
-{path:"plane.gravity",label:"Gravity",symbol:"g",unit:"m/s²",help:"Gravity",least:0,most:25,step:.01,logarithmic:!1,degrees:!1,allowed:{least:1e-6,most:1e6,also:[
-0]}},{path:"plane.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution of an impact",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{
-least:0,most:1,also:[]}},{path:"plane.rolling_resistance",label:"Rolling resistance",symbol:"f",unit:"",help:"Rolling resistance: couple against the rotation ov\
-er R N",least:0,most:.2,step:.001,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],start:[{path:"start.speed",label:"Speed",symbol:"v₀",unit:"m/s",
-help:"Velocity of the centre in a rolling start",least:-6,most:6,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.angle",label:"\
-Load angle",symbol:"θ₀",unit:"°",help:"Angle from the plane's normal to the centre of gravity",least:-180,most:180,step:.5,logarithmic:!1,degrees:!0,allowed:{
-least:-1e6,most:1e6,also:[]}},{path:"start.height",label:"Height of the gap",symbol:"y₀",unit:"m",help:"Gap between rim and plane",least:0,most:2,step:.01,logarithmic:!1,
-degrees:!1,allowed:{least:0,most:1e6,also:[]}},{path:"start.vx",label:"Speed along",symbol:"ẋ₀",unit:"m/s",help:"Velocity of the centre along the plane",least:-8,
-most:8,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.vy",label:"Speed upwards",symbol:"ẏ₀",unit:"m/s",help:"Velocit\
-y of the centre away from the plane",least:-5,most:5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.omega",label:"Angula\
-r velocity",symbol:"θ̇₀",unit:"rad/s",help:"Angular velocity",least:-15,most:15,step:.05,logarithmic:!1,degrees:!1,allowed:{least:-1e9,most:1e9,also:[]}}],contact:[
-{path:"contact.stiffness",label:"Stiffness",symbol:"k",unit:"N/m",help:"Stiffness of the contact",least:100,most:1e8,step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-6,
-most:1e18,also:[]}},{path:"contact.slip_speed",label:"Slip speed",symbol:"vₛ",unit:"m/s",help:"Slip velocity over which friction builds up",least:1e-7,most:.1,
-step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-12,most:1e6,also:[]}},{path:"contact.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution th\
-at the damping is chosen for",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],motion:[{path:"duration",label:"Duration",symbol:"\
-T",unit:"s",help:"Duration of the motion",least:.5,most:30,step:.5,logarithmic:!1,degrees:!1,allowed:{least:1e-9,most:1e9,also:[]}}]},choices:[{path:"plane.impa\
-ct_law",label:"Law of impact",options:[["stronge","Stronge (energy)"],["poisson","Poisson (impulse)"],["newton","Newton (velocity)"]],help:"Law of restitution"},
-{path:"plane.painleve",label:"Painlevé: two solutions",options:[["flight","flight"],["impact","impact"]],help:"What follows an indeterminate contact"},{path:"c\
-ontact.model",label:"Contact model",options:[["rigid","rigid"],["compliant","compliant"]],help:"Contact model"},{path:"contact.law",label:"Normal force",options:[
-["kelvin-voigt","Kelvin–Voigt"],["hunt-crossley","Hunt–Crossley"]],help:"Normal force"},{path:"contact.friction",label:"Friction law",options:[["tanh","smoo\
-th (tanh)"],["linear","linear"],["bristle","bristle (can hold)"]],help:"Regularised friction"}],gravities:[["Earth",9.81],["Moon",1.62],["Mars",3.71],["Jupiter",
-24.79],["Weightless",0]],map_axes:[{path:"start.speed",label:"Speed v₀",unit:"m/s",degrees:!1,range:[0,5],allowed:[-1e6,1e6]},{path:"start.angle",label:"Angle\
- of the load θ₀",unit:"°",degrees:!0,range:[-3.141592653589793,3.141592653589793],allowed:[-1e6,1e6]},{path:"start.vx",label:"Speed along ẋ₀",unit:"m/s",
-degrees:!1,range:[-6,6],allowed:[-1e6,1e6]},{path:"start.omega",label:"Angular velocity θ̇₀",unit:"rad/s",degrees:!1,range:[-8,8],allowed:[-1e9,1e9]},{path:"\
-start.height",label:"Height of the gap y₀",unit:"m",degrees:!1,range:[0,1],allowed:[0,1e6]},{path:"hoop.load_fraction",label:"Load fraction γ",unit:"",degrees:!1,
-range:[.05,.99],allowed:[0,1]},{path:"hoop.eccentricity",label:"Eccentricity ε",unit:"",degrees:!1,range:[.05,.95],allowed:[0,1]},{path:"hoop.inertia_ratio",label:"\
-Inertia ratio κ",unit:"",degrees:!1,range:[.05,1],allowed:[0,1e6]},{path:"hoop.radius",label:"Radius R",unit:"m",degrees:!1,range:[.1,2],allowed:[1e-6,1e6]},{path:"\
-plane.mu",label:"Friction μ",unit:"",degrees:!1,range:[0,1.5],allowed:[0,1e6]},{path:"plane.slope",label:"Slope β",unit:"°",degrees:!0,range:[-.35,.35],allowed:[
--1.57,1.57]},{path:"plane.gravity",label:"Gravity g",unit:"m/s²",degrees:!1,range:[1,20],allowed:[0,1e6]},{path:"plane.restitution",label:"Restitution e",unit:"",
-degrees:!1,range:[0,1],allowed:[0,1]},{path:"plane.rolling_resistance",label:"Rolling resistance f",unit:"",degrees:!1,range:[0,.1],allowed:[0,1]}]},map_quantities:[
-["sequence","what happens in the first turn"],["hop_height","height of the first hop"],["takeoff_angle","angle of take-off"],["flight_time","duration of the fir\
-st hop"],["greatest_utilization","greatest friction utilization"],["energy_lost","energy lost"],["end_angle","angle at the end"],["painleve","Painlevé’s paradox\
- or jam met"],["ending","how it ends"]],presets:[{key:"hop",group:"The article",title:"It hops: 3.1 m/s",text:"Slips twice, then leaves the plane just before a \
-full turn and flies for 0.76 s.",query:"duration=3"},{key:"slip",group:"The article",title:"It slips: 2.8 m/s",text:"Friction is used up twice a turn; each slip\
- is weaker than the one before, and none is the last.",query:"duration=4&start.speed=2.8"},{key:"roll",group:"The article",title:"It rolls: 2 m/s",text:"Pure ro\
-lling, faster and more even than after a slow start, and close to the limit of friction.",query:"duration=3.4&start.speed=2"},{key:"slow",group:"The article",title:"\
-The smallest push: 0.1 m/s",text:"Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",query:"start.speed=0.1"},{key:"slippe\
-ry",group:"The article",title:"Low friction: 0.1 m/s, μ = 0.3",text:"Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",query:"durat\
-ion=15&plane.mu=0.3&start.speed=0.1"},{key:"littlewood",group:"Littlewood's hoop",title:"All mass in the load",text:"A massless ring: at 90° no contact force is\
- left; the load falls, the rim skims the plane.",query:"duration=3&hoop.load_fraction=1&start.speed=0.1"},{key:"littlewood-fast",group:"Littlewood's hoop",title:"\
-All mass in the load, pushed",text:"With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",query:"duration=3&hoop.load_fraction=1&start.speed=\
-2"},{key:"nearly-massless",group:"Littlewood's hoop",title:"Nearly all mass in the load",text:"γ = 0.99: what a real ring does instead of Littlewood's hop.",query:"\
-hoop.load_fraction=0.99&start.speed=0.1"},{key:"inconsistent",group:"Paradoxes",title:"Painlevé: no solution",text:"No contact force agrees with this slip. An \
-impact without collision stops it at once.",query:"duration=3&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"},{key:"indeterminate",group:"Paradoxes",title:"\
-Painlevé: two solutions",text:"Flight and impact both agree with the laws. Choose which with the switch under Plane.",query:"duration=3&plane.mu=1.2&start.angl\
-e=-0.7&start.vx=8&start.omega=5"},{key:"jam",group:"Paradoxes",title:"Dynamic jam",text:"A fast slide after a hop: the contact force grows without bound in fini\
-te time, and no law says what follows.",query:"duration=3&hoop.load_fraction=0.9&start.angle=5.14&start.vx=23&start.omega=5.6"},{key:"kane",group:"Paradoxes",title:"\
-Kane: energy out of nothing",text:"Newton's law of impact with friction creates two joules. Stronge's law does not.",query:"duration=1.5&plane.mu=0.6&plane.rest\
-itution=0.8&plane.impact_law=newton&start.height=0.3&start.angle=1.45&start.vx=2.16&start.omega=-6.44"},{key:"downhill",group:"More",title:"Downhill",text:"On a\
- slope of 10° the hoop gains speed from turn to turn, until it hops.",query:"duration=5&plane.slope=0.17453292519943295&plane.mu=0.8&start.speed=1.5"},{key:"bo\
-unces",group:"More",title:"Bounces without number",text:"Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",query:"duration=4&plane\
-.mu=0.4&plane.restitution=0.5&start.height=0.5&start.angle=0.4&start.vx=0.2&start.omega=2"},{key:"moon",group:"More",title:"On the Moon",text:"The article's hop\
- under lunar gravity: everything is slower by a factor of 2.46.",query:"duration=15&plane.gravity=1.62&start.speed=1.2597509583501894"}],colors:{modes:{R:"#0072\
-B2",S:"#E69F00",K:"#CC79A7",H:"#D55E00",M:"#F0E442"},mode_names:{R:"roll",S:"spin",K:"skid",H:"flight",M:"skim"},gravity_center:"#009E73",airborne:"#CC1F1A",center_speed:"\
-#000000",rotation_speed:"#00857A",kinetic:"#1B3A78",potential:"#667300",friction_loss:"#8F3B0A",impact_loss:"#8E1B5F",normal_force:"#5B3FA8",friction_force:"#8F\
-3B0A",limit:"#6E6E6E"}},fingerprints:{hop:"85b1751f991ff2a3",slip:"e4f784b57d9527de",roll:"67a142a154835aa6",slow:"915956aa4dd065c8",slippery:"1a8ae06b20c63390",
-littlewood:"f722b9a4b8757b9d","littlewood-fast":"d43e0434fa7cbae3","nearly-massless":"147fe27d9b5619a0",inconsistent:"feb302b6289b4311",indeterminate:"0578ec530\
-4f707df",jam:"eafe27173f21f089",kane:"700bd2b728523ae1",downhill:"d5a475e54711f966",bounces:"c6734bd1e0f9fa98",moon:"6ec3efb6023122ba"},schema:"hophoop/1",scenario:{
-sections:{hoop:["Hoop"],plane:["Plane"],start:["Start"],contact:["Rigid","Compliant"]},models:{Scenario:{place:"",fields:{duration:{kind:"number",unit:"s",default:6,
-limits:[["greater_than",0]],range:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09 s"}},hoop:{kind:"section",unit:""},plane:{kind:"section",unit:""},start:{kind:"\
-section",unit:""},contact:{kind:"section",unit:""}}},Hoop:{place:"hoop.",fields:{radius:{kind:"number",unit:"m",default:1,limits:[["greater_than",0]],range:{least:1e-6,
-most:1e6,words:"from 1e-06 to 1e+06 m"}},mass:{kind:"number",unit:"kg",default:1,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1\
-e+12 kg"}},load_fraction:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},eccentricity:{kind:"number",unit:"\
-1",default:.75,limits:[["greater_than_equal",0],["less_than_equal",1]]},inertia_ratio:{kind:"number",unit:"1",default:.4375,limits:[["greater_than_equal",0]],range:{
-least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]}},parts:{kind:"parts",unit:"",nullable:!0,default:null}}},Plane:{place:"plane.",fields:{gravity:{
-kind:"number",unit:"m/s²",default:9.81,limits:[["greater_than_equal",0]],range:{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06 m/s²",also:[0]}},slope:{kind:"\
-number",unit:"rad",default:0},mu:{kind:"friction",unit:"1",nullable:!0,default:null,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_static:{
-kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_kinetic:{kind:"friction",unit:"1",default:1,range:{
-least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},restitution:{kind:"number",unit:"1",default:0,limits:[["greater_than_equal",0],["less_than_equal",
-1]]},impact_law:{kind:"word",unit:"",default:"stronge",options:["stronge","newton","poisson"],expected:"'stronge', 'newton' or 'poisson'"},painleve:{kind:"word",
-unit:"",default:"flight",options:["flight","impact"],expected:"'flight' or 'impact'"},rolling_resistance:{kind:"number",unit:"1",default:0,limits:[["greater_tha\
-n_equal",0],["less_than_equal",1]]}}},Start:{place:"start.",fields:{x:{kind:"number",unit:"m",default:0,range:{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09 m"}},
-height:{kind:"number",unit:"m",default:0,limits:[["greater_than_equal",0]],range:{least:0,most:1e6,words:"from 0 to 1e+06 m"}},angle:{kind:"number",unit:"rad",default:0,
-range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 rad"}},speed:{kind:"number",unit:"m/s",nullable:!0,default:null,range:{least:-1e6,most:1e6,words:"from -1\
-e+06 to 1e+06 m/s"}},vx:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},vy:{kind:"number",unit:"m/s",default:0,
-range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},omega:{kind:"number",unit:"rad/s",nullable:!0,default:0,range:{least:-1e9,most:1e9,words:"from -1e\
-+09 to 1e+09 rad/s"}}}},Rigid:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"rigid",options:["rigid"],expected:"'rigid'"},max_events:{kind:"whole",
-unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Compliant:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"compli\
-ant",options:["compliant"],expected:"'compliant'"},stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-6,most:1e18,
-words:"from 1e-06 to 1e+18 N/m"}},damping:{kind:"number",unit:"N s/m or s/m",nullable:!0,default:null,limits:[["greater_than_equal",0]],range:{least:0,most:1e12,
-words:"from 0 to 1e+12"}},restitution:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},law:{kind:"word",
-unit:"",default:"kelvin-voigt",options:["kelvin-voigt","hunt-crossley"],expected:"'kelvin-voigt' or 'hunt-crossley'"},friction:{kind:"word",unit:"",default:"tan\
-h",options:["tanh","linear","bristle"],expected:"'tanh', 'linear' or 'bristle'"},slip_speed:{kind:"number",unit:"m/s",nullable:!0,default:null,limits:[["greater\
-_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m/s"}},tangential_stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["great\
-er_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},rtol:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than",0]],range:{
-least:1e-10,most:.1,words:"from 1e-10 to 0.1"}},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Ring:{
-place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"ring",options:["ring"],expected:"'ring'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["g\
-reater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},inner_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than_equal",0]]},
-outer_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}}}},Disk:{place:"hoop.par\
-ts: ",fields:{shape:{kind:"word",unit:"",default:"disk",options:["disk"],expected:"'disk'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],
-range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,
-words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0}}},PointMass:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"point_mass",
-options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1\
-e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["rod"],expected:"\
-'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{kind:"number",
-unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},direction:{kind:"\
-word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"PointMass",rod:"\
-Rod"},ends:{"hoop.load_fraction":["eccentricity","inertia_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","p\
-arts"],"hoop.parts":["load_fraction","eccentricity","inertia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["\
-mu"],"start.speed":["height","vx","vy","omega"],"start.height":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["r\
-estitution"],"contact.restitution":["damping"]},left_out:{rolling_resistance:0},rules:[null,{sentence:"hoop_mass",values:{mass:"hoop.mass"},known:{words:"from 1\
-e-12 to 1e+12 kg"},number:""},{sentence:"load_inertia",values:{load_fraction:"hoop.load_fraction",inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e\
--12 to 1e+06"},number:""},{sentence:"parts_inertia",values:{inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e-12 to 1e+06"},number:""},{sentence:"m\
-assless_eccentricity",values:{eccentricity:"hoop.eccentricity"},known:{},number:""},{sentence:"kinetic_above_static",values:{mu_kinetic:"plane.mu_kinetic",mu_static:"\
-plane.mu_static"},known:{},number:""},{sentence:"vertical",values:{slope:"plane.slope"},known:{},number:""},{sentence:"slope",values:{slope:"plane.slope"},known:{
-words:"from -1.57 to 1.57 rad"},number:""},{sentence:"massless_slope",values:{slope:"plane.slope"},known:{},number:""},{sentence:"massless_resistance",values:{given:"\
-plane.rolling_resistance"},known:{},number:""},{sentence:"resistance",values:{given:"plane.rolling_resistance"},known:{},number:"most"},{sentence:"massless_comp\
-liant",values:{},known:{},number:""},{sentence:"compliant_friction",values:{},known:{},number:""},{sentence:"relative_contact",values:{value:"contact.stiffness"},
-known:{name:"stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.tangential_stiffness"},known:{
-name:"tangential_stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.slip_speed"},known:{
-name:"slip_speed",unit:"√(g R)",words:"from 1e-12 to 1e+06"},number:"relative"},{sentence:"too_soft",values:{stiffness:"contact.stiffness"},known:{most:100},number:"\
-depth"}],touch:1e-12,default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"\
-flight"},start:{x:0,angle:0,speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mea\
-n {close}?",known_are:"known are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{pa\
-th} = {shown} {allowed}.",number:"must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finit\
-e number",greater_than:"must be greater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"\
-must be at most {limit:g}",range:"must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",
-other_problem:"{first} (and {count} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts mus\
-t not be empty.",half_a_hoop:"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs ho\
-op.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give ho\
-op.inertia_ratio = {inertia_ratio!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r},\
- which must be {words}.",ring_radii:"ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) \
-reaches {reach!r} m from the centre, beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu\
-_static = {mu_static!r}.",vertical:"plane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"\
-start.omega = None must be a number.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"pl\
-ane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {mo\
-st:.6g} for this hoop, whose inertia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the m\
-assless hoop (hoop.inertia_ratio = 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{n\
-ame} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e\
-} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known a\
-re {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} c\
-annot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",value_above:"\
-{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are\
- numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flie\
-s",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{verb:"roll\
-s",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
-impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
-bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
-painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
-verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},rest:{verb:"rests",label:"at rest",
-summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
-≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
-s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
- of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
-story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
-starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction reaches it\
-s limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip reverses at {where}; it {verb}.",
-takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s d\
-ownwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {wher\
-e} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {wh\
-ere}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agr\
-ees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact for\
-ce grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls fre\
-ely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"\
-It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at o\
-nce",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"\
-Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"\
-at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"\
-would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"\
-no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is\
-)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip a\
-t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single threshold uphill (β < 0): it depends on where the hoop turns back; s\
-ee the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0\
-072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B\
-4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
-impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
-5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{events:2e3,flight_turns:2e3,
-allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,
-words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 \
-to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:[
-"inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pla\
-ne.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{
-least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"from -1e+06 to 1e\
-+06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"\
-from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},duration:{
-least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,most:1e6,
-words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"contact.t\
-angential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_events":{least:1,
-most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e\
--12 to 1e+06"}},rates:{"hoop.eccentricity":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_s\
-tatic","plane.mu_kinetic":"mu_kinetic","plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_res\
-istance","start.angle":"angle","start.x":"x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"wha\
-t happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
-label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
-label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
-label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
-label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
-ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
-t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
- the lab; the library itself has no such limit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and m\
-ust need at most {most:.0e} in the lab.",too_many_changes:"changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.c\
-ells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be \
-axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.\
-0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {\
-most:.0e} in the lab; take fewer cells, lower speeds or a shorter duration.",doubt:"After {time} s the motion depends on more digits than this page computes. Ru\
-n it in hophoop lab or Python for the exact result.",compliant_changes:"With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"\
-changes holds {change}, which is not a pair of path and value.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",
-times:"must be two times, from and to [s], rising from 0",number_path:"must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"\
-a quantity that sets off the event only touches zero there",border:"the motion lies on the border of two classes: the least change may lead to other events",plastic:"\
-restitution is 0 and the rim has landed: with any restitution it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bou\
-nce, and its events are others",singular:"the slip runs into p_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular l\
-imit once the contact force is lost",frictionless:"without friction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from\
- there on",edge:"the parameter is at the edge of what is allowed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,
-cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"\
-m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"\
-J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","plane.mu_static","plane.mu_kinetic",
-"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=Yo,dt=n=>n==="inf"?1/0:n;var{codes:fl,families:gl,massless:bl,hops:wl,rolls:yl,other:vl}=S.classes,{sequence:xl}=S.words,Zo="sequence",kl=n=>[...n].reduce((e,t)=>(131*e+t.charCodeAt(0))%
-997,0)/997;function Qo(n,e){if(e!==Zo)return fl[e]?.[n]??vl;let t=/[SK]/.exec(n)?.[0]??"R",s=[n.startsWith("R")&&"rolls",/[SK]/.test(n)&&"slips"].filter(Boolean).
-join(", "),o=n.endsWith("H")?wl:gl[t+n.slice(-1)]??yl,i=n.includes("M")?bl[s]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
-min(n.length-1,9)/9,c=.2*kl(n),d=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*d)*(1-h)).toString(
-16).padStart(2,"0")}).join("")}`}function Xo(n,e){return e!==Zo?n.replaceAll("_"," "):[...n].map(t=>xl[t]).join(" → ")}function Z({duration:n,hoop:e,plane:t,start:s,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:d,...h}=t,{x:m,height:p,angle:f,vx:g,
-vy:b,omega:w,slip:y}=ce(s,i),{max_events:v,model:_,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:m,height:p,
-angle:f,vx:g,vy:b,omega:w,slip:y,rolling:s.speed!==null,duration:n,max_events:v,contact:_==="rigid"?null:T}}function ce({x:n,height:e,angle:t,speed:s,vx:o,vy:i,
-omega:a},r){let l=s===null?Number(a):s/r;return{x:n,height:e,angle:t,vx:o,vy:i,omega:l,slip:s===null?o-r*l:0}}var _l=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,El=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function ke(n){return Number.isNaN(n)?"nan":String(n).replace("Infi\
-nity","inf")}var ls=n=>ke(n).replace(/^-?\d+$/,"$&.0");function _e(n,e=6){if(!Number.isFinite(n))return ke(n);let t=n!==0&&Math.abs(n)<1e-4,[s,...o]=(t?n.toExponential(
-e-1):n.toPrecision(e)).split("e");return[s.includes(".")?s.replace(/\.?0+$/,""):s,...o].join("e")}var hs=(n,e)=>Number.isFinite(n)?n.toFixed(e):ke(n),Ml={g:(n,e)=>_e(
-n,e||6),e:(n,e)=>n.toExponential(e),f:hs};function O(n,e){return n.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,o,i,a)=>{let r=e[s];return a?Ml[a](r,Number(
-i)):o?cs(r):String(r)})}function cs(n){return typeof n=="number"?ke(n):typeof n=="string"?Ft(`'${n}'`):n==null?"None":Ft(JSON.stringify(n))}var ei=n=>n.replace(
-/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Ft(n){let e=[...n];return e.length<=60?n:`${e.slice(0,57).join("")}...`}function ti(n){
-if(_l.test(n))return Number(n);let[,e,t]=El.exec(n)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:ni,scenario:si}=S,Sl=2,N=class extends Error{constructor(e){super(ei(e)),this.name="InputError"}},ee=class extends N{},z=(n,e={})=>O(ni[n],e),ue=n=>n!==
-null&&typeof n=="object"&&!Array.isArray(n),He=(n,e,t,s)=>z("finding",{path:n||ni.whole_scenario,shown:cs(e),allowed:z(t,s)});function ds(n,e,t,s){let{fields:o,
-place:i}=si.models[n],a=ue(e)?ms(i,e,Object.keys(o)):He(t,e,"table");if(a&&s.push(a),a)return null;let r=s.length,l={};for(let[c,d]of Object.entries(o))Object.hasOwn(
-e,c)?l[c]=ps(d,e[c],`${t}.${c}`,s):d.required?s.push(z("missing",{path:`${t}.${c}`})):l[c]=dt(d.default);return s.length===r?{values:l,given:new Set(Object.keys(
-e))}:null}function ms(n,e,t){let s=Object.keys(e).find(r=>!t.includes(r));if(s===void 0)return null;let[o]=[...t].sort((r,l)=>us(s,r)-us(s,l)),a=us(s,o)<=Sl?z("\
-did_you_mean",{close:o}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${n}${Ft(s)}`,hint:a})}function us(n,e){let t=Array.from({length:e.length+
-1},(s,o)=>o);for(let[s,o]of[...n].entries()){let i=[s+1];for(let a=0;a<e.length;a++)i.push(Math.min(i[a]+1,t[a+1]+1,t[a]+ +(o!==e[a])));t=i}return t[e.length]}function ps(n,e,t,s){
-if(e===null&&n.nullable)return null;if(n.kind==="parts")return Ll(e,t,s);let o=n.kind==="friction"&&e==="inf"?1/0:e,i=Al(n,o);return i&&s.push(He(t,e,...i)),typeof o==
-"number"?o+0:o}var Tl={greater_than:(n,e)=>n>e,greater_than_equal:(n,e)=>n>=e,less_than_equal:(n,e)=>n<=e};function Al(n,e){let{kind:t,options:s,limits:o=[],range:i}=n;
-if(t==="word")return s.includes(e)?null:["literal_error",n];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
-!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=o.find(([r,l])=>!Tl[r](e,l));return a?[a[0],{limit:a[1]}]:
-i&&!fs(i,e)?["range",i]:null}var fs=({least:n,most:e,also:t=[]},s)=>n<=s&&s<=e||t.some(o=>dt(o)===s);function Ll(n,e,t){if(!Array.isArray(n))t.push(He(e,n,"list"));else
-return n.map((s,o)=>Rl(s,`${e}.${o}`,t))}function Rl(n,e,t){let s=gs(n,"shape",si.parts,e,t),o=s&&ds(s,n,e,t);if(!o)return null;let{inner_radius:i,outer_radius:a}=o.
-values;return i>a&&t.push(z("ring_radii",{inner:i,outer:a})),o.values}function gs(n,e,t,s,o,i){let a=ue(n)&&Object.hasOwn(n,e)?n[e]:i;if(!ue(n))o.push(He(s,n,"t\
-able"));else if(a===void 0)o.push(z("missing",{path:`${s}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
-'`).join(" or ");o.push(He(`${s}.${e}`,a,"literal_error",{expected:r}))}}return null}function bs(n){let e=n.length-1;return e?z(e===1?"other_problem":"other_pro\
-blems",{first:n[0].replace(/\.$/,""),count:e}):n[0]}var ii=new Map(Object.entries(S.scenario.ends));function ys(n){let[e,...t]=n.split(".");return[e,t.join(".")]}function mt(n){for(let e of n){let t=(ii.get(e)??[]).
-map(o=>`${ys(e)[0]}.${o}`),s=n.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));if(s!==void 0)return[e,s]}return null}function oi(n){let[e,t]=ys(n);return(e==="\
-start"?10:0)+(t===""?0:n==="contact.model"||n==="hoop.parts"?1:2)}function ai(n,e,t,s){let o=[...t.keys()],i=mt(o);if(i){let[r,l]=i;throw new N(z("two_ways",{one:r,
-other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>oi(l)-oi(c))){let l=structuredClone(t.get(r)),[c,d]=ys(r);if(d==="")
-ws(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||ws(e,c,{});let h=e[c];if(!ue(h))throw new N(z("no_section_parts",{path:r,section:c}));
-let m=ii.get(r)??[];if(!a.has(c)&&m.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?s(c,t.get(c)):n[c],f=Pl(p,r,()=>s("hoop",e.hoop));for(let[g,b]of Object.
-entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of m)delete h[p];Cl(h,d.split("."),l,r)}}return e}var ws=(n,e,t)=>Object.defineProperty(n,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0});function Pl(n,e,t){let{mass:s,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=n;if(e==="hoop.load_fraction")return{mass:s};
-if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:s,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
-mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:d,omega:h}=ce(n,t().radius);return{height:l,vx:c,vy:d,omega:h}}function Cl(n,e,t,s){
-let o=n;for(let[i,a]of e.entries()){let r=i===e.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(a)&&Number(a)<o.length)&&!(ue(o)&&(r||Object.hasOwn(o,a))))throw new N(
-z("not_there",{path:s,step:a}));r?ws(o,a,t):o=o[a]}}var{lab:zl,limits:Q}=S,{allowed:ri,events:Nl,flight_turns:Il,quantities:Dl}=S.map,Ol=1e-300,$=(n,e={})=>O(zl[n],e),vs=n=>$("doubt",{time:_e(n,4)});function je(n){
-let{duration:e,hoop:t,contact:s}=n;if(e>Q.duration)throw new ee($("too_long",{duration:e,most:Q.duration}));let o=t.parts?.length??0;if(o>Q.parts)throw new ee($(
-"too_many_parts",{parts:o,most:Q.parts}));let i=ui(ci(n));if(i>Q.turns)throw new ee($("too_many_turns",{duration:e,turns:i,most:Q.turns}));if(s.model==="complia\
-nt"){let a=ql(n,i);if(a>Q.steps)throw new ee($("too_stiff",{steps:a,most:Q.steps}))}return s.max_events<=Q.events?n:{...n,contact:{...s,max_events:Q.events}}}function ci({
-duration:n,hoop:{radius:e},plane:{gravity:t,slope:s},start:o}){let{height:i,vx:a,vy:r,omega:l}=ce(o,e);return{duration:n,radius:e,gravity:t,slope:s,height:i,vx:a,
-vy:r,omega:l}}function ui({duration:n,radius:e,gravity:t,slope:s,height:o,vx:i,vy:a,omega:r}){return(2*(Math.abs(i)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+o)))+
-.5*t*Math.min(Math.abs(s),1)*n)*n/(2*Math.PI*e)}function ql({duration:n,hoop:{radius:e,mass:t},plane:{gravity:s},contact:{stiffness:o}},i){let r=10/Math.sqrt(e/
-(s>0?s:1))+(o===null?0:Math.sqrt(o/t));return 10*n*r+40*i}function xs(n,{x:e,y:t,what:s}){if(n.contact.model!=="rigid")throw new N($("rigid_maps"));let{contact:o,
-...i}=je(n),a={...i,contact:{...o,max_events:Math.min(o.max_events,Nl)}};Fl(a,e,t,Dl[s].span);let r=mt([t.path,e.path]);if(r)throw new N($("two_axes",{one:r[0],
-other:r[1]}));return a}function Fl(n,e,t,s){let o=ci(n),i=s==="first_revolution",a=pt(e).filter(h=>hi(e.path,h)),r=pt(t).filter(h=>hi(t.path,h)),[l,c]=[0,0];for(let h of r)
-for(let m of a){let p=li(li(o,t.path,h),e.path,m),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+Ol),Il):ui(p);l+=g,c=Math.max(c,g)}if(!i&&c>Q.turns)throw new ee(
-$("cell_turns",{turns:c,most:Q.turns}));if(l<=Q.map_turns)return;let d=a.length*r.length;throw new ee($("map_turns",{cells:d,turns:l,most:Q.map_turns}))}function li(n,e,t){
-if(e==="start.speed")return{...n,vx:t,vy:0,omega:0};let s=e.slice(e.lastIndexOf(".")+1);return s in n&&s!=="height"?{...n,[s]:t}:n}var pt=({from:n,to:e,cells:t})=>Array.
-from({length:t},(s,o)=>n+(o+.5)*((e-n)/t));function hi(n,e){return!ri[n]||fs(ri[n],e)}var Hl=1e3;function di(n){let e=n.replace(/^\?/,"");if(e.split("&").length>Hl)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
-for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),c=t;for(let d of r)if(c.has(d)||c.set(d,new Map),c=c.get(d),!(c instanceof Map))throw new N(
-z("value_above",{path:i,above:i.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:i}));c.set(l,ti(a)??a)}let s=t.get("hoop"),o=s instanceof
-Map&&s.get("parts");return o instanceof Map&&s.set("parts",jl(o)),ks(t)}function jl(n){let e=Array.from({length:n.size},(s,o)=>String(o)),t=[...n.keys()].find(s=>!e.
-includes(s));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(s=>n.get(s))}function ks(n){return Array.isArray(n)?n.map(ks):n instanceof
-Map?Object.fromEntries([...n].map(([e,t])=>[e,ks(t)])):n}function _s(n,e=""){return typeof n=="string"?`${e}=${n}`:typeof n=="number"?`${e}=${ke(n).replace("e+",
-"e")}`:Object.entries(n).map(([t,s])=>_s(s,e?`${e}.${t}`:t)).join("&")}var{scenario:Es}=S,Bl=Es.rules,$l=["load_fraction","eccentricity","inertia_ratio"],mi=["mu_static","mu_kinetic"],Wl=["height","vx","vy","omega"],pi={mass:1,inertia_ratio:1,
-contact:null};function jt(n,e,t){let[s,o]=t.refused(n),i=Bl[s];if(!i)return null;let a=Object.entries(i.values).map(([r,l])=>{let[c,d]=l.split(".");return[r,e[c][d]]});
-return z(i.sentence,{...i.known,...Object.fromEntries(a),[i.number]:o})}function Ht(n,e,t,s){let o=s.find(i=>t.has(i));return o?z("together",{section:n,other:o,
-way:e}):null}var fi={hoop:Gl,plane:Ul,start:Kl,contact:Vl};function Gl(n,e,t){let s=$l.filter(o=>e.has(o)&&n[o]!==null);if(n.parts){let o=n.parts.length?Ht("hoo\
-p","parts",e,[...s,"mass"]):z("no_parts");if(o)return o;let{radius:i,parts:a}=n,{reaches:r,...l}=t.combine(i,a),c=r.findIndex(d=>d>i*(1+Es.touch));if(c>=0)return z(
-"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:i});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let o=Ht("hoop","load_fraction",e,
-s.slice(+(n.load_fraction!==null)));if(o)return o;n.load_fraction??=Es.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,n.inertia_ratio=t.
-ideal(n.load_fraction)}else if(s.length===1){let o=s[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:o,given:s[0]})}return jt(
-{...pi,...n,ideal:n.load_fraction!==null},{hoop:n},t)}function Ul(n,e,t){if(n.apart=mi.some(s=>e.has(s)),n.mu!==null){let s=Ht("plane","mu",e,mi);if(s)return s;
-n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return jt({...pi,...n},{plane:n},t)}function Kl(n,e){return n.speed===null?n.omega===
-null?z("no_omega"):null:(n.vx=n.speed,n.omega=null,Ht("start","speed",e,Wl))}function Vl({damping:n=null,restitution:e=null}){return n!==null&&e!==null?z("toget\
-her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:de}=S,gi=de.left_out,bi={rigid:"Rigid",compliant:"Compliant"};function gt(n,e){let{fields:t,place:s}=de.models.Scenario,o=ue(n)?ms(s,n,Object.keys(
-t)):He("",n,"table");if(o)throw new N(o);let i=[],a=Object.keys(t).map(c=>{let d=Object.hasOwn(n,c)?n[c]:de.default[c];return[c,Ss(c,d,e,i)]}),r=Object.fromEntries(
-a),l=i.length?bs(i):jt(Z(r),r,e);if(l)throw new N(l);return r}function Ss(n,e,t,s){if(n==="duration")return ps(de.models.Scenario.fields[n],e,n,s);let[o]=n==="c\
-ontact"?[gs(e,"model",bi,n,s,"rigid")]:de.sections[n],i=o&&ds(o,e,n,s),a=i&&fi[n](i.values,i.given,t);return a&&s.push(a),i?.values}var bt=(n,e)=>gt(di(n),e),$t=(n,e,t)=>gt(
-wi(n,e,t),t);function wi(n,e,t){return ai(n,Te(n),e,(s,o)=>{let i=[],a=Ss(s,o,t,i);if(i.length)throw new N(bs(i));return a})}function yi(n,e,t){let s=[];try{let o=wi(
-n,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ss(r,o[r],t,s)]);return s.length?null:Object.fromEntries(a)}catch(o){if(o instanceof N)return null;
-throw o}}var ft=(n,e)=>Object.fromEntries(e.filter(t=>n[t]!==null).map(t=>[t,n[t]===1/0?"inf":n[t]])),Ms=n=>Object.keys(de.models[n].fields);function Te({duration:n,
-hoop:e,plane:t,start:s,contact:o}){let i=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in gi&&t[l]===gi[l],r=["x","height","angle","vx","vy","omega"];return{
-duration:n,hoop:Jl(e),plane:ft(t,Ms("Plane").filter(l=>!i.includes(l)&&!a(l))),start:ft(s,s.speed===null?r:["x","angle","speed"]),contact:ft(o,Ms(bi[o.model]))}}
-function Jl(n){if(n.parts){let t=n.parts.map(s=>ft(s,Ms(de.parts[s.shape])));return{radius:n.radius,parts:t}}let e=n.load_fraction===null?["eccentricity","inert\
-ia_ratio"]:["load_fraction"];return ft(n,["radius","mass",...e])}function Ts(n,e){if(n==="hoop"||n==="plane")return de.default[n];let{fields:t}=de.models[n==="s\
-tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([s,o])=>[s,o.default??void 0]))}function Qe(n){let e={};for(let[
-t,s]of Object.entries(Te(n))){if(Bt(s,de.default[t]))continue;let o=ue(s)?Ts(t,s.model):{},i=Object.entries(s).filter(([a,r])=>a==="model"||!Bt(o[a],r));e[t]=ue(
-s)&&i.length?Object.fromEntries(i):s}return _s(e)}var Bt=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var Yl=8,{quantities:vi}=S.map;async function As(n,{x:e,y:t},s,o){let[i,a]=[pt(e),pt(t)],r=(...f)=>yi(n,new Map(f),s),l=Zl(n,e.path,t.path),c=l&&i.map(f=>r([e.path,
-f])),d=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,m=new Float64Array(ut.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
-g===0&&performance.now()-p>Yl&&(await new Promise(_=>setTimeout(_)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=d?d[b]:
-w;if(!w||!y)continue;let v=Z({...n,...w,...y});for(let _=0;_<ut.length;_++)m[_*h+f]=ut[_](v)}return{count:h,rows:m}}function Zl({start:n},e,t){let s=[e,t].map(i=>i.
-split(".")[0]);if(s[0]===s[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.includes("hoop")&&o&&n.speed!==null)}var Ls=n=>vi[n].
-span;function Rs({x:n,y:e,what:t},s){let{label:o,unit:i,words:a}=vi[t],{values:r,names:l}=Ql(s,i===""?a:null),c=d=>({name:d,text:Xo(d,t),color:Qo(d,t)});return{
-header:{x:n,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function Ql({values:n,sequences:e},t){if(!t)return{values:n,names:[]};let s=e?
-[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,o=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(n,a=>a>=0?o?.[a]??a:Number.NaN),names:s}}var{scenario:wt}=S,Xl=30,Ei={};for(let{fields:n}of Object.values(wt.models))Object.assign(Ei,n);function Mi(n,e){return typeof e=="string"?JSON.stringify(e):Ei[n]?.
-kind==="whole"?String(e):ls(e)}function xi(n,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${ki(l,c)}`);return[`${e} = [`,...t.map(r=>`\
-  { ${a(r).join(", ")} },`),"]"].join(`
-`)}let s=`${e} = ${ki(e,t)}`,i=(wt.sections[n]??["Scenario"]).map(a=>wt.models[a].fields).find(a=>e in a)[e].unit;return i===""||i==="1"?s:`${s.padEnd(Xl)} # ${i}`}
-var ki=(n,e)=>e==="inf"?"inf":Mi(n,e);function Wt(n){let{duration:e,...t}=Te(n),s=[xi("","duration",e)];for(let[o,i]of Object.entries(t))s.push("",`[${o}]`,...Object.
-entries(i).map(([a,r])=>xi(o,a,r)));return`${s.join(`
-`)}
-`}var eh={hoop:"Hoop",plane:"Plane",start:"Start"},th=["load_fraction","mu"];function Ps(n){let{duration:e,contact:t,...s}=Te(n),o=Object.entries(s).map(([i,a])=>_i(
-i,a));return Bt(t,wt.default.contact)||o.push(`contact=${_i("contact",t)}`),o.splice(3,0,`duration=${ls(e)}`),`import hophoop as hh
-
-motion = hh.simulate(
-${o.map(i=>`    ${i},
-`).join("")})
-print(motion.sequence, motion.status)
-for event in motion.events:
-    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`}function _i(n,{parts:e,...t}){let s=n==="start"&&"speed"in t,o=s?"Start.rolling":eh[n]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:Ts(n,t.model),
-a=Object.entries(t).filter(([l,c])=>th.includes(l)||i[l]!==c),r=e?[`parts=[${e.map(nh).join(", ")}]`]:[];return`hh.${o}(${[...a.map(Si),...r].join(", ")})`}var nh=({
-shape:n,...e})=>`hh.${wt.parts[n]}(${Object.entries(e).map(Si).join(", ")})`,Si=([n,e])=>`${n}=${e==="inf"?'float("inf")':Mi(n,e)}`;var{letters:Ai,modes:zs,verbs:Ns,events:sh,statuses:oh,story:Be,summary:Xe}=S.words,ih=400,[,Cs,Ti,ah,rh]=zs,lh="⁰¹²³⁴⁵⁶⁷⁸⁹";function Li(n,e){let{
-omega:t,to:s}=n[e];return t===0&&(s==="S"||s==="K")&&e+1<n.length}var Is=n=>[...n.keys()].filter(e=>Li(n,e)),Ds=(n,e)=>.5*(n[e].t+n[e+1].t);function Os(n,e=ih){
-let t=[],s=0,o=Pi(n.events);for(let[i,a]of n.events.entries()){let r=o.get(i);if(r===0)continue;let l=r===void 0?ch(n,i,a):O(Be.more_bounces,{count:r});if(l){if(t.
-length>=e){s++;continue}t.push({t:a.t,event:i,mode:Ai[zs.indexOf(Gt(n,i))],text:l})}}return s&&t.push({...t[t.length-1],text:O(Be.left_out,{count:s})}),t}var Ri=n=>n.
-kind==="impact"&&n.to==="H"&&n.collision!==!1;function Pi(n,e=3,t=6){let s=new Map,o=[];for(let i=0;i<=n.length;i++){let a=n[i];if(a&&(Ri(a)||o.length&&a.kind===
-"apex")){o.push(i);continue}let r=o.filter(l=>n[l].kind==="impact");if(r.length>=t){for(let l of o.slice(o.indexOf(r[e])))s.set(l,0);s.set(r[e],r.length-e)}o=[]}
-return s}function qs(n,e=6){let t=[],s=0,o=Pi(n.events,1);for(let[l,c]of n.events.entries()){let d=o.get(l);if(d!==void 0){d&&t.push(O(Xe.more_bounces,{count:d}));
-continue}if(c.kind==="start"||!t.length){t.push(Ns[Gt(n,l)]);continue}let h=hh(n,l,c);h&&(s++,s<=e&&t.push(O(Xe.change,{phrase:h,where:We(c.angle)})))}let i=s>e?
-O(Xe.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:oh[n.status]};return O(Xe.
-sentence,r).trim()}function hh(n,e,t){if(t.collision===!1)return Xe.without_collision;if(Ri(t))return Xe.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
-Ci(t))return Ns[Gt(n,e)];let{verb:s,summed_up:o}=sh[t.kind];return o?s:""}function ch(n,e,t){let s=Gt(n,e),o={where:We(t.angle),verb:Ns[s],kind:t.kind.replaceAll(
-"_"," ")},i=uh(n.events,e,s,o);return O(Be[i]??Be.other,o)}function uh(n,e,t,s){let o=n[e],{kind:i}=o;return i==="start"&&(s.speed=$e(o.vx),s.started=O(t===ah?Be.
-started_flight:t===rh?Be.started_skim:Be.started,s)),i==="slip_start"&&t===Cs?"slip_start_spin":i==="takeoff"?dh(n,e,s):i==="impact"?(s.speed=$e(o.before.vy===null?
-null:Math.abs(o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&Ci(o)?"turn_in_slip":(i==="apex"&&(s.gap=zi(o.
-height)),i==="kane_gain"&&(s.gain=$e(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function dh(n,e,t){let{t:s}=n[e],o=0;for(let i=e;i<n.length;i++)if(o=
-Math.max(o,n[i].height),!(i===e||n[i].kind!=="impact")){for(let a=i+1;a<n.length&&n[a].t<=n[i].t;a++)o=Math.max(o,n[a].height);if(!o)break;return t.top=zi(o),t.
-time=$e(n[i].t-s),"takeoff_and_landing"}return"takeoff"}function Gt(n,e){let t=n.events[e];return mh(t.to,Li(n.events,e)?n.omega(e):t.omega)}function mh(n,e){return n===
-"S"?e>0?Cs:Ti:n==="K"?e<0?Cs:Ti:zs[Ai.indexOf(n)]}var Ci=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),We=n=>`${hs(n*(180/Math.PI),1)}°`.replaceAll("-","−");function zi(n){
-return n>=.995?`${$e(n)} m`:n>=.00995?`${$e(n*100)} cm`:`${$e(n*1e3)} mm`}function $e(n){if(n===null||Number.isNaN(n))return"?";let[e,t]=_e(n,3).split("e"),s=t===
-void 0?"":`·10${ph(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var ph=n=>[...String(n)].map(e=>e==="-"?"⁻":lh[Number(e)]).join("");var Ni=2e3;function Ut(n,{status:e,sequence:t,fingerprint:s,events:o,final:i,energy:a}){let{schema:r,setup:l}=S,c=Te(n);return{schema:r,version:l.version,scenario:c,
-status:e,sequence:t,fingerprint:s,events:o,final:i,energy:a}}function Kt(n,e,t,s){let o={events:e.events,status:e.status,omega:t};return{...Ut(n,e),events:e.events.
-slice(0,Ni),query:Qe(n),duration:e.duration,values:fh(n),automatic:gh(n,s),massless:n.hoop.inertia_ratio===0,summary:qs(o),story:Os(o),ending:S.words.statuses[e.
-status],shortened:e.events.length>Ni}}function fh({hoop:n,plane:e,start:t}){let s={hoop:n,plane:e,start:{...ce(t,n.radius),speed:t.speed}},o=S.shown.map(i=>{let[
-a,r]=i.split("."),l=s[a][r];return[i,l===1/0?"inf":l]});return Object.fromEntries(o)}function gh(n,e){if(n.contact.model==="rigid")return{};let{stiffness:t,slip_speed:s}=e.
-chosen(Z(n)),{restitution:o}=n.plane;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o}}var{rate:bh,variables:Fs}=S.table,{letters:wh}=S.words,Hs=(n,e)=>JSON.stringify(Ut(n,e),null,1);function js(n){let e=Math.min(Math.max(Math.floor(n*bh)+1,2),S.limits.
-samples),t=n/(e-1);return Float64Array.from({length:e},(s,o)=>o===e-1?n:o*t)}function Bs(n,e){let t=Object.keys(Fs),s=t.map(l=>Fs[l]==="1"?l:`${l} [${Fs[l]}]`),
-{kinetic:o,potential:i}=e,a={...e,total:Float64Array.from(o,(l,c)=>l+i[c])},r=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let d=t.map(h=>h==="mode"?wh[a.
-mode[l]]:ke(a[h][l]));r.push([ke(c),...d].join(","))}return`${r.join(`\r
-`)}\r
-`}var yh=["hoop.eccentricity","plane.slope"],vh={...Object.fromEntries(Object.entries(S.map.rates).map(([n,e])=>[n,()=>({[e]:1})])),"hoop.radius":xh,"hoop.mass":({
-hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
-null||n===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:n})=>n.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:n})=>n.mu_kinetic===
-1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:n})=>n.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:n,start:e})=>e.speed===null?
-null:{omega:1/n.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:n})=>({omega:1,slip:-n.radius})};function xh({hoop:{radius:n,parts:e,eccentricity:t,inertia_ratio:s},
-start:{speed:o,omega:i}}){let a={radius:1};return o===null?a.slip=-(i||0):a.omega=-o/(n*n),e?{...a,eccentricity:-t/n,inertia_ratio:-2*s/n}:a}function $s(n,e){let t=vh[e]?.(
-n),{smaller:s,larger:o}=kh(n,e);if(!t||!(s||o))return null;let i=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))i[Ko[a]]=r;return{rates:i,smaller:s,
-larger:o}}function kh(n,e){let{mu_static:t,mu_kinetic:s}=n.plane,o=_h(n,e),{least:i,most:a,also:r=[]}=S.map.allowed[e],l=t!==s,c=n.hoop.inertia_ratio===0&&yh.includes(
-e);return{smaller:!c&&o>Math.min(i,...r.map(dt))&&(l||e!=="plane.mu_static"),larger:!c&&o<a&&(l||e!=="plane.mu_kinetic")}}function _h(n,e){return e==="start.ome\
-ga"?ce(n.start,n.hoop.radius).omega:e.split(".").reduce((t,s)=>t[s],n)}var{limits:Vt}=S;function me({scenario:n,query:e,changes:t=[]},s){let i=n!==void 0&&e===void 0?gt(n,s):bt(e??"",s),a=new Map;for(let[r,l]of t)mt([...a.keys(),r])&&
-(i=$t(i,a,s),a=new Map),a.set(r,l);return a.size?$t(i,a,s):i}function Ws({scenario:n,query:e,changes:t=[],...s},o){if(t.length>Vt.changes)throw new ee($("too_ma\
-ny_changes",{pairs:t.length,most:Vt.changes}));let{x:i,y:a}=s;if(i&&i.path===a.path)throw new N($("equal_axes",{path:i.path}));let r=i?i.cells*a.cells:0;if(r>Vt.
-cells)throw new ee($("too_many_cells",{cells:r,most:Vt.cells}));return{...s,checked:me({scenario:n,query:e,changes:t},o)}}var{theory:W}=S.words;function Us({hoop:n,plane:e},t){let s=[],o=(r,l,c,d)=>{l!==null&&s.push({key:r,label:W[r],value:Number.isFinite(l)?l:null,unit:c,text:d(l)})},
-i=()=>o("painleve",t.painleve_friction,"1",r=>Mh(r,t,e));if(e.gravity<=0)return i(),s;if(n.inertia_ratio===0){let r=t.massless_loss_by_friction?W.loss_by_friction:
-W.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>O(r,{where:We(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:d,
-any_speed:h}=W;o("first_slip",t.first_slip_speed,"m/s",m=>Gs(m,r,d)),o("first_hop",t.first_hop_speed,"m/s",m=>Gs(m,l,d)),o("immediate_hop",t.immediate_hop_speed,
-"m/s",m=>Gs(m,c,h))}else s.push({key:"uphill",label:W.uphill,value:null,unit:"",text:W.no_threshold});o("needed_friction",t.needed_friction,"1",r=>Eh(r,e)),i();
-let a=t.jam_angles.map(We).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>O(W.jam_at,{places:a})),n.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>O(
-W.rest_at,{where:We(r)})),s}function Gs(n,e,t){return n<S.words.least_speed?O(t,{would:e}):Number.isFinite(n)?O(W.above,{would:e,speed:_e(n,4)}):W.no_speed}function Eh(n,{
-mu_static:e}){return Number.isFinite(n)?O(n<=e?W.friction_enough:W.friction_short,{mu:_e(n,3)}):W.no_friction}function Mh(n,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return W.never;let s=n<=t?W.paradox_here:W.paradox_not_here;return O(s,{mu:_e(n,3),where:We(e)})}function Ee(n){let e=Number.parseInt(n.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Ii=n=>yt(n)>.2?"#111111":"#ffffff",vt=(n,e)=>`rgba(${Ee(n).join(",")}\
-,${e})`,Th=n=>{let e=n/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function yt(n){let[e,t,s]=Ee(n).map(Th);return .2126*e+.7152*t+.0722*s}function xt(n,e){
-if(!e||!/^#[0-9a-f]{6}$/i.test(n))return n;if(yt(n)<.002)return"#eceef2";let t=n;for(let s=0;yt(t)<.2&&s<1;s+=.05)t=`#${Ee(n).map(o=>Math.round(o+(255-o)*s).toString(
-16).padStart(2,"0")).join("")}`;return t}var Jt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Ah(){let n=[];
-for(let e=0;e<256;e++){let t=e/255*(Jt.length-1),s=Math.min(Math.floor(t),Jt.length-2),o=Ee(Jt[s]),i=Ee(Jt[s+1]);n.push(o.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
-return n}var et=Ah(),Yt=et.map(n=>`rgb(${n.join(",")})`),Lh=["#123a8c","#8a6d00"],pe=(n,e)=>xt(Lh[n],e);var Ae={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}Pe.prototype.getContext=function(n){if(n!=="2d")throw new Error("Unsupported type of context for SVG\
+Canvas");return this.ctx};Pe.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),e=new Blob([n],{type:"image/svg+xml;charset=\
+utf-8"});return URL.createObjectURL(e)};Pe.prototype.toDataURL=function(n,e,t){return La.toDataURL(this.svg,this.width,this.height,n,e,t)};Pe.prototype.addEventListener=
+function(){return this.svg.addEventListener.apply(this.svg,arguments)};Pe.prototype.getElement=function(){return this.wrapper};Pe.prototype.getAttribute=function(n){
+return this.wrapper.getAttribute(n)};Pe.prototype.setAttribute=function(n,e){this.wrapper.setAttribute(n,e)};Rn.Context=Ra;Rn.Element=Pe});function ve(n){let e=Number.parseInt(n.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Vo=n=>ht(n)>.2?"#111111":"#ffffff",ct=(n,e)=>`rgba(${ve(n).join(",")}\
+,${e})`,pl=n=>{let e=n/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ht(n){let[e,t,s]=ve(n).map(pl);return .2126*e+.7152*t+.0722*s}function ut(n,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(n))return n;if(ht(n)<.002)return"#eceef2";let t=n;for(let s=0;ht(t)<.2&&s<1;s+=.05)t=`#${ve(n).map(o=>Math.round(o+(255-o)*s).toString(
+16).padStart(2,"0")).join("")}`;return t}var qt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function fl(){let n=[];
+for(let e=0;e<256;e++){let t=e/255*(qt.length-1),s=Math.min(Math.floor(t),qt.length-2),o=ve(qt[s]),i=ve(qt[s+1]);n.push(o.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
+return n}var Je=fl(),Ft=Je.map(n=>`rgb(${n.join(",")})`),gl=["#123a8c","#8a6d00"],he=(n,e)=>ut(gl[n],e);var Se={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -894,7 +494,7 @@ ktkraft verloren ist","without friction the hoop rests on no more than a border 
 "the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
 Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
 computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell.","Skip to the answer":"\
-Zur Antwort springen","Not so.":"Nein.",Pause:"Anhalten"};var Ph=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
+Zur Antwort springen","Not so.":"Nein.",Pause:"Anhalten"};var wl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
 gle}","patina desde {angle}","derrapa desde {angle}","vuela desde {angle}","roza el plano desde {angle}","salta a {angle}","aterriza a {angle}","rebota a {angle\
 }","desliza en sentido contrario desde {angle}","deja de deslizar de golpe a {angle}","da la vuelta a {angle}","termina de rebotar a {angle}","encuentra la para\
 doja de Painlevé a {angle}","encuentra la indeterminación de Painlevé a {angle}","se bloquea a {angle}","gana energía (Kane) a {angle}","roza desde {angle}",
@@ -1071,7 +671,7 @@ esos","la restitución es 0 y la llanta ha aterrizado: con cualquier otra rebota
 taría, y sus sucesos son otros","el deslizamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","el aro sin masa (γ = 1) es un límite singula\
 r en cuanto se pierde la fuerza de contacto","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimiento no tiene respuesta desde allí","el\
  parámetro está en el borde de lo permitido","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de con\
-tacto rígido.","Saltar a la respuesta","No es así.","Pausa"],Di=Object.fromEntries(Object.keys(Ae).map((n,e)=>[n,Ph[e]]));var Ch=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
+tacto rígido.","Saltar a la respuesta","No es así.","Pausa"],Jo=Object.fromEntries(Object.keys(Se).map((n,e)=>[n,wl[e]]));var yl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
 rtir de {angle}","patine à partir de {angle}","dérape à partir de {angle}","vole à partir de {angle}","effleure le plan à partir de {angle}","saute à {angl\
 e}","retombe à {angle}","rebondit à {angle}","glisse dans l’autre sens à partir de {angle}","cesse brusquement de glisser à {angle}","fait demi-tour à {an\
 gle}","finit de rebondir à {angle}","rencontre le paradoxe de Painlevé à {angle}","rencontre l’indétermination de Painlevé à {angle}","se coince à {angl\
@@ -1256,8 +856,8 @@ moindre changement peut mener à d’autres événements","la restitution est nu
  commence en contact : avec la jante levée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n\
 ’a pas de borne","le cerceau sans masse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que\
  sur la frontière de deux classes","le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deu\
-x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause"],Oi=Object.fromEntries(
-Object.keys(Ae).map((n,e)=>[n,Ch[e]]));var zh=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause"],Yo=Object.fromEntries(
+Object.keys(Se).map((n,e)=>[n,yl[e]]));var vl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -1396,106 +996,106 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 会怎样","触发该事件的量在那里只是触及零","该运动位于两类的边界上：极小的变化就可能导致不同的事件","恢复系数为 0 且环缘已落地：只\
 要不为零它就会弹起","运动从接触开始：若环缘被抬起或抛起，它会弹跳，事件就不同了","滑动到达 p_σ = 0，那里接触力无界",
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
-处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停"],qi=Object.
-fromEntries(Object.keys(Ae).map((n,e)=>[n,zh[e]]));var kt={de:Ae,es:Di,fr:Oi,zh:qi};var Ks=new Map;function fe(n){try{return localStorage.getItem(n)??Ks.get(n)??null}catch{return Ks.get(n)??null}}function ge(n,e){Ks.set(n,e);try{localStorage.setItem(
-n,e)}catch{}}var Nh=n=>{let e=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return e[0].toLocaleUpperCase(n)+e.slice(1)},Mt=Object.fromEntries(["en",...Object.keys(kt)].
-map(n=>[n,Nh(n)])),ji="hophoop-language",Bi=4e3,Ih=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Zt=/\{(\w+)\}/g,Me="\
-en",$i=!1,Wi=[],_t=new Map,Et=new Set,tt=new Set,Le=()=>Me;function Js(n){Me=n in Mt?n:"en",$i=1.5.toLocaleString(Me).includes(","),_t=new Map,Et=new Set,tt.clear(),
-Wi=Object.keys(kt[Me]??{}).filter(e=>e.includes("{")).map(Oh).sort((e,t)=>Fi(t.key)-Fi(e.key))}function Dh(){let n=fe(ji);return n&&n in Mt?n:(globalThis.navigator?.
-languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in Mt)??"en"}function Gi(n){ge(ji,n)}var Fi=n=>n.replace(Zt,"").length;function Oh(n){let e=[...n.matchAll(
-Zt)].map(([,s])=>s),t=n.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:n,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var be=n=>$i?
-n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function x(n,e){let t=kt[Me];if(e)return j(Ki(t?.[n]??Hi(n),e));if(!t||!/\p{L}/u.test(n))return be(n);if(Et.has(n))return n;let s=_t.
-get(n);if(s!==void 0)return s;let o=n.trim(),i=t[o]??qh(o,t)??Hi(o),a=n.replace(o,()=>i);return _t.size>Bi&&_t.clear(),_t.set(n,a),j(a)}function j(n){return Et.
-size>Bi&&Et.clear(),Et.add(n),n}var Ui=(n,e)=>n.replace(Zt,(t,s)=>String(e[s])),Ki=(n,e)=>n.replace(Zt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));
-function qh(n,e){for(let{key:t,pattern:s,names:o}of Wi){let i=n.match(s);if(i)return Ki(e[t],Object.fromEntries(o.map((a,r)=>[a,i[r+1]])))}return Fh(n)}function Fh(n){
-if(n.includes(" → "))return n.split(" → ").map(e=>x(e)).join(" → ")}function Vi(n){if(!kt[Me])return n;let[,e,t]=n.match(/^(.*?)\.(?: (.*))?$/su)??["",n,""],
-{comma:s,stop:o}=Me==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return j(
-`${a[0]?.toLocaleUpperCase(Me)??""}${a.slice(1)}${o}${t?` ${x(t)}`:""}`)}function Hi(n){let e=/\p{L}{3,}/u.test(n)&&!Ih.test(n);return Me!=="en"&&e&&tt.size<200&&
-tt.add(n),be(n)}var Ys=new WeakMap,Vs=new WeakMap;function Zs(n){let e=document.createTextNode(x(n));return Ys.set(e,n),e}function nt(n,e,t){let s=Vs.get(n)??{};
-s[e]=t,Vs.set(n,s),n.setAttribute(e,x(t))}function Hh(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=(t.
-nodeValue??"").replace(/\s+/g," ");s.trim()&&Ys.set(t,s)}for(let t of n.querySelectorAll("[aria-label]"))nt(t,"aria-label",t.getAttribute("aria-label")??"");Qt(
-n)}function Qt(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=Ys.get(t);s!==void 0&&
-(t.nodeValue=x(s));let o=Vs.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,x(a))}}Js(Dh());var jh=14,Bh=new Set(["aria-label","title","placeholder","label"]);function u(n,e={},...t){let s=document.createElement(n),o=s;for(let[i,a]of Object.entries(e))
-a==null||a===!1||(i.startsWith("on")?s.addEventListener(i.slice(2),a):i==="class"?s.className=a:i in s&&i!=="list"&&typeof a!="string"?o[i]=a:Bh.has(i)?nt(s,i,String(
-a)):s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:Zs(String(i)));return s}function R(n,e){e?n.replaceChildren(Zs(e)):
-n.replaceChildren()}var Xt=n=>n!==null&&n.getRootNode().activeElement===n,we=n=>n.getContext("2d");function K(n,e=1){let t=n.getBoundingClientRect(),s=Math.min(
+处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停"],Zo=Object.
+fromEntries(Object.keys(Se).map((n,e)=>[n,vl[e]]));var dt={de:Se,es:Jo,fr:Yo,zh:Zo};var is=new Map;function ce(n){try{return localStorage.getItem(n)??is.get(n)??null}catch{return is.get(n)??null}}function ue(n,e){is.set(n,e);try{localStorage.setItem(
+n,e)}catch{}}var xl=n=>{let e=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return e[0].toLocaleUpperCase(n)+e.slice(1)},ft=Object.fromEntries(["en",...Object.keys(dt)].
+map(n=>[n,xl(n)])),ei="hophoop-language",ti=4e3,kl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ht=/\{(\w+)\}/g,xe="\
+en",ni=!1,si=[],mt=new Map,pt=new Set,Ye=new Set,Te=()=>xe;function rs(n){xe=n in ft?n:"en",ni=1.5.toLocaleString(xe).includes(","),mt=new Map,pt=new Set,Ye.clear(),
+si=Object.keys(dt[xe]??{}).filter(e=>e.includes("{")).map(El).sort((e,t)=>Xo(t.key)-Xo(e.key))}function _l(){let n=ce(ei);return n&&n in ft?n:(globalThis.navigator?.
+languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in ft)??"en"}function oi(n){ue(ei,n)}var Xo=n=>n.replace(Ht,"").length;function El(n){let e=[...n.matchAll(
+Ht)].map(([,s])=>s),t=n.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:n,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var de=n=>ni?
+n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function x(n,e){let t=dt[xe];if(e)return j(ai(t?.[n]??Qo(n),e));if(!t||!/\p{L}/u.test(n))return de(n);if(pt.has(n))return n;let s=mt.
+get(n);if(s!==void 0)return s;let o=n.trim(),i=t[o]??Ml(o,t)??Qo(o),a=n.replace(o,()=>i);return mt.size>ti&&mt.clear(),mt.set(n,a),j(a)}function j(n){return pt.
+size>ti&&pt.clear(),pt.add(n),n}var ii=(n,e)=>n.replace(Ht,(t,s)=>String(e[s])),ai=(n,e)=>n.replace(Ht,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));
+function Ml(n,e){for(let{key:t,pattern:s,names:o}of si){let i=n.match(s);if(i)return ai(e[t],Object.fromEntries(o.map((a,r)=>[a,i[r+1]])))}return Sl(n)}function Sl(n){
+if(n.includes(" → "))return n.split(" → ").map(e=>x(e)).join(" → ")}function ri(n){if(!dt[xe])return n;let[,e,t]=n.match(/^(.*?)\.(?: (.*))?$/su)??["",n,""],
+{comma:s,stop:o}=xe==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return j(
+`${a[0]?.toLocaleUpperCase(xe)??""}${a.slice(1)}${o}${t?` ${x(t)}`:""}`)}function Qo(n){let e=/\p{L}{3,}/u.test(n)&&!kl.test(n);return xe!=="en"&&e&&Ye.size<200&&
+Ye.add(n),de(n)}var ls=new WeakMap,as=new WeakMap;function hs(n){let e=document.createTextNode(x(n));return ls.set(e,n),e}function Ze(n,e,t){let s=as.get(n)??{};
+s[e]=t,as.set(n,s),n.setAttribute(e,x(t))}function Tl(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=(t.
+nodeValue??"").replace(/\s+/g," ");s.trim()&&ls.set(t,s)}for(let t of n.querySelectorAll("[aria-label]"))Ze(t,"aria-label",t.getAttribute("aria-label")??"");jt(
+n)}function jt(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=ls.get(t);s!==void 0&&
+(t.nodeValue=x(s));let o=as.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,x(a))}}rs(_l());var Al=14,Ll=new Set(["aria-label","title","placeholder","label"]);function u(n,e={},...t){let s=document.createElement(n),o=s;for(let[i,a]of Object.entries(e))
+a==null||a===!1||(i.startsWith("on")?s.addEventListener(i.slice(2),a):i==="class"?s.className=a:i in s&&i!=="list"&&typeof a!="string"?o[i]=a:Ll.has(i)?Ze(s,i,String(
+a)):s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:hs(String(i)));return s}function P(n,e){e?n.replaceChildren(hs(e)):
+n.replaceChildren()}var Bt=n=>n!==null&&n.getRootNode().activeElement===n,me=n=>n.getContext("2d");function K(n,e=1){let t=n.getBoundingClientRect(),s=Math.min(
 globalThis.devicePixelRatio||1,2.5),o=Math.max(Math.round(t.width*s),1),i=Math.max(Math.round(t.height*s),1);(n.width!==o||n.height!==i)&&(n.width=o,n.height=i);
-let a=we(n),r=s*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function $h(n){if(/^#[0-9a-f]{6}$/i.test(n))return n;let e=we(u("canvas",{
+let a=me(n),r=s*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function Rl(n){if(/^#[0-9a-f]{6}$/i.test(n))return n;let e=me(u("canvas",{
 width:1,height:1}));e.fillStyle=n,e.fillRect(0,0,1,1);let[t,s,o]=e.getImageData(0,0,1,1).data;return`#${[t,s,o].map(i=>i.toString(16).padStart(2,"0")).join("")}`}
-function Qs(n){let e=getComputedStyle(n),t=o=>e.getPropertyValue(o).trim(),s=o=>$h(t(o));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--pape\
-r"),panel:s("--panel"),ground:s("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/jh||1,dark:yt(s("--paper"))<.2}}function st(n,e){let t=u("a",{href:URL.
+function cs(n){let e=getComputedStyle(n),t=o=>e.getPropertyValue(o).trim(),s=o=>Rl(t(o));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--pape\
+r"),panel:s("--panel"),ground:s("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/Al||1,dark:ht(s("--paper"))<.2}}function Xe(n,e){let t=u("a",{href:URL.
 createObjectURL(n),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ne(n,e){let t=0;return()=>{
 clearTimeout(t),t=setTimeout(n,e)}}var E=(n,e,t)=>Math.min(Math.max(n,e),t);function M(n,e=4){if(n==null)return"–";if(typeof n!="number")return String(n);if(!Number.isFinite(n))return Number.isNaN(
-n)?"–":n>0?"∞":"−∞";if(n===0)return"0";let t=Math.abs(n),s;if(t>=1e6||t<1e-4){let[o,i]=n.toExponential(e-1).split("e");s=`${Ji(o)}·10${Wh(Number(i))}`}else
-s=Ji(n.toPrecision(e)),s.includes("e")&&(s=String(Math.round(n)));return be(s.replace("-","−"))}function Ji(n){return n.includes(".")&&!n.includes("e")?n.replace(
-/\.?0+$/,""):n}function Wh(n){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(n)].map(t=>e[t]).join(
-"")}var q=(n,e)=>e?e==="°"?`${n}°`:`${n} ${e}`:n,G=n=>be(`${(n*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Re(n){let e=Math.abs(n),[t,s]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return q(M(n*t,3),s)}function V(n,e){let t=n/Math.max(e,1),s=10**Math.floor(Math.log10(t)),o=t/s;return(o>5?10:o>2?5:o>1?
+n)?"–":n>0?"∞":"−∞";if(n===0)return"0";let t=Math.abs(n),s;if(t>=1e6||t<1e-4){let[o,i]=n.toExponential(e-1).split("e");s=`${li(o)}·10${Pl(Number(i))}`}else
+s=li(n.toPrecision(e)),s.includes("e")&&(s=String(Math.round(n)));return de(s.replace("-","−"))}function li(n){return n.includes(".")&&!n.includes("e")?n.replace(
+/\.?0+$/,""):n}function Pl(n){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(n)].map(t=>e[t]).join(
+"")}var I=(n,e)=>e?e==="°"?`${n}°`:`${n} ${e}`:n,$=n=>de(`${(n*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Ae(n){let e=Math.abs(n),[t,s]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return I(M(n*t,3),s)}function V(n,e){let t=n/Math.max(e,1),s=10**Math.floor(Math.log10(t)),o=t/s;return(o>5?10:o>2?5:o>1?
 2:1)*s}function ae(n,e,t){if(!(e>n)||!Number.isFinite(n)||!Number.isFinite(e))return[];let s=V(e-n,t),o=[];for(let i=Math.ceil(n/s-1e-9);i*s<=e+1e-9*s&&o.length<
-200;i++)o.push(i*s);return o}function se(n,e){let t=E(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(n),e)>=1e6||t>12?M(n,3):be((Math.abs(n)<e*1e-6?
-0:n).toFixed(t).replace("-","−"))}var Zi=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],Gh="tfc",Uh=/^[0-9a-f]{16}$/,Kh=400;function Qi({time:n=0,options:e={},zoom:t=1,
-pan:s=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];n>0&&l.push(`t=${Number(n.toFixed(4))}`);let c=Zi.filter(([d])=>e[d]).map(([,d])=>d);return c.join(
-"")!==Gh&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),s.some(d=>Math.abs(d)>5e-4)&&l.push(`pan=${s.map(d=>Number(d.toFixed(3))).
-join(",")}`),o&&l.push(`from=${o.map(d=>Number(d.toPrecision(3))).join(",")}`),i&&l.push(`more=${i}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
-Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function Xi(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={},s=Number(e.get("t")??Number.NaN);s>=
-0&&(t.time=s);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(Zi.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
-E(i,.05,60));let a=Yi(e.get("pan"),2);a&&(t.pan=a.map(y=>E(y,-20,20)));let r=Yi(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,d,h,m,p,f,
-g]=e.get("map")?.split(",")??[],b=[h,m,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[d,b[0],b[1]],y:[p,b[2],b[3]]});
-let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>Uh.test(y)?y:"")),t}function Yi(n,e){let t=(n??"").split(",").map(Number);
-return n&&t.length===e&&t.every(Number.isFinite)?t:null}var Vh=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
-...n===null?[]:[n]]},en=class{constructor(e){this.lab=e;this.number=0;this.soon=ne(()=>this.write("same"),Kh),this.listen=()=>this.arrived(),addEventListener("p\
-opstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length||!t.motions.history.holds(t.motions.
-queries()))return;let s=t.link();e==="step"?history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(
-t=>{let s=()=>t();addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Vh();JSON.stringify(
-t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var St=[.05,.1,.25,.5,1,2,4],tn=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,nn=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
-playing=!1;this.loop=!tn();this.once=!1;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,once:t=!1}={}){tn()?
+200;i++)o.push(i*s);return o}function se(n,e){let t=E(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(n),e)>=1e6||t>12?M(n,3):de((Math.abs(n)<e*1e-6?
+0:n).toFixed(t).replace("-","−"))}var ci=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],Cl="tfc",zl=/^[0-9a-f]{16}$/,Nl=400;function ui({time:n=0,options:e={},zoom:t=1,
+pan:s=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];n>0&&l.push(`t=${Number(n.toFixed(4))}`);let c=ci.filter(([m])=>e[m]).map(([,m])=>m);return c.join(
+"")!==Cl&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),s.some(m=>Math.abs(m)>5e-4)&&l.push(`pan=${s.map(m=>Number(m.toFixed(3))).
+join(",")}`),o&&l.push(`from=${o.map(m=>Number(m.toPrecision(3))).join(",")}`),i&&l.push(`more=${i}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
+Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function di(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={},s=Number(e.get("t")??Number.NaN);s>=
+0&&(t.time=s);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(ci.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
+E(i,.05,60));let a=hi(e.get("pan"),2);a&&(t.pan=a.map(y=>E(y,-20,20)));let r=hi(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,d,p,f,
+g]=e.get("map")?.split(",")??[],b=[h,d,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[m,b[0],b[1]],y:[p,b[2],b[3]]});
+let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>zl.test(y)?y:"")),t}function hi(n,e){let t=(n??"").split(",").map(Number);
+return n&&t.length===e&&t.every(Number.isFinite)?t:null}var Dl=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
+...n===null?[]:[n]]},$t=class{constructor(e,t){this.motions=e;this.link=t;this.number=0;this.soon=ne(()=>this.write("same"),Nl),this.listen=()=>this.arrived(),addEventListener(
+"popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{motions:t}=this;if(!t.lanes.length||!t.history.holds(t.queries()))return;
+let s=this.link();e==="step"?history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(t=>{let s=()=>t();
+addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Dl();JSON.stringify(t)===JSON.stringify(
+this.motions.queries())?this.number=e:await this.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var gt=[.05,.1,.25,.5,1,2,4],Wt=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Gt=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
+playing=!1;this.loop=!Wt();this.once=!1;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,once:t=!1}={}){Wt()?
 this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=E(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.once=!1,this.last=null,
-e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=St.indexOf(this.speed);this.speed=St[E(t+e,0,St.length-1)],this.changed()}tick(e){if(!this.
+e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=gt.indexOf(this.speed);this.speed=gt[E(t+e,0,gt.length-1)],this.changed()}tick(e){if(!this.
 playing)return!1;let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&!this.once&&
-this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.changed())),!0}};function Jh(n,e=""){let t=n.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.changed())),!0}};function Il(n,e=""){let t=n.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
 (o,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function Yh(n,e,{label:t,unit:s,range:o}){let i=n.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
-uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(0)?"0 or ":"",r=`from ${M(o.least,4)} to ${q(M(o.most,4),s)}`,l=o.also.
-includes(1/0)?", or inf":"";return`${t} = ${q(M(e,6),s)} must be ${a}${r}${l}.`}var Zh=0,ot=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
-typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++Zh}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+test(t)?Number(t.replace(",",".")):Number.NaN}function Ol(n,e,{label:t,unit:s,range:o}){let i=n.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
+uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(0)?"0 or ":"",r=`from ${M(o.least,4)} to ${I(M(o.most,4),s)}`,l=o.also.
+includes(1/0)?", or inf":"";return`${t} = ${I(M(e,6),s)} must be ${a}${r}${l}.`}var ql=0,Qe=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
+typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++ql}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
 s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=Jh(e,this.info.unit),s=Yh(e,t,this.info);s?this.refuse(
-s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),R(this.error,e),this.error.
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=Il(e,this.info.unit),s=Ol(e,t,this.info);s?this.refuse(
+s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=be(e),this.typing||this.restore()}};var ea={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Qh={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Xh=(n,e,t)=>({ring:{shape:n,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:n,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:n,mass:t,at:e},rod:{shape:n,mass:t,length:.5*e,at:.5*e}})[n];function ta(n){let e=n["hoop.radius"],t=n["hoop.mass"],s=Math.min(Math.
-max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:sn(t*(1-s)),inner_radius:sn(.98*e),outer_radius:e},{shape:"point_mass",mass:sn(t*s),at:e}]}var sn=n=>Number(
-n.toPrecision(6)),on=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
-art",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Xh(s,this.radius,sn(.2*this.mass))])}},u("option",{value:""},"+ add a part \
-…"),Object.entries(ea).map(([t,{label:s}])=>u("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let o=JSON.stringify(e);if(o===this.
+input.value=this.shown,this.accept()}show(e){this.shown=de(e),this.typing||this.restore()}};var mi={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Fl={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},Hl=(n,e,t)=>({ring:{shape:n,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:n,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:n,mass:t,at:e},rod:{shape:n,mass:t,length:.5*e,at:.5*e}})[n];function pi(n){let e=n["hoop.radius"],t=n["hoop.mass"],s=Math.min(Math.
+max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ut(t*(1-s)),inner_radius:Ut(.98*e),outer_radius:e},{shape:"point_mass",mass:Ut(t*s),at:e}]}var Ut=n=>Number(
+n.toPrecision(6)),Kt=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
+art",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Hl(s,this.radius,Ut(.2*this.mass))])}},u("option",{value:""},"+ add a part \
+…"),Object.entries(mi).map(([t,{label:s}])=>u("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let o=JSON.stringify(e);if(o===this.
 text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:s}),this.list.replaceChildren(
-...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:o}=ea[e.shape];return u("fieldset",{class:"part"},u("legend",{},s,this.parts.length>1&&u("button",{type:"\
+...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:o}=mi[e.shape];return u("fieldset",{class:"part"},u("legend",{},s,this.parts.length>1&&u("button",{type:"\
 button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),o.map(i=>this.field(e,t,i)))}field(e,t,s){
-let[o,i]=Qh[s],a=new ot({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),u("div",{},u("label",{},`${o}\
- [${i}]`,a.input),a.error)}};var Xs=Math.PI/180;function ec({allowed:n,degrees:e}){if(!n)return;let t=e?1/Xs:1;return{least:n.least*t,most:n.most*t,also:n.also.map(s=>s==="inf"?1/0:Number(s))}}
-var eo=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
+let[o,i]=Fl[s],a=new Qe({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),u("div",{},u("label",{},`${o}\
+ [${i}]`,a.input),a.error)}};var us=Math.PI/180;function jl({allowed:n,degrees:e}){if(!n)return;let t=e?1/us:1;return{least:n.least*t,most:n.most*t,also:n.also.map(s=>s==="inf"?1/0:Number(s))}}
+var ds=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
 range=u("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new ot({label:i,unit:a,name:r,range:ec(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:s},u("\
+n ${a}`:""}`;this.entry=new Qe({label:i,unit:a,name:r,range:jl(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:s},u("\
 span",{},i),u("span",{class:"symbol"},e.symbol)),this.range,u("span",{class:"entry"},this.entry.input,u("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
-let s=this.info.degrees?e*Xs:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",q(M(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let s=e!=null,o=s?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?Xs:1);this.
+let s=this.info.degrees?e*us:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",I(M(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,o=s?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?us:1);this.
 entry.show(s?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:M(i,2)}),this.entry.input.title=
-s?q(String(i),this.info.unit):"";let a=E(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(i)}};function tc(n,e){let t=u("select",{"data-path":n.path,onchange:()=>e([[n.path,t.value]],!0)},n.options.map(([o,i])=>u("option",{value:o},
-i)));return{element:u("label",{class:"choice",title:n.help},u("span",{},n.label),t),select:t,path:n.path}}var an=class{constructor(e,t){this.sliders=new Map;this.
-onchange=(s,o=!0)=>t(s,o);for(let s of Object.values(e.groups))for(let o of s)this.sliders.set(o.path,new eo(o,this.onchange));this.choices=new Map(e.choices.map(
-s=>[s.path,tc(s,this.onchange)])),this.parts=new on(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
+s?I(String(i),this.info.unit):"";let a=E(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(i)}};function Bl(n,e){let t=u("select",{"data-path":n.path,onchange:()=>e([[n.path,t.value]],!0)},n.options.map(([o,i])=>u("option",{value:o},
+i)));return{element:u("label",{class:"choice",title:n.help},u("span",{},n.label),t),select:t,path:n.path}}var Vt=class{constructor(e,t){this.sliders=new Map;this.
+onchange=(s,o=!0)=>t(s,o);for(let s of Object.values(e.groups))for(let o of s)this.sliders.set(o.path,new ds(o,this.onchange));this.choices=new Map(e.choices.map(
+s=>[s.path,Bl(s,this.onchange)])),this.parts=new Kt(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
 start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.element}of(e,t={}){return[
 ...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(`${e}.`)).flatMap(s=>[...t[s]??[],this.at(s)])}select(e,t,s){let o=u("select",{onchange:()=>s(
 o.value)},t.map(([i,a])=>u("option",{value:i},a)));return{select:o,element:u("label",{class:"choice"},u("span",{},e),o)}}group(e,...t){let s=e==="Start"||e==="P\
 lane"||!matchMedia("(max-width: 47.5em)").matches;return u("details",{class:"group",open:s},u("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
-["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",ta(
+["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",pi(
 t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=u("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
 radius":[this.parts.element,this.derived]}))}plane(){this.apart=u("input",{type:"checkbox",onchange:()=>{let{values:s}=this.film;this.apart.checked?this.onchange(
 [["plane.mu_static",s["plane.mu_static"]],["plane.mu_kinetic",s["plane.mu_kinetic"]]]):this.onchange([["plane.mu",s["plane.mu_static"]]])}}),this.gravity=this.select(
@@ -1509,610 +1109,850 @@ this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){this.film=e,thi
 let[a,r]=o.split(".");i.show(e.values[o]??(r?s[a]?.[r]:s[a]),e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,i=s.hoop.parts?"parts":"load_fractio\
 n"in s.hoop?"load_fraction":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...p)=>p.some(f=>t.has(f));c("hoop.loa\
 d_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.value=i),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu",
-"plane.mu_static")||(this.apart.checked=r);let d=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=d?
-d[0]:"");let h={"hoop.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoop.inertia_ratio":i==="eccentricity","hoop.mass":i!=="parts",
+"plane.mu_static")||(this.apart.checked=r);let m=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=m?
+m[0]:"");let h={"hoop.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoop.inertia_ratio":i==="eccentricity","hoop.mass":i!=="parts",
 "plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start\
 .vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,f]of Object.
 entries(h))this.at(p).hidden=!f;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=
-i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let m=s;for(let[
-p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");m[g]?.[b]!==void 0&&(f.value=m[g][b])}}};var to=Math.PI/180;function na(n,e){let{start:t,plane:s,contact:o,hoop:i}=n.scenario;return o.model!=="rigid"?"Rigid contact only.":n.slope!==0?"The plane must \
+i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let d=s;for(let[
+p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");d[g]?.[b]!==void 0&&(f.value=d[g][b])}}};var ms=Math.PI/180;function fi(n,e){let{start:t,plane:s,contact:o,hoop:i}=n.scenario;return o.model!=="rigid"?"Rigid contact only.":n.slope!==0?"The plane must \
 be level.":Math.abs(n.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":n.radius!==1||i.parts?"The radius must stay 1 m,\
  without parts.":n.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":n.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var sa=n=>n.events.filter(
-({kind:e})=>e==="takeoff");function nc(n){return n.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var oa=(n,e)=>Math.min(Math.round(100*n/e),100),sc=1.596,
-oc=.37,ic=.05,no=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:n=>{let e=na(n,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...nc(n));return t?{points:oa(t,sc),text:"It rises by {height}.",values:{height:Re(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+m/s.":"At most 3.1 m/s.":n.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var gi=n=>n.events.filter(
+({kind:e})=>e==="takeoff");function $l(n){return n.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var bi=(n,e)=>Math.min(Math.round(100*n/e),100),Wl=1.596,
+Gl=.37,Ul=.05,ps=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:n=>{let e=fi(n,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...$l(n));return t?{points:bi(t,Wl),text:"It rises by {height}.",values:{height:Ae(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:n=>{let e=sa(n)[0],t=n.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let s=n.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<ic)return{points:0,text:"The first hop is too low."};let o=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/to,i=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
-from the top.",values:{off:G(o*to)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:n=>{let e=gi(n)[0],t=n.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let s=n.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Ul)return{points:0,text:"The first hop is too low."};let o=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/ms,i=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
+from the top.",values:{off:$(o*ms)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:n=>{let e=na(n,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(n.scenario.start.angle??0)-Math.PI)>.5*to)return{points:0,text:"The load must start at the bottom."};if(n.values["plane.mu_kinetic"]>1.5||n.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=sa(n)[0];if(!t)return{points:0,text:"It does not hop."};let s=n.phases.filter(
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:n=>{let e=fi(n,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(n.scenario.start.angle??0)-Math.PI)>.5*ms)return{points:0,text:"The load must start at the bottom."};if(n.values["plane.mu_kinetic"]>1.5||n.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=gi(n)[0];if(!t)return{points:0,text:"It does not hop."};let s=n.phases.filter(
 ({from:i})=>i<t.t);if(s.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let o=n.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:oa(o.height,oc),text:"It rises by {height}.",values:{height:Re(o.height)}}:{points:0,
-text:"It does not hop."}}}],so=n=>n>=95?3:n>=75?2:n>=40?1:0;var ia="hophoop-best-",ac=n=>"★".repeat(so(n))+"☆".repeat(3-so(n)),rn=class{constructor(e){this.lab=e;this.goal=null;this.tabs=new Map(no.map(t=>[t.key,u("b\
-utton",{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=u("p",{}),this.meter=u("meter",{min:"0",max:"100",low:"40",high:"\
-75",optimum:"100","aria-label":"Score"}),this.result=u("p",{class:"challenge-result",role:"status"}),this.kept=u("p",{class:"hint"}),this.element=u("section",{class:"\
-challenges card","aria-label":"Challenges",hidden:!0},u("header",{},u("h2",{},"Challenges"),u("button",{type:"button",class:"quiet","aria-label":"Leave the chal\
-lenges",onclick:()=>this.close()},"×")),u("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,
-this.kept,u("div",{class:"buttons"},u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),u("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??no[0]),this.element.scrollIntoView({block:"nearest"}),
-this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
-"aria-pressed",String(t===e.key));R(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.film({query:e});t.clock.play(!1),t.
-clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:o,values:i={}}=e.score(t.film());this.
-meter.value=s;let a=x("{stars} {points} points. {what}",{stars:ac(s),points:s,what:x(o,i)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-fe(ia+e.key)??0);s>r&&!t.stage.options.ahead&&ge(ia+e.key,String(s)),R(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var aa=.09,rc=.03,oo=Math.PI/180,ln=Math.PI/4,ra=2*Math.PI,Tt=n=>n-ra*Math.round(n/ra);function hn(n,e){let t=n.at(e),s=e===0;return{angle:Tt(t.angle),height:Math.
-max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:n.slope}}var la=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),Pe=n=>Number(n.toFixed(4))+0;function ha(n,e,t){
-if(n==="plane")return[["plane.slope",Pe(e.slope)]];if(e.height>0)return[["start.angle",Pe(e.angle)],["start.height",Pe(e.height)],["start.vx",Pe(e.vx)],["start.\
-vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let s=n==="load"?e.omega*t.radius:e.vx;return[["start.angle",Pe(e.angle)],["start.speed",Pe(s)]]}var At=class{constructor(e,t,s,o,i){
-this.grip=e;this.film=t;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=hn(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.
+ng."};let o=n.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:bi(o.height,Gl),text:"It rises by {height}.",values:{height:Ae(o.height)}}:{points:0,
+text:"It does not hop."}}}],fs=n=>n>=95?3:n>=75?2:n>=40?1:0;var wi="hophoop-best-",Kl=n=>"★".repeat(fs(n))+"☆".repeat(3-fs(n)),Jt=class{constructor({film:e,load:t,ahead:s}){this.goal=null;Object.assign(this,{film:e,load:t,
+ahead:s}),this.tabs=new Map(ps.map(o=>[o.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(o)},o.title)])),this.text=u("p",{}),this.meter=
+u("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"Score"}),this.result=u("p",{class:"challenge-result",role:"status"}),this.kept=u("p",
+{class:"hint"}),this.element=u("section",{class:"challenges card","aria-label":"Challenges",hidden:!0},u("header",{},u("h2",{},"Challenges"),u("button",{type:"b\
+utton",class:"quiet","aria-label":"Leave the challenges",onclick:()=>this.close()},"×")),u("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.
+tabs.values()]),this.text,this.meter,this.result,this.kept,u("div",{class:"buttons"},u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},
+"Begin again"),u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??
+ps[0]),this.element.scrollIntoView({block:"nearest"}),this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){
+this.goal=e;for(let[t,s]of this.tabs)s.setAttribute("aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}changed(){let{goal:e}=this;if(!e)return;
+let{points:t,text:s,values:o={}}=e.score(this.film());this.meter.value=t;let i=x("{stars} {points} points. {what}",{stars:Kl(t),points:t,what:x(s,o)});this.result.
+textContent!==i&&(this.result.textContent=i);let a=Number(ce(wi+e.key)??0);t>a&&!this.ahead()&&ue(wi+e.key,String(t)),P(this.kept,x("Your best: {points} points.",
+{points:Math.max(a,this.ahead()?0:t)}))}};var yi=.09,Vl=.03,gs=Math.PI/180,Yt=Math.PI/4,vi=2*Math.PI,bt=n=>n-vi*Math.round(n/vi);function Zt(n,e){let t=n.at(e),s=e===0;return{angle:bt(t.angle),height:Math.
+max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:n.slope}}var xi=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),Le=n=>Number(n.toFixed(4))+0;function ki(n,e,t){
+if(n==="plane")return[["plane.slope",Le(e.slope)]];if(e.height>0)return[["start.angle",Le(e.angle)],["start.height",Le(e.height)],["start.vx",Le(e.vx)],["start.\
+vy",Le(e.vy)],["start.omega",Le(e.omega)]];let s=n==="load"?e.omega*t.radius:e.vx;return[["start.angle",Le(e.angle)],["start.speed",Le(s)]]}var wt=class{constructor(e,t,s,o,i){
+this.grip=e;this.film=t;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=Zt(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.
 center=[a.x,t.radius+a.height],this.foot=o.point(a.x,0),this.from=this.read(i)}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:o}}move(e,t){
-let s=this.read(e),{radius:o}=this.film;if(this.turned+=Tt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=E(this.before.slope+this.turned,-ln,ln);
-this.held.slope=Math.abs(i)<oo?0:i}else if(this.grip==="load")this.held.angle=Tt(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
-this.held.height=i<rc*o?0:i;let a=s.along-this.from.along;this.held.angle=Tt(this.before.angle+(this.held.height>0?0:a/o)),this.moved=s.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-aa;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:s,film:o}=this,i=s.at(-1),a=s[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>aa,c=la(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=E((i.turned-
-a.turned)/r,-c/o.radius,c/o.radius):(t.vx=E((i.along-a.along)/r,-c,c),t.vy=t.height>0?E((i.away-a.away)/r,-c,c):0)),t}};function ca(n,e,t,s,o){let i={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(n==="load"){let h=Tt(s.angle+(i||a)*5*oo*r);return{...s,angle:h}}if(n===
-"plane"){let h=E(s.slope+(i||-a)*oo*r,-ln,ln);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=la(o),c=E(s.height+a*.05*r*o.radius,0,4*o.radius),d=E(s.vx+i*.1*r,-l,
-l);return{...s,height:c<1e-9?0:c,vx:d}}function J(n,e,t,s=()=>{}){let o=new AbortController,{signal:i}=o,a=(l,c)=>n.addEventListener(l,d=>d.pointerId===e.pointerId&&c(d),{signal:i}),r=l=>c=>{o.abort(),
-s(c,l)};n.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function ua(n,e){let t=new Map,s=null,o=()=>{let[a,r]=[
+let s=this.read(e),{radius:o}=this.film;if(this.turned+=bt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=E(this.before.slope+this.turned,-Yt,Yt);
+this.held.slope=Math.abs(i)<gs?0:i}else if(this.grip==="load")this.held.angle=bt(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
+this.held.height=i<Vl*o?0:i;let a=s.along-this.from.along;this.held.angle=bt(this.before.angle+(this.held.height>0?0:a/o)),this.moved=s.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-yi;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:s,film:o}=this,i=s.at(-1),a=s[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>yi,c=xi(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=E((i.turned-
+a.turned)/r,-c/o.radius,c/o.radius):(t.vx=E((i.along-a.along)/r,-c,c),t.vy=t.height>0?E((i.away-a.away)/r,-c,c):0)),t}};function _i(n,e,t,s,o){let i={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(n==="load"){let h=bt(s.angle+(i||a)*5*gs*r);return{...s,angle:h}}if(n===
+"plane"){let h=E(s.slope+(i||-a)*gs*r,-Yt,Yt);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=xi(o),c=E(s.height+a*.05*r*o.radius,0,4*o.radius),m=E(s.vx+i*.1*r,-l,
+l);return{...s,height:c<1e-9?0:c,vx:m}}function J(n,e,t,s=()=>{}){let o=new AbortController,{signal:i}=o,a=(l,c)=>n.addEventListener(l,m=>m.pointerId===e.pointerId&&c(m),{signal:i}),r=l=>c=>{o.abort(),
+s(c,l)};n.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ei(n,e){let t=new Map,s=null,o=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};n.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?o():null)}),n.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!s))return;let r=o();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])n.addEventListener(a,r=>{t.delete(r.pointerId),
-s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return n.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var lc=700,io=44,hc=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],cn=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
-null;this.places=new Map(hc.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{
-class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
-stage;t.grab=i=>this.take(i),s.addEventListener("pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));let o=i=>this.pull&&i.cancelable&&
-i.preventDefault();s.addEventListener("touchmove",o,{passive:!1}),this.settle=ne(()=>this.chosen(!1),lc)}static{this.Pull=At}place(e,t,s){return u("div",{class:`\
-grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:o=>this.key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){
-return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;
-this.element.classList.toggle("running",e.clock.playing);let{pose:o,film:i,scale:a}=t,r=i.radius,l=t.point(o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.
-height+r*Math.cos(o.angle)),d=this.onPlane(t),h=E(1.1*r*a,io,190),m=[["plane",d,io],["hoop",l,h],["load",c,io]];for(let[p,[f,g],b]of m){let w=this.places.get(p);
-w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=f<0||g<0||f>t.width||g>t.height}e.clock.playing||this.
-tell(i)}onPlane(e){let t=e.point(e.pose.x,0),o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.
-point(e.pose.x+o,0)}tell(e){let t=this.pull?.held??this.held??hn(e,this.lab.clock.time),s={load:G(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Re(t.
-height),speed:M(t.vx,3)}),plane:G(t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[
--45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(
-o[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.
-element.hidden)return null;let t=null;for(let[s,o]of this.places){let{left:i,top:a,width:r}=o.getBoundingClientRect(),l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/
-2);!o.hidden&&l<=r/2&&(t=s)}return t}hover(e){if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,o]of this.places)o.classList.toggle(
-"near",s===t);this.lab.stage.plane.style.cursor=t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:o,plane:i}=s.
-stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),d=new At(t,s.film(),s.clock.
-time,r,c(e)),h=[...o.shift],[m,p]=[!1,!1];this.pull=d,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove("held"),o.fixed=null,this.pull=null,m&&
-this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),f(),m&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:g.
-signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),m&&this.back();return}!m&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||(m||(o.fixed=r.scale,this.hold(),
-this.begin()),m=!0,d.move(c(w),w.timeStamp),o.shift=[h[0]+d.moved,h[1]],this.change(t,d.held,!1),this.show(t,d.held))}},(w,y)=>{p||(f(),m&&(y?(this.change(t,d.release(
-w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.
-key==="Enter")this.chosen(!0);else{this.held??=hn(s.film(),s.clock.time);let o=ca(e,t.key,t.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.
-hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,o),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.
-play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.
-motions.change(ha(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${G(t.angle)}`,hoop:t.height>0?`y = ${Re(t.height)}`:`θ = ${G(t.angle)}`,plane:`β = ${G(
-t.slope)}`};R(this.tip,t.vx&&this.held?`${s[e]}, v = ${M(t.vx,3)} m/s`:s[e]),this.tip.hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change(
-[],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.
-seek(0),e&&t.clock.run(),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let s=e.motions.lanes[e.motions.active];for(s.pending=
-null;s.busy;)await new Promise(o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.film({query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){let{flat:t}=this.
-lab.stage,s=tn(),o=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||s?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),t.shift[0]!==e[0]&&requestAnimationFrame(
-o)};o()}};var cc={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return n.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Jl=700,bs=44,Yl=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Xt=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
+null;this.places=new Map(Yl.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{
+class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip);let{flat:t,plane:s}=e.stage;t.grab=i=>this.take(i),s.addEventListener(
+"pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));let o=i=>this.pull&&i.cancelable&&i.preventDefault();s.addEventListener(
+"touchmove",o,{passive:!1}),this.settle=ne(()=>this.chosen(!1),Jl)}static{this.Pull=wt}place(e,t,s){return u("div",{class:`grip grip-${e}`,role:"slider",tabindex:"\
+0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:o=>this.key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.
+motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.toggle("running",e.
+clock.playing);let{pose:o,film:i,scale:a}=t,r=i.radius,l=t.point(o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(
+t),h=E(1.1*r*a,bs,190),d=[["plane",m,bs],["hoop",l,h],["load",c,bs]];for(let[p,[f,g],b]of d){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.
+top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=f<0||g<0||f>t.width||g>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.point(e.pose.x,0),
+o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){let t=this.pull?.
+held??this.held??Zt(e,this.lab.clock.time),s={load:$(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Ae(t.height),speed:M(t.vx,3)}),plane:$(t.slope)},
+o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)r.getAttribute(
+"aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(o[a].toPrecision(4)))),r.setAttribute("aria-valuem\
+in",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;for(let[s,o]of this.
+places){let{left:i,top:a,width:r}=o.getBoundingClientRect(),l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!o.hidden&&l<=r/2&&(t=s)}return t}hover(e){if(this.pull)
+return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,o]of this.places)o.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=t?"grab":
+""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:o,plane:i}=s.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),
+c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),m=new wt(t,s.film(),s.clock.time,r,c(e)),h=[...o.shift],[d,p]=[!1,!1];this.pull=m,a.classList.add(
+"held");let f=()=>{p=!0,g.abort(),a.classList.remove("held"),o.fixed=null,this.pull=null,d&&this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),
+f(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:g.signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),d&&this.back();return}!d&&Math.hypot(
+w.clientX-e.clientX,w.clientY-e.clientY)<3||(d||(o.fixed=r.scale,this.hold(),this.begin()),d=!0,m.move(c(w),w.timeStamp),o.shift=[h[0]+m.moved,h[1]],this.change(
+t,m.held,!1),this.show(t,m.held))}},(w,y)=>{p||(f(),d&&(y?(this.change(t,m.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
+t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Zt(s.film(),s.clock.time);let o=_i(
+e,t.key,t.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,
+o),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
+ahead=!0,e.clock.seek(0),e.mark("holding",!0)}change(e,t,s){this.lab.motions.change(ki(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${$(t.angle)}`,hoop:t.
+height>0?`y = ${Ae(t.height)}`:`θ = ${$(t.angle)}`,plane:`β = ${$(t.slope)}`};P(this.tip,t.vx&&this.held?`${s[e]}, v = ${M(t.vx,3)} m/s`:s[e]),this.tip.hidden=
+!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,
+t.stage.options.ahead=!1,t.mark("holding",!1),e&&t.clock.seek(0),e&&t.clock.run(),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;
+let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.call("fi\
+lm",{query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){let{flat:t}=this.lab.stage,s=Wt(),o=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||
+s?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),t.shift[0]!==e[0]&&requestAnimationFrame(o)};o()}};var Zl={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(n){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",cc[n]),t.append(s),t}function ao(n){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{Gi(e.value),Js(e.value),n()}},Object.entries(Mt).map(([t,s])=>u("option",
-{value:t,lang:t},document.createTextNode(s))));return e.value=Le(),e}var uc=Object.entries(S.words.events),Se=Object.fromEntries(uc.map(([n,{label:e}])=>[n,e])),da=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var dc=new Set(k.passing),mc=3,pc=1e-10;function fc(n){let e=[],t=-1,s=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of n.entries())t>=0&&i==="apex"&&(s<0||c>n[s].
-height)&&(s=o),!dc.has(i)&&(t>=0&&a==="H"&&l>n[t].t&&(e.push({begin:t,top:s,end:i==="end"?-1:o}),t=s=-1),r==="H"&&i!=="end"&&([t,s]=[o,-1]));return e}var un=class{constructor(e,t,s){
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Zl[n]),t.append(s),t}function ws(n){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{oi(e.value),rs(e.value),n()}},Object.entries(ft).map(([t,s])=>u("option",
+{value:t,lang:t},document.createTextNode(s))));return e.value=Te(),e}var Mi={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
+unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
+{path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e6,also:[0]}},{path:"hoop.radius",label:"Radius",symbol:"R",unit:"m",help:"Rim radius",least:.05,most:3,step:.05,logarithmic:!1,
+degrees:!1,allowed:{least:1e-6,most:1e6,also:[]}},{path:"hoop.mass",label:"Mass",symbol:"m",unit:"kg",help:"Total mass",least:.1,most:10,step:.1,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e12,also:[]}}],plane:[{path:"plane.mu",label:"Friction",symbol:"μ",unit:"",help:"Friction, static and kinetic",least:0,most:1.5,
+step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_static",label:"Static friction",symbol:"μs",unit:"",help:"Static fr\
+iction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_kinetic",label:"Kinetic friction",symbol:"μ\
+k",unit:"",help:"Kinetic friction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.slope",label:"Slope",
+symbol:"β",unit:"°",help:"Slope of the plane, downhill along +x",least:-30,most:30,step:.5,logarithmic:!1,degrees:!0,allowed:{least:-1.57,most:1.57,also:[]}},
+{path:"plane.gravity",label:"Gravity",symbol:"g",unit:"m/s²",help:"Gravity",least:0,most:25,step:.01,logarithmic:!1,degrees:!1,allowed:{least:1e-6,most:1e6,also:[
+0]}},{path:"plane.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution of an impact",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{
+least:0,most:1,also:[]}},{path:"plane.rolling_resistance",label:"Rolling resistance",symbol:"f",unit:"",help:"Rolling resistance: couple against the rotation ov\
+er R N",least:0,most:.2,step:.001,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],start:[{path:"start.speed",label:"Speed",symbol:"v₀",unit:"m/s",
+help:"Velocity of the centre in a rolling start",least:-6,most:6,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.angle",label:"\
+Load angle",symbol:"θ₀",unit:"°",help:"Angle from the plane's normal to the centre of gravity",least:-180,most:180,step:.5,logarithmic:!1,degrees:!0,allowed:{
+least:-1e6,most:1e6,also:[]}},{path:"start.height",label:"Height of the gap",symbol:"y₀",unit:"m",help:"Gap between rim and plane",least:0,most:2,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:0,most:1e6,also:[]}},{path:"start.vx",label:"Speed along",symbol:"ẋ₀",unit:"m/s",help:"Velocity of the centre along the plane",least:-8,
+most:8,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.vy",label:"Speed upwards",symbol:"ẏ₀",unit:"m/s",help:"Velocit\
+y of the centre away from the plane",least:-5,most:5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.omega",label:"Angula\
+r velocity",symbol:"θ̇₀",unit:"rad/s",help:"Angular velocity",least:-15,most:15,step:.05,logarithmic:!1,degrees:!1,allowed:{least:-1e9,most:1e9,also:[]}}],contact:[
+{path:"contact.stiffness",label:"Stiffness",symbol:"k",unit:"N/m",help:"Stiffness of the contact",least:100,most:1e8,step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-6,
+most:1e18,also:[]}},{path:"contact.slip_speed",label:"Slip speed",symbol:"vₛ",unit:"m/s",help:"Slip velocity over which friction builds up",least:1e-7,most:.1,
+step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-12,most:1e6,also:[]}},{path:"contact.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution th\
+at the damping is chosen for",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],motion:[{path:"duration",label:"Duration",symbol:"\
+T",unit:"s",help:"Duration of the motion",least:.5,most:30,step:.5,logarithmic:!1,degrees:!1,allowed:{least:1e-9,most:1e9,also:[]}}]},choices:[{path:"plane.impa\
+ct_law",label:"Law of impact",options:[["stronge","Stronge (energy)"],["poisson","Poisson (impulse)"],["newton","Newton (velocity)"]],help:"Law of restitution"},
+{path:"plane.painleve",label:"Painlevé: two solutions",options:[["flight","flight"],["impact","impact"]],help:"What follows an indeterminate contact"},{path:"c\
+ontact.model",label:"Contact model",options:[["rigid","rigid"],["compliant","compliant"]],help:"Contact model"},{path:"contact.law",label:"Normal force",options:[
+["kelvin-voigt","Kelvin–Voigt"],["hunt-crossley","Hunt–Crossley"]],help:"Normal force"},{path:"contact.friction",label:"Friction law",options:[["tanh","smoo\
+th (tanh)"],["linear","linear"],["bristle","bristle (can hold)"]],help:"Regularised friction"}],gravities:[["Earth",9.81],["Moon",1.62],["Mars",3.71],["Jupiter",
+24.79],["Weightless",0]],map_axes:[{path:"start.speed",label:"Speed v₀",unit:"m/s",degrees:!1,range:[0,5],allowed:[-1e6,1e6]},{path:"start.angle",label:"Angle\
+ of the load θ₀",unit:"°",degrees:!0,range:[-3.141592653589793,3.141592653589793],allowed:[-1e6,1e6]},{path:"start.vx",label:"Speed along ẋ₀",unit:"m/s",
+degrees:!1,range:[-6,6],allowed:[-1e6,1e6]},{path:"start.omega",label:"Angular velocity θ̇₀",unit:"rad/s",degrees:!1,range:[-8,8],allowed:[-1e9,1e9]},{path:"\
+start.height",label:"Height of the gap y₀",unit:"m",degrees:!1,range:[0,1],allowed:[0,1e6]},{path:"hoop.load_fraction",label:"Load fraction γ",unit:"",degrees:!1,
+range:[.05,.99],allowed:[0,1]},{path:"hoop.eccentricity",label:"Eccentricity ε",unit:"",degrees:!1,range:[.05,.95],allowed:[0,1]},{path:"hoop.inertia_ratio",label:"\
+Inertia ratio κ",unit:"",degrees:!1,range:[.05,1],allowed:[0,1e6]},{path:"hoop.radius",label:"Radius R",unit:"m",degrees:!1,range:[.1,2],allowed:[1e-6,1e6]},{path:"\
+plane.mu",label:"Friction μ",unit:"",degrees:!1,range:[0,1.5],allowed:[0,1e6]},{path:"plane.slope",label:"Slope β",unit:"°",degrees:!0,range:[-.35,.35],allowed:[
+-1.57,1.57]},{path:"plane.gravity",label:"Gravity g",unit:"m/s²",degrees:!1,range:[1,20],allowed:[0,1e6]},{path:"plane.restitution",label:"Restitution e",unit:"",
+degrees:!1,range:[0,1],allowed:[0,1]},{path:"plane.rolling_resistance",label:"Rolling resistance f",unit:"",degrees:!1,range:[0,.1],allowed:[0,1]}]},map_quantities:[
+["sequence","what happens in the first turn"],["hop_height","height of the first hop"],["takeoff_angle","angle of take-off"],["flight_time","duration of the fir\
+st hop"],["greatest_utilization","greatest friction utilization"],["energy_lost","energy lost"],["end_angle","angle at the end"],["painleve","Painlevé’s paradox\
+ or jam met"],["ending","how it ends"]],presets:[{key:"hop",group:"The article",title:"It hops: 3.1 m/s",text:"Slips twice, then leaves the plane just before a \
+full turn and flies for 0.76 s.",query:"duration=3"},{key:"slip",group:"The article",title:"It slips: 2.8 m/s",text:"Friction is used up twice a turn; each slip\
+ is weaker than the one before, and none is the last.",query:"duration=4&start.speed=2.8"},{key:"roll",group:"The article",title:"It rolls: 2 m/s",text:"Pure ro\
+lling, faster and more even than after a slow start, and close to the limit of friction.",query:"duration=3.4&start.speed=2"},{key:"slow",group:"The article",title:"\
+The smallest push: 0.1 m/s",text:"Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",query:"start.speed=0.1"},{key:"slippe\
+ry",group:"The article",title:"Low friction: 0.1 m/s, μ = 0.3",text:"Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",query:"durat\
+ion=15&plane.mu=0.3&start.speed=0.1"},{key:"littlewood",group:"Littlewood's hoop",title:"All mass in the load",text:"A massless ring: at 90° no contact force is\
+ left; the load falls, the rim skims the plane.",query:"duration=3&hoop.load_fraction=1&start.speed=0.1"},{key:"littlewood-fast",group:"Littlewood's hoop",title:"\
+All mass in the load, pushed",text:"With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",query:"duration=3&hoop.load_fraction=1&start.speed=\
+2"},{key:"nearly-massless",group:"Littlewood's hoop",title:"Nearly all mass in the load",text:"γ = 0.99: what a real ring does instead of Littlewood's hop.",query:"\
+hoop.load_fraction=0.99&start.speed=0.1"},{key:"inconsistent",group:"Paradoxes",title:"Painlevé: no solution",text:"No contact force agrees with this slip. An \
+impact without collision stops it at once.",query:"duration=3&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"},{key:"indeterminate",group:"Paradoxes",title:"\
+Painlevé: two solutions",text:"Flight and impact both agree with the laws. Choose which with the switch under Plane.",query:"duration=3&plane.mu=1.2&start.angl\
+e=-0.7&start.vx=8&start.omega=5"},{key:"jam",group:"Paradoxes",title:"Dynamic jam",text:"A fast slide after a hop: the contact force grows without bound in fini\
+te time, and no law says what follows.",query:"duration=3&hoop.load_fraction=0.9&start.angle=5.14&start.vx=23&start.omega=5.6"},{key:"kane",group:"Paradoxes",title:"\
+Kane: energy out of nothing",text:"Newton's law of impact with friction creates two joules. Stronge's law does not.",query:"duration=1.5&plane.mu=0.6&plane.rest\
+itution=0.8&plane.impact_law=newton&start.height=0.3&start.angle=1.45&start.vx=2.16&start.omega=-6.44"},{key:"downhill",group:"More",title:"Downhill",text:"On a\
+ slope of 10° the hoop gains speed from turn to turn, until it hops.",query:"duration=5&plane.slope=0.17453292519943295&plane.mu=0.8&start.speed=1.5"},{key:"bo\
+unces",group:"More",title:"Bounces without number",text:"Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",query:"duration=4&plane\
+.mu=0.4&plane.restitution=0.5&start.height=0.5&start.angle=0.4&start.vx=0.2&start.omega=2"},{key:"moon",group:"More",title:"On the Moon",text:"The article's hop\
+ under lunar gravity: everything is slower by a factor of 2.46.",query:"duration=15&plane.gravity=1.62&start.speed=1.2597509583501894"}],colors:{modes:{R:"#0072\
+B2",S:"#E69F00",K:"#CC79A7",H:"#D55E00",M:"#F0E442"},mode_names:{R:"roll",S:"spin",K:"skid",H:"flight",M:"skim"},gravity_center:"#009E73",airborne:"#CC1F1A",center_speed:"\
+#000000",rotation_speed:"#00857A",kinetic:"#1B3A78",potential:"#667300",friction_loss:"#8F3B0A",impact_loss:"#8E1B5F",normal_force:"#5B3FA8",friction_force:"#8F\
+3B0A",limit:"#6E6E6E"}},fingerprints:{hop:"85b1751f991ff2a3",slip:"e4f784b57d9527de",roll:"67a142a154835aa6",slow:"915956aa4dd065c8",slippery:"1a8ae06b20c63390",
+littlewood:"f722b9a4b8757b9d","littlewood-fast":"d43e0434fa7cbae3","nearly-massless":"147fe27d9b5619a0",inconsistent:"feb302b6289b4311",indeterminate:"0578ec530\
+4f707df",jam:"eafe27173f21f089",kane:"700bd2b728523ae1",downhill:"d5a475e54711f966",bounces:"c6734bd1e0f9fa98",moon:"6ec3efb6023122ba"},schema:"hophoop/1",scenario:{
+sections:{hoop:["Hoop"],plane:["Plane"],start:["Start"],contact:["Rigid","Compliant"]},models:{Scenario:{place:"",fields:{duration:{kind:"number",unit:"s",default:6,
+limits:[["greater_than",0]],range:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09 s"}},hoop:{kind:"section",unit:""},plane:{kind:"section",unit:""},start:{kind:"\
+section",unit:""},contact:{kind:"section",unit:""}}},Hoop:{place:"hoop.",fields:{radius:{kind:"number",unit:"m",default:1,limits:[["greater_than",0]],range:{least:1e-6,
+most:1e6,words:"from 1e-06 to 1e+06 m"}},mass:{kind:"number",unit:"kg",default:1,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1\
+e+12 kg"}},load_fraction:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},eccentricity:{kind:"number",unit:"\
+1",default:.75,limits:[["greater_than_equal",0],["less_than_equal",1]]},inertia_ratio:{kind:"number",unit:"1",default:.4375,limits:[["greater_than_equal",0]],range:{
+least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]}},parts:{kind:"parts",unit:"",nullable:!0,default:null}}},Plane:{place:"plane.",fields:{gravity:{
+kind:"number",unit:"m/s²",default:9.81,limits:[["greater_than_equal",0]],range:{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06 m/s²",also:[0]}},slope:{kind:"\
+number",unit:"rad",default:0},mu:{kind:"friction",unit:"1",nullable:!0,default:null,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_static:{
+kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_kinetic:{kind:"friction",unit:"1",default:1,range:{
+least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},restitution:{kind:"number",unit:"1",default:0,limits:[["greater_than_equal",0],["less_than_equal",
+1]]},impact_law:{kind:"word",unit:"",default:"stronge",options:["stronge","newton","poisson"],expected:"'stronge', 'newton' or 'poisson'"},painleve:{kind:"word",
+unit:"",default:"flight",options:["flight","impact"],expected:"'flight' or 'impact'"},rolling_resistance:{kind:"number",unit:"1",default:0,limits:[["greater_tha\
+n_equal",0],["less_than_equal",1]]}}},Start:{place:"start.",fields:{x:{kind:"number",unit:"m",default:0,range:{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09 m"}},
+height:{kind:"number",unit:"m",default:0,limits:[["greater_than_equal",0]],range:{least:0,most:1e6,words:"from 0 to 1e+06 m"}},angle:{kind:"number",unit:"rad",default:0,
+range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 rad"}},speed:{kind:"number",unit:"m/s",nullable:!0,default:null,range:{least:-1e6,most:1e6,words:"from -1\
+e+06 to 1e+06 m/s"}},vx:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},vy:{kind:"number",unit:"m/s",default:0,
+range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},omega:{kind:"number",unit:"rad/s",nullable:!0,default:0,range:{least:-1e9,most:1e9,words:"from -1e\
++09 to 1e+09 rad/s"}}}},Rigid:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"rigid",options:["rigid"],expected:"'rigid'"},max_events:{kind:"whole",
+unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Compliant:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"compli\
+ant",options:["compliant"],expected:"'compliant'"},stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-6,most:1e18,
+words:"from 1e-06 to 1e+18 N/m"}},damping:{kind:"number",unit:"N s/m or s/m",nullable:!0,default:null,limits:[["greater_than_equal",0]],range:{least:0,most:1e12,
+words:"from 0 to 1e+12"}},restitution:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},law:{kind:"word",
+unit:"",default:"kelvin-voigt",options:["kelvin-voigt","hunt-crossley"],expected:"'kelvin-voigt' or 'hunt-crossley'"},friction:{kind:"word",unit:"",default:"tan\
+h",options:["tanh","linear","bristle"],expected:"'tanh', 'linear' or 'bristle'"},slip_speed:{kind:"number",unit:"m/s",nullable:!0,default:null,limits:[["greater\
+_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m/s"}},tangential_stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["great\
+er_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},rtol:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than",0]],range:{
+least:1e-10,most:.1,words:"from 1e-10 to 0.1"}},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Ring:{
+place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"ring",options:["ring"],expected:"'ring'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["g\
+reater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},inner_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than_equal",0]]},
+outer_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}}}},Disk:{place:"hoop.par\
+ts: ",fields:{shape:{kind:"word",unit:"",default:"disk",options:["disk"],expected:"'disk'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],
+range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,
+words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0}}},PointMass:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"point_mass",
+options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1\
+e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["rod"],expected:"\
+'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{kind:"number",
+unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},direction:{kind:"\
+word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"PointMass",rod:"\
+Rod"},ends:{"hoop.load_fraction":["eccentricity","inertia_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","p\
+arts"],"hoop.parts":["load_fraction","eccentricity","inertia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["\
+mu"],"start.speed":["height","vx","vy","omega"],"start.height":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["r\
+estitution"],"contact.restitution":["damping"]},left_out:{rolling_resistance:0},rules:[null,{sentence:"hoop_mass",values:{mass:"hoop.mass"},known:{words:"from 1\
+e-12 to 1e+12 kg"},number:""},{sentence:"load_inertia",values:{load_fraction:"hoop.load_fraction",inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e\
+-12 to 1e+06"},number:""},{sentence:"parts_inertia",values:{inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e-12 to 1e+06"},number:""},{sentence:"m\
+assless_eccentricity",values:{eccentricity:"hoop.eccentricity"},known:{},number:""},{sentence:"kinetic_above_static",values:{mu_kinetic:"plane.mu_kinetic",mu_static:"\
+plane.mu_static"},known:{},number:""},{sentence:"vertical",values:{slope:"plane.slope"},known:{},number:""},{sentence:"slope",values:{slope:"plane.slope"},known:{
+words:"from -1.57 to 1.57 rad"},number:""},{sentence:"massless_slope",values:{slope:"plane.slope"},known:{},number:""},{sentence:"massless_resistance",values:{given:"\
+plane.rolling_resistance"},known:{},number:""},{sentence:"resistance",values:{given:"plane.rolling_resistance"},known:{},number:"most"},{sentence:"massless_comp\
+liant",values:{},known:{},number:""},{sentence:"compliant_friction",values:{},known:{},number:""},{sentence:"relative_contact",values:{value:"contact.stiffness"},
+known:{name:"stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.tangential_stiffness"},known:{
+name:"tangential_stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.slip_speed"},known:{
+name:"slip_speed",unit:"√(g R)",words:"from 1e-12 to 1e+06"},number:"relative"},{sentence:"too_soft",values:{stiffness:"contact.stiffness"},known:{most:100},number:"\
+depth"}],touch:1e-12,default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"\
+flight"},start:{x:0,angle:0,speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mea\
+n {close}?",known_are:"known are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{pa\
+th} = {shown} {allowed}.",number:"must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finit\
+e number",greater_than:"must be greater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"\
+must be at most {limit:g}",range:"must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",
+other_problem:"{first} (and {count} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts mus\
+t not be empty.",half_a_hoop:"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs ho\
+op.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give ho\
+op.inertia_ratio = {inertia_ratio!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r},\
+ which must be {words}.",ring_radii:"ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) \
+reaches {reach!r} m from the centre, beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu\
+_static = {mu_static!r}.",vertical:"plane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"\
+start.omega = None must be a number.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"pl\
+ane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {mo\
+st:.6g} for this hoop, whose inertia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the m\
+assless hoop (hoop.inertia_ratio = 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{n\
+ame} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e\
+} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known a\
+re {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} c\
+annot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",value_above:"\
+{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are\
+ numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flie\
+s",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{verb:"roll\
+s",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
+impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
+bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
+painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
+verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},rest:{verb:"rests",label:"at rest",
+summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
+≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
+s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
+ of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
+story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
+starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction reaches it\
+s limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip reverses at {where}; it {verb}.",
+takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s d\
+ownwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {wher\
+e} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {wh\
+ere}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agr\
+ees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact for\
+ce grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls fre\
+ely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"\
+It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at o\
+nce",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"\
+Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"\
+at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"\
+would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"\
+no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is\
+)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip a\
+t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single threshold uphill (β < 0): it depends on where the hoop turns back; s\
+ee the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0\
+072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B\
+4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
+impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
+5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{events:2e3,flight_turns:2e3,
+allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,
+words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 \
+to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:[
+"inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pla\
+ne.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{
+least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"from -1e+06 to 1e\
++06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"\
+from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},duration:{
+least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,most:1e6,
+words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"contact.t\
+angential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_events":{least:1,
+most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e\
+-12 to 1e+06"}},rates:{"hoop.eccentricity":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_s\
+tatic","plane.mu_kinetic":"mu_kinetic","plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_res\
+istance","start.angle":"angle","start.x":"x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"wha\
+t happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
+label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
+label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
+label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
+label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
+ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
+t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
+ the lab; the library itself has no such limit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and m\
+ust need at most {most:.0e} in the lab.",too_many_changes:"changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.c\
+ells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be \
+axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.\
+0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {\
+most:.0e} in the lab; take fewer cells, lower speeds or a shorter duration.",doubt:"After {time} s the motion depends on more digits than this page computes. Ru\
+n it in hophoop lab or Python for the exact result.",compliant_changes:"With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"\
+changes holds {change}, which is not a pair of path and value.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",
+times:"must be two times, from and to [s], rising from 0",number_path:"must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"\
+a quantity that sets off the event only touches zero there",border:"the motion lies on the border of two classes: the least change may lead to other events",plastic:"\
+restitution is 0 and the rim has landed: with any restitution it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bou\
+nce, and its events are others",singular:"the slip runs into p_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular l\
+imit once the contact force is lost",frictionless:"without friction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from\
+ there on",edge:"the parameter is at the edge of what is allowed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,
+cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"\
+m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"\
+J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","plane.mu_static","plane.mu_kinetic",
+"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=Mi,yt=n=>n==="inf"?1/0:n;var k={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+.4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
+tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
+_until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
+om_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","fri\
+ction","impact_normal","impact_tangential","gain","collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","fric\
+tion_force","normal_force","friction","impact_normal","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:[
+"normal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_no\
+rmal","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
+"law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh",
+"linear","bristle"],chosen:["stiffness","slip_speed"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","needed_friction_\
+angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_loss_by_frictio\
+n"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_time","takeoff_a\
+ngle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","painleve"],keys:4,
+letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{angle:6.283185307179586,
+stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,
+first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,takeoff_time:1,
+takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undetermined","event\
+_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stick","slip_revers\
+al","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:[
+"no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],impact_laws:["newton","poisson","stro\
+nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam",
+"kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit",
+"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ie=n=>Object.fromEntries(n.map((e,t)=>[e,t])),Si=Ie(k.cell),pe=Ie(k.heads),B=Ie(k.events),ys=Ie(k.samples),Ti=Ie(k.changes),Ai=Ie(k.numbers),vs=Ie(k.words),
+eh={law:({impact_law:n})=>k.impact_laws.indexOf(n),strike:({painleve:n})=>+(n==="impact"),allowed:()=>1},vt=k.cell.map(n=>eh[n]??(e=>Number(e[n]??0))),Oe=n=>Float64Array.
+from(vt,e=>e(n));function Qt(n){let e=n?{...n,law:k.laws.indexOf(n.law),friction_law:k.friction_laws.indexOf(n.friction)}:{};return Float64Array.from(k.compliant,
+t=>e[t]??Number.NaN)}var th=Object.entries(S.words.events),ke=Object.fromEntries(th.map(([n,{label:e}])=>[n,e])),Li=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var nh=new Set(k.passing),sh=3,oh=1e-10;function ih(n){let e=[],t=-1,s=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of n.entries())t>=0&&i==="apex"&&(s<0||c>n[s].
+height)&&(s=o),!nh.has(i)&&(t>=0&&a==="H"&&l>n[t].t&&(e.push({begin:t,top:s,end:i==="end"?-1:o}),t=s=-1),r==="H"&&i!=="end"&&([t,s]=[o,-1]));return e}var en=class{constructor(e,t,s){
 let{larger:o=null,smaller:i=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=o??i,this.step=o?s:
--s,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||gc(o,i))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+Vo[t]]:Number.NaN}of(e,t){return this.
-step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return fc(this.events.slice(0,this.count)).map(({begin:e,
+-s,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||ah(o,i))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+Ti[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return ih(this.events.slice(0,this.count)).map(({begin:e,
 top:t,end:s})=>{let o=i=>s<0?Number.NaN:this.step*(this.rate(s,i)-this.rate(e,i));return{begin:e,end:s,height:this.of(t<0?e:t,"height"),distance:o("x"),duration:o(
-"t")}})}};function gc(n,e){return n!==e&&(n?.rates.some((t,s)=>Number.isFinite(t)!==Number.isFinite(e?.rates[s]))??!1)}function pa(n,e){let t=Math.abs(n);if(e===
-"°")return q(M(t*180/Math.PI,3),"°");let s=t<.0995,o=t<9995e-8,[i,a]=s?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?q(M(t,3),e):q(M(i*t,3),`${a}${e}`)}var dn=(n,e)=>Math.
-abs(n)>pc*Math.max(e,.001);function fa(n,e){return Number.isFinite(n)?dn(n,1)?`${n>0?"+":"−"}${pa(n,e)}`:"0":"–"}function ro(n){let e=n.filter(([t])=>Number.
-isFinite(t)&&dn(t,1)).map(([t,s,o,i])=>x(t>0?o:i,{amount:pa(t,s)})).join(Le()==="zh"?"，":", ");return j(e)}var ma=["m","{amount} further to the right","{amoun\
-t} further to the left"],bc=["s","{amount} later","{amount} earlier"];function ga(n){let{events:e,count:t}=n,s=[],o=n.hops();for(let[r,{begin:l,end:c,height:d,distance:h,
-duration:m}]of o.slice(0,mc).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=ro([[d,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
-er"],[m,"s","{amount} more in the air","{amount} less in the air"],[n.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&s.push(o.length>1?x(
-"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=ro(
-[[n.of(i,"t"),...bc],[n.of(i,"x"),...ma]]);r&&s.push(x("The first event, {what}: {list}.",{what:x(Se[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
-let r=Math.sign(e[a].vx)*n.of(a,"vx"),l=ro([[n.of(a,"x"),...ma],[r,"m/s","{amount} faster","{amount} slower"]]);l&&s.push(x("At the end, after {time} s: {list}.",
-{time:M(e[a].t,4),list:l}))}return s}var Ge=S.words.signs,mn=Object.keys(Ge);function ba(n,e=11){let s=[...n.filter(({kind:i})=>i in Ge)].sort((i,a)=>mn.indexOf(i.kind)-mn.indexOf(a.kind)||i.x-a.x),
-o=[];for(let{kind:i,x:a}of s){let r=mn.indexOf(i)<mn.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.
-x-(l[0].x+e))<e-1e-9)?l[0].mark!==Ge[i]&&o.push({mark:Ge[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:Ge[i],x:a,rare:r,hidden:0})}return o.sort(
-(i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function wa(n,e,t){let s=[],o=new Map,i=-1,a=(l,c,d)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
-c)<1e-6?h.wide+=d:s.push({mode:l,from:c,wide:d})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],i,1),o=new Map};for(let{mode:l,from:c,to:d}of n){let[h,
-m]=[Math.max(e(c),0),Math.min(e(d),t)];if(m>h)for(let p=h;p<m-1e-9;){if((Math.floor(p+1e-9)!==i||!o.size)&&(r(),i=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-i)<1e-6)){
-let g=Math.floor(m-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(m,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),s}var ya=.7,va=34,wc=3,yc=400,vc=8,lo=13;function xa(n){let{events:e,count:t}=n;return e.slice(0,Math.min(t,yc)).map(({kind:s,x:o,height:i},a)=>({kind:s,x:o,y:i,dx:n.
-of(a,"x"),dy:n.of(a,"height")}))}function ka(n,e,t){let s=n.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&dn(r,e)).sort((r,l)=>r-l);if(!s.length)
-return 0;let o=Math.max(ya*e,va/t)/s[Math.floor(s.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function _a(n,e,t){
-let s=[],o=wc*Math.max(ya*n.film.radius,va/n.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let d=Number.isFinite(l)&&Number.isFinite(c),h=d?t*Math.hypot(l,c):0,
-m=h>o?o/h:1,p=d?[m*t*l,m*t*c]:[0,0],f=n.point(a,r),g=n.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>n.width+20)continue;let[b,w]=[Math.min(
-f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;s.some(_=>Math.abs(_.base-y)<lo-1&&_.low<w&&_.high>b);)y-=lo;if(f[1]-y>vc*lo)continue;s.push({low:b,high:w,base:y});
-let v=y-f[1];xc(n,f,[g[0],g[1]+v],v,{known:d,broken:m<1,mark:Ge[i]??""})}}function xc({context:n,look:e},t,s,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
-hypot(s[0]-l[0],s[1]-l[1]),[d,h]=c>0?[(s[0]-l[0])/c,(s[1]-l[1])/c]:[1,0],m=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])n.strokeStyle=f,n.fillStyle=f,
+"t")}})}};function ah(n,e){return n!==e&&(n?.rates.some((t,s)=>Number.isFinite(t)!==Number.isFinite(e?.rates[s]))??!1)}function Pi(n,e){let t=Math.abs(n);if(e===
+"°")return I(M(t*180/Math.PI,3),"°");let s=t<.0995,o=t<9995e-8,[i,a]=s?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?I(M(t,3),e):I(M(i*t,3),`${a}${e}`)}var tn=(n,e)=>Math.
+abs(n)>oh*Math.max(e,.001);function Ci(n,e){return Number.isFinite(n)?tn(n,1)?`${n>0?"+":"−"}${Pi(n,e)}`:"0":"–"}function xs(n){let e=n.filter(([t])=>Number.
+isFinite(t)&&tn(t,1)).map(([t,s,o,i])=>x(t>0?o:i,{amount:Pi(t,s)})).join(Te()==="zh"?"，":", ");return j(e)}var Ri=["m","{amount} further to the right","{amoun\
+t} further to the left"],rh=["s","{amount} later","{amount} earlier"];function zi(n){let{events:e,count:t}=n,s=[],o=n.hops();for(let[r,{begin:l,end:c,height:m,distance:h,
+duration:d}]of o.slice(0,sh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=xs([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+er"],[d,"s","{amount} more in the air","{amount} less in the air"],[n.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&s.push(o.length>1?x(
+"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=xs(
+[[n.of(i,"t"),...rh],[n.of(i,"x"),...Ri]]);r&&s.push(x("The first event, {what}: {list}.",{what:x(ke[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*n.of(a,"vx"),l=xs([[n.of(a,"x"),...Ri],[r,"m/s","{amount} faster","{amount} slower"]]);l&&s.push(x("At the end, after {time} s: {list}.",
+{time:M(e[a].t,4),list:l}))}return s}var qe=S.words.signs,nn=Object.keys(qe);function Ni(n,e=11){let s=[...n.filter(({kind:i})=>i in qe)].sort((i,a)=>nn.indexOf(i.kind)-nn.indexOf(a.kind)||i.x-a.x),
+o=[];for(let{kind:i,x:a}of s){let r=nn.indexOf(i)<nn.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==qe[i]&&o.push({mark:qe[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:qe[i],x:a,rare:r,hidden:0})}return o.sort(
+(i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Di(n,e,t){let s=[],o=new Map,i=-1,a=(l,c,m)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+c)<1e-6?h.wide+=m:s.push({mode:l,from:c,wide:m})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],i,1),o=new Map};for(let{mode:l,from:c,to:m}of n){let[h,
+d]=[Math.max(e(c),0),Math.min(e(m),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==i||!o.size)&&(r(),i=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-i)<1e-6)){
+let g=Math.floor(d-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(d,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),s}var Ii=.7,Oi=34,lh=3,hh=400,ch=8,ks=13;function qi(n){let{events:e,count:t}=n;return e.slice(0,Math.min(t,hh)).map(({kind:s,x:o,height:i},a)=>({kind:s,x:o,y:i,dx:n.
+of(a,"x"),dy:n.of(a,"height")}))}function Fi(n,e,t){let s=n.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&tn(r,e)).sort((r,l)=>r-l);if(!s.length)
+return 0;let o=Math.max(Ii*e,Oi/t)/s[Math.floor(s.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function Hi(n,e,t){
+let s=[],o=lh*Math.max(Ii*n.film.radius,Oi/n.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?t*Math.hypot(l,c):0,
+d=h>o?o/h:1,p=m?[d*t*l,d*t*c]:[0,0],f=n.point(a,r),g=n.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>n.width+20)continue;let[b,w]=[Math.min(
+f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;s.some(_=>Math.abs(_.base-y)<ks-1&&_.low<w&&_.high>b);)y-=ks;if(f[1]-y>ch*ks)continue;s.push({low:b,high:w,base:y});
+let v=y-f[1];uh(n,f,[g[0],g[1]+v],v,{known:m,broken:d<1,mark:qe[i]??""})}}function uh({context:n,look:e},t,s,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
+hypot(s[0]-l[0],s[1]-l[1]),[m,h]=c>0?[(s[0]-l[0])/c,(s[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])n.strokeStyle=f,n.fillStyle=f,
 n.lineCap="round",o&&(n.lineWidth=g>3?3:1,n.beginPath(),n.moveTo(t[0],t[1]),n.lineTo(l[0],l[1]),n.stroke()),n.lineWidth=g,n.setLineDash(a?[5,6]:[]),n.beginPath(),
-n.moveTo(l[0],l[1]),n.lineTo(s[0]-d*m,s[1]-h*m),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
-g>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-d*m-h*m*.55,s[1]-h*m+d*m*.55),n.lineTo(s[0]-d*m+h*m*.55,s[1]-h*m-d*m*.55),n.closePath(),n.stroke(),n.fill());
+n.moveTo(l[0],l[1]),n.lineTo(s[0]-m*d,s[1]-h*d),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
+g>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-m*d-h*d*.55,s[1]-h*d+m*d*.55),n.lineTo(s[0]-m*d+h*d*.55,s[1]-h*d-m*d*.55),n.closePath(),n.stroke(),n.fill());
 n.lineCap="butt";let p=i?r:"?";p&&(n.font=`600 ${11*e.px}px ${e.font}`,n.textAlign="center",n.lineWidth=3,n.strokeStyle=e.paper,n.fillStyle=e.ink,n.strokeText(p,
-l[0],l[1]-7),n.fillText(p,l[0],l[1]-7))}var Ea=Math.PI/180,kc=100,Ma="plane.mu",_c=/^(contact\.|duration$)/,Ec=200,pn=S.reasons;function Sa(n,e){return n.textContent=e,n}var fn=class{constructor(e){this.
-lab=e;this.on=!1;this.path=Ma;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
-ne(()=>this.fetch(),kc),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
+l[0],l[1]-7),n.fillText(p,l[0],l[1]-7))}var ji=Math.PI/180,dh=100,Bi="plane.mu",mh=/^(contact\.|duration$)/,ph=200,sn=S.reasons;function $i(n,e){return n.textContent=e,n}var on=class{constructor(e){this.
+lab=e;this.on=!1;this.path=Bi;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
+ne(()=>this.fetch(),dh),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
 "Arrows"),this.picked=u("select",{onchange:()=>this.pick(this.picked.value)}),this.step=u("span",{class:"more-step"}),this.take=u("button",{type:"button",onclick:()=>this.
 apply()},"Do it"),this.said=u("ul",{class:"more-said"}),this.reason=u("p",{class:"more-reason",hidden:!0}),this.scale=u("p",{class:"hint"}),this.body=u("tbody",
 {}),this.rows=u("details",{class:"more-events"},u("summary",{},"Every event, by this step"),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
 What changes at every event"},u("table",{},u("thead",{},u("tr",{},["event","time","place","height","load angle"].map(t=>u("th",{scope:"col"},t)))),this.body))),
 this.element=u("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},u("header",{},u("h2",{},"What a little more would do"),u("but\
 ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),u("div",{class:"more-asked"},u("label",{},u("span",{},"A little more"),this.picked),this.step,this.take),
-this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,s)=>{let o=e.root.classList.contains("guessing");if(!this.on||o||s!==e.motions.active)return;let i=ka(
-this.arrows,t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&_a(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
+this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,s)=>{let o=e.marked("guessing");if(!this.on||o||s!==e.motions.active)return;let i=Fi(this.arrows,
+t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&Hi(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
 on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",e?this.changed(!0):this.forget(),this.
 lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.lab.address?.soon()}offered(){return[
-...this.lab.controls.sliders.values()].filter(({info:t,element:s})=>!s.hidden&&!_c.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
+...this.lab.controls.sliders.values()].filter(({info:t,element:s})=>!s.hidden&&!mh.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
 film(),s=this.offered().find(({path:r})=>r===this.path);if(!s)return null;let[o,i]=s.path.split("."),a=e[s.path]??t[o][i];return{info:s,value:Number(a==="inf"?1/0:
-a),step:s.step*(s.degrees?Ea:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
+a),step:s.step*(s.degrees?ji:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
 known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:s})=>s===this.path)||(this.path=e.find(({path:s})=>s.
-startsWith(Ma))?.path??e[0].path);let t=e.map(({label:s,symbol:o})=>`${x(s)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
-map(({path:s},o)=>Sa(u("option",{value:s}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
+startsWith(Bi))?.path??e[0].path);let t=e.map(({label:s,symbol:o})=>`${x(s)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
+map(({path:s},o)=>$i(u("option",{value:s}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
 if(!this.on)return;let{lab:e,path:t}=this,s=e.film(),o=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:i}=this.asked;if(this.known=
-`${t} ${s.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");try{let a=await e.backend.changes(s.scenario,t,i);
-if(i.aborted||e.film()!==s)return;if(!a)return this.refuse(pn.edge);this.changes=new un(s,a,o.step),this.arrows=xa(this.changes),this.factor=0,this.tell()}catch(a){
-let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,
-this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,R(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.
-lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||!t)return;let{info:s,value:o}=t,i=c=>q(M(s.degrees?c/Ea:c,5),s.unit),a=`${i(o)} → ${i(o+e.step)}`;
-this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=ga(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.
-said.replaceChildren(...r.map(c=>Sa(u("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&
-this.lab.story.say(j([`${x(s.label)} ${a}.`,...r,l&&x(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.
-three&&this.changes&&this.tellScale(),this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave \
-3D to see them.":x("The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.
-textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:s,events:o,edge:i,sided:a}=e;if(t>=0&&s){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=x(Se[r]??r),d=x(
-pn[s.reason]);return j(x("From {what} at {time} s on no derivative: {reason}.",{what:c,time:M(l,4),reason:d}))}return i?j(x("To one side only: {reason}.",{reason:x(
-pn.edge)})):a?j(x("To one side only: {reason}.",{reason:x(pn.sided)})):""}fill(e){let t=(o,i,a)=>{let r=fa(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u(
-"td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),j(r))},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.
-slice(0,Math.min(e.count,Ec)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.lab.clock.seek(i)},u("th",{scope:"row"},Se[o]??o,u("small",{},` ${M(i,4)} s`)),s.map(
-([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.
-lab.motions.change([[this.path,t]],!0)}};var gn=class{constructor(e){this.lab=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("\
-fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
-lab.show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),
-this.full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Ta=.22,Aa=.03;function La(n,e){let t=n.at(e),s=n.mass*(n.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=o/(1+o),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:a?i*E(.15+r,0,1):0}}function Ra(n,e,t){let s=Math.
-sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:o,t:i,before:a})=>o==="impact"&&a&&i>e&&i<=t).map(({before:o})=>E(Math.abs(o.vy)/s,.02,1))}function Mc(n){
-let e=n.createBuffer(1,n.sampleRate,n.sampleRate),t=e.getChannelData(0),s=1;for(let o=0;o<t.length;o++)s=s*16807%2147483647,t[o]=2*s/2147483647-1;return e}var bn=class{constructor(){
-this.context=null;this.on=!1;this.last=0}static{this.heard=La}static{this.knocks=Ra}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.
-createBufferSource();s.buffer=Mc(e),s.loop=!0;let o=e.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];
+`${t} ${s.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This nee\
+ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(s.scenario,t,i);if(i.aborted||e.film()!==s)return;if(!a)return this.refuse(sn.edge);this.
+changes=new en(s,a,o.step),this.arrows=qi(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}
+e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,
+this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||
+!t)return;let{info:s,value:o}=t,i=c=>I(M(s.degrees?c/ji:c,5),s.unit),a=`${i(o)} → ${i(o+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
+this.scale.hidden=!1;let r=zi(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>$i(u("li",{}),c)));let l=this.
+why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(j([`${x(s.label)} ${a}.`,...r,l&&x(l)].filter(
+Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),this.three=e}tellScale(){
+let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":x("The arrows in the picture lead from where t\
+he rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:s,events:o,
+edge:i,sided:a}=e;if(t>=0&&s){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=x(ke[r]??r),m=x(sn[s.reason]);return j(x("From {what} at {time} s on no derivative: {r\
+eason}.",{what:c,time:M(l,4),reason:m}))}return i?j(x("To one side only: {reason}.",{reason:x(sn.edge)})):a?j(x("To one side only: {reason}.",{reason:x(sn.sided)})):
+""}fill(e){let t=(o,i,a)=>{let r=Ci(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u("td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),
+j(r))},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,ph)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.
+lab.clock.seek(i)},u("th",{scope:"row"},ke[o]??o,u("small",{},` ${M(i,4)} s`)),s.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
+!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var an=class{constructor(e,t){this.root=e;this.show=t;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
+"fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
+show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Wi=.22,Gi=.03;function Ui(n,e){let t=n.at(e),s=n.mass*(n.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=o/(1+o),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:a?i*E(.15+r,0,1):0}}function Ki(n,e,t){let s=Math.
+sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:o,t:i,before:a})=>o==="impact"&&a&&i>e&&i<=t).map(({before:o})=>E(Math.abs(o.vy)/s,.02,1))}function fh(n){
+let e=n.createBuffer(1,n.sampleRate,n.sampleRate),t=e.getChannelData(0),s=1;for(let o=0;o<t.length;o++)s=s*16807%2147483647,t[o]=2*s/2147483647-1;return e}var rn=class{constructor(){
+this.context=null;this.on=!1;this.last=0}static{this.heard=Ui}static{this.knocks=Ki}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.
+createBufferSource();s.buffer=fh(e),s.loop=!0;let o=e.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];
 i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),s.connect(o).connect(a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(
 this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){
-let{gain:s}=this[e];s.setTargetAtTime(Ta*t,this.context.currentTime,Aa)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
-"high",0),this.last=t.time;return}let{tone:s,pitch:o,hiss:i}=La(e,t.time);if(this.set("low",s),this.set("high",.6*i),this.tone.frequency.setTargetAtTime(o,this.
-context.currentTime,Aa),t.time>this.last)for(let a of Ra(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,s=t.currentTime,o=t.createGain();
-o.gain.setValueAtTime(2.2*Ta*Math.sqrt(e),s),o.gain.exponentialRampToValueAtTime(1e-4,s+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.
-exponentialRampToValueAtTime(60,s+.15),i.connect(o).connect(t.destination),i.start(s),i.stop(s+.2)}close(){this.context?.close()}};var ho=Math.PI/180,X=n=>e=>e.columns[n],Lt=(n,e)=>t=>t.derived(n,s=>Float64Array.from(t.t,(o,i)=>e(s,i,t))),U={time:{name:"time",symbol:"t",unit:"s",values:n=>n.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:Lt("degrees",({angle:n},e)=>n[e]/ho)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Lt(
-"within",({angle:n},e)=>{let t=s=>Math.floor(n[s]/ho/360);return e>0&&t(e)!==t(e-1)?Number.NaN:n[e]/ho-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:X("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:X("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:Lt(
-"rise",({height:n,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+n[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:X("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:Lt("spin",({omega:n},e,t)=>n[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:X(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:X("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:X("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:X("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:X("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:X("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:X("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:X("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Lt("total",({kinetic:n,potential:e},t)=>n[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:X("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:X("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:X("rolling_resistance")}},Pa=({name:n,symbol:e})=>[
-n," ",e];var Sc=["time","angle","x","vx","spin","normal_force","friction_force"],Tc=[1,.5,.2,.1,.05,.02,.01],co=601;function Ca(n,e,t){let s=Math.min(Math.floor(n.duration/
-t+1e-9)+1,co),o=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:n.at(a).mode,values:e.map(r=>Ac(n,r,a))})}return o}function Ac(n,e,t){
+let{gain:s}=this[e];s.setTargetAtTime(Wi*t,this.context.currentTime,Gi)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
+"high",0),this.last=t.time;return}let{tone:s,pitch:o,hiss:i}=Ui(e,t.time);if(this.set("low",s),this.set("high",.6*i),this.tone.frequency.setTargetAtTime(o,this.
+context.currentTime,Gi),t.time>this.last)for(let a of Ki(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,s=t.currentTime,o=t.createGain();
+o.gain.setValueAtTime(2.2*Wi*Math.sqrt(e),s),o.gain.exponentialRampToValueAtTime(1e-4,s+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.
+exponentialRampToValueAtTime(60,s+.15),i.connect(o).connect(t.destination),i.start(s),i.stop(s+.2)}close(){this.context?.close()}};var _s=Math.PI/180,Z=n=>e=>e.columns[n],xt=(n,e)=>t=>t.derived(n,s=>Float64Array.from(t.t,(o,i)=>e(s,i,t))),W={time:{name:"time",symbol:"t",unit:"s",values:n=>n.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:xt("degrees",({angle:n},e)=>n[e]/_s)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:xt(
+"within",({angle:n},e)=>{let t=s=>Math.floor(n[s]/_s/360);return e>0&&t(e)!==t(e-1)?Number.NaN:n[e]/_s-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:Z("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:Z("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:xt(
+"rise",({height:n,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+n[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:Z("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:xt("spin",({omega:n},e,t)=>n[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:Z(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:Z("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:Z("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:Z("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:Z("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:Z("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:Z("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:Z("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:xt("total",({kinetic:n,potential:e},t)=>n[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:Z("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:Z("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Z("rolling_resistance")}},Vi=({name:n,symbol:e})=>[
+n," ",e];var gh=["time","angle","x","vx","spin","normal_force","friction_force"],bh=[1,.5,.2,.1,.05,.02,.01],Es=601;function Ji(n,e,t){let s=Math.min(Math.floor(n.duration/
+t+1e-9)+1,Es),o=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:n.at(a).mode,values:e.map(r=>wh(n,r,a))})}return o}function wh(n,e,t){
 if(e==="time")return t;let s=n.at(t);if(e in s&&e!=="angle")return s[e];let o=s.angle*180/Math.PI;if(e==="angle")return o;if(e==="turns")return o-360*Math.floor(
-o/360);let i=U[e].values(n),a=n.index(t),r=Math.min(a+1,n.length-1),l=n.t[r]>n.t[a]?(t-n.t[a])/(n.t[r]-n.t[a]):0;return i[a]+l*(i[r]-i[a])}var wn=class{constructor(e){
-this.lab=e;this.rows=[];this.columns=[...Sc];this.step=u("select",{onchange:()=>this.fill()},Tc.map(t=>u("option",{value:String(t)},`${t} s`))),this.step.value=
-"0.1",this.picks=u("div",{class:"table-picks"},Object.entries(U).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=u("caption",{}),this.
-head=u("thead",{}),this.body=u("tbody",{}),this.element=u("section",{class:"table","aria-label":"Table of the motion",hidden:!0},u("header",{},u("h2",{},"Table"),
-u("label",{class:"table-step"},u("span",{},"Every"),this.step),u("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),u("button",{type:"button",onclick:()=>this.
-open(!1)},"Close")),u("details",{class:"table-columns"},u("summary",{},"Columns"),this.picks),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-lab\
-el":"Table of the motion, rows"},u("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=u("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
-let o=new Set(this.columns);s.checked?o.add(e):o.delete(e),this.columns=Object.keys(U).filter(i=>o.has(i)),this.fill()}});return u("label",{},s,u("span",{},t))}open(e){
-this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
-element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),o=this.lab.theme.colors.mode_names,i=t.map(c=>U[c]);this.head.
-replaceChildren(u("tr",{},i.map(({name:c,symbol:d,unit:h})=>u("th",{scope:"col",title:c},d,h&&u("small",{},` ${h}`))),u("th",{scope:"col"},"mode")));let a=Ca(e,
-t,s);this.rows=a.map(({time:c,mode:d,values:h})=>({time:c,row:u("tr",{onclick:()=>this.lab.clock.seek(c)},h.map((m,p)=>p===0?u("th",{scope:"row"},M(m,4)):u("td",
-{},M(m,4))),u("td",{class:"table-mode"},o[d]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=co+1e-6,l=x("The first {count}\
- rows.",{count:co});R(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
-let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
-now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${U[i].name} [${U[i].unit||"1"}]`),"mode"],o=Ca(e,t,Number(this.step.value)).map(({mode:i,values:a})=>[
-...a,i].join(","));st(new Blob([[s.join(","),...o,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var za="hoop.radius=0.4&duration=1.5&start.speed=",Lc=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+o/360);let i=W[e].values(n),a=n.index(t),r=Math.min(a+1,n.length-1),l=n.t[r]>n.t[a]?(t-n.t[a])/(n.t[r]-n.t[a]):0;return i[a]+l*(i[r]-i[a])}var ln=class{constructor({
+film:e,clock:t,names:s}){this.rows=[];this.columns=[...gh];this.source=e,this.clock=t,this.names=s,this.step=u("select",{onchange:()=>this.fill()},bh.map(o=>u("\
+option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=u("div",{class:"table-picks"},Object.entries(W).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.
+pick(o,i))),this.caption=u("caption",{}),this.head=u("thead",{}),this.body=u("tbody",{}),this.element=u("section",{class:"table","aria-label":"Table of the moti\
+on",hidden:!0},u("header",{},u("h2",{},"Table"),u("label",{class:"table-step"},u("span",{},"Every"),this.step),u("button",{type:"button",onclick:()=>this.save()},
+"Save as CSV"),u("button",{type:"button",onclick:()=>this.open(!1)},"Close")),u("details",{class:"table-columns"},u("summary",{},"Columns"),this.picks),u("div",
+{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table of the motion, rows"},u("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=u("i\
+nput",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);s.checked?o.add(e):o.delete(e),this.columns=Object.keys(W).filter(
+i=>o.has(i)),this.fill()}});return u("label",{},s,u("span",{},t))}open(e){this.element.hidden=!e,e&&(this.draw(this.source()),this.element.scrollIntoView({block:"\
+nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.
+step.value),o=this.names(),i=t.map(c=>W[c]);this.head.replaceChildren(u("tr",{},i.map(({name:c,symbol:m,unit:h})=>u("th",{scope:"col",title:c},m,h&&u("small",{},
+` ${h}`))),u("th",{scope:"col"},"mode")));let a=Ji(e,t,s);this.rows=a.map(({time:c,mode:m,values:h})=>({time:c,row:u("tr",{onclick:()=>this.clock.seek(c)},h.map(
+(d,p)=>p===0?u("th",{scope:"row"},M(d,4)):u("td",{},M(d,4))),u("td",{class:"table-mode"},o[m]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.
+duration/s+1<=Es+1e-6,l=x("The first {count} rows.",{count:Es});P(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.clock.time)}cursor(e){if(this.
+element.hidden||!this.rows.length)return;let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.
+remove("now"),s?.classList.add("now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${W[i].name} [${W[i].unit||"1"}]`),"mode"],o=Ji(e,t,Number(this.
+step.value)).map(({mode:i,values:a})=>[...a,i].join(","));Xe(new Blob([[s.join(","),...o,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var Yi="hoop.radius=0.4&duration=1.5&start.speed=",yh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${za}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],Rc=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${Yi}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],vh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Pc=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],xh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Cc=["1.0","1.3","1.6","1.9","2.2","2.3"],zc=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Na(n,e){
-let t=d=>{c.close(),n(d)},s=(d,h="Show")=>u("button",{type:"button",class:"link",onclick:()=>t(d)},h),o=zc(),i=o&&[["teach/index.html","Teaching with the hoop"],
+rim slips. Why does slipping help it to hop?"],kh=["1.0","1.3","1.6","1.9","2.2","2.3"],_h=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Zi(n,e){
+let t=m=>{c.close(),n(m)},s=(m,h="Show")=>u("button",{type:"button",class:"link",onclick:()=>t(m)},h),o=_h(),i=o&&[["teach/index.html","Teaching with the hoop"],
 ["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=u("table",{},u("caption",{},"A lesson of 45 mi\
-nutes"),u("thead",{},u("tr",{},["Minute","What happens","Motion"].map(d=>u("th",{scope:"col"},d)))),u("tbody",{},Lc.map(([d,h,m])=>u("tr",{},u("th",{scope:"row"},
-d),u("td",{},h),u("td",{},m===null?"":s(m)))))),r=u("table",{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(d=>u(
-"th",{scope:"col"},d)))),u("tbody",{},Rc.map(([d,h])=>u("tr",{},u("td",{},d),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that \
+nutes"),u("thead",{},u("tr",{},["Minute","What happens","Motion"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},yh.map(([m,h,d])=>u("tr",{},u("th",{scope:"row"},
+m),u("td",{},h),u("td",{},d===null?"":s(d)))))),r=u("table",{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(m=>u(
+"th",{scope:"col"},m)))),u("tbody",{},vh.map(([m,h])=>u("tr",{},u("td",{},m),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that \
 hops"),u("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),u("ol",{},Pc.map(d=>u("li",{},d,u("div",{class:"answer-line"})))),u("table",{class:"sheet-\
-table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>u("th",{scope:"col"},d)))),u("tbody",{},Cc.map(d=>u("tr",{},u("th",
-{scope:"row"},s(`${za}${Number(d)}`,d)),u("td",{}),u("td",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"\
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),u("ol",{},xh.map(m=>u("li",{},m,u("div",{class:"answer-line"})))),u("table",{class:"sheet-\
+table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},kh.map(m=>u("tr",{},u("th",
+{scope:"row"},s(`${Yi}${Number(m)}`,m)),u("td",{}),u("td",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"\
 For teachers"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),u("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",u("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),i&&u("p",{},i.map(([d,h])=>u("a",{class:"teach-page",href:new URL(d,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var uo=S.words.letters,Nc=new Set(["x","angle","height"]),Ic=1/60,Ia=8,Dc={x:"vx",angle:"omega",height:"vy"},Ce=class{constructor(e){this.cache=new Map;this.part=
+e()}},"Start the visit")),i&&u("p",{},i.map(([m,h])=>u("a",{class:"teach-page",href:new URL(m,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var Ms=S.words.letters,Eh=new Set(["x","angle","height"]),Mh=1/60,Xi=8,Sh={x:"vx",angle:"omega",height:"vy"},Re=class{constructor(e){this.cache=new Map;this.part=
 null;let{header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??
 null,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??
 "",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=
 this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=
-this.findExtent()}wanted(e,t=0){if(this.duration<Ic*this.length)return null;let s=E(e,0,this.duration),o=Math.min(s+t,this.duration);if(this.part&&s>=this.part.
-t[0]&&o<=this.part.t[this.part.length-1])return null;let i=Math.max(s-.25*Ia,0);return[i,Math.min(i+Ia+t,this.duration)]}refine(e){this.part=Object.assign(Object.
+this.findExtent()}wanted(e,t=0){if(this.duration<Mh*this.length)return null;let s=E(e,0,this.duration),o=Math.min(s+t,this.duration);if(this.part&&s>=this.part.
+t[0]&&o<=this.part.t[this.part.length-1])return null;let i=Math.max(s-.25*Xi,0);return[i,Math.min(i+Xi+t,this.duration)]}refine(e){this.part=Object.assign(Object.
 create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){
-return Vi(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.length;s++){let o=t.at(-1);o&&o.mode===uo[e[s]]?o.to=this.t[s]:t.push({mode:uo[e[s]],
+return ri(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.length;s++){let o=t.at(-1);o&&o.mode===Ms[e[s]]?o.to=this.t[s]:t.push({mode:Ms[e[s]],
 from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,
 vy:o,omega:i}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=
 Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(s[l],o[l])+this.radius*Math.abs(i[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),
 a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-t>1;){let o=t+s>>1;this.t[o]<=e?t=o:s=o}return t}pieces(){let{part:e}=this;if(!e)
 return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],o=this.index(t);for(;o>0&&this.t[o]>=t;)o--;let i=this.t[o]>=t?0:o+1;return[{film:this,
 from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.length}]}at(e){let t=E(e,0,this.duration),s=this.holding(t);if(s!==this)return s.
-at(t);let o=this.index(t),i=Math.min(o+1,this.length-1),a=this.t[i]-this.t[o],r=a>0?(t-this.t[o])/a:0,l={t,mode:uo[this.columns.mode[o]]};for(let[c,d]of Object.
-entries(this.columns)){if(c==="t"||c==="mode")continue;let h=d[o],m=d[i];if(r===0||!Number.isFinite(m))l[c]=h;else if(Nc.has(c)){let p=this.columns[Dc[c]];l[c]=
-Oc(h,m,p[o]*a,p[i]*a,r)}else l[c]=h+(m-h)*r}return l}derived(e,t){let s=this.cache.get(e)??t(this.columns);return this.cache.set(e,s),s}};function Oc(n,e,t,s,o){
-if(!Number.isFinite(t)||!Number.isFinite(s))return n+(e-n)*o;let i=1-o;return i*i*(1+2*o)*n+o*o*(3-2*o)*e+o*i*(i*t-o*s)}var fo=n=>n-360*Math.floor(n/360);function qc(n,e){let t=Math.abs(fo(n-e+180)-180);return Math.round(100*E(1-(t-1)/89,0,1))}function Fc(n,e){let t=Math.max(...e)-
-Math.min(...e,0),s=e.reduce((o,i,a)=>o+Math.abs(i-n[a]),0)/e.length;return Math.round(100*E(1-2*s/(t||1),0,1))}var Hc=0;function Ct(n,e,t=!1){let s=`hh-guess-${++Hc}`,
+at(t);let o=this.index(t),i=Math.min(o+1,this.length-1),a=this.t[i]-this.t[o],r=a>0?(t-this.t[o])/a:0,l={t,mode:Ms[this.columns.mode[o]]};for(let[c,m]of Object.
+entries(this.columns)){if(c==="t"||c==="mode")continue;let h=m[o],d=m[i];if(r===0||!Number.isFinite(d))l[c]=h;else if(Eh.has(c)){let p=this.columns[Sh[c]];l[c]=
+Th(h,d,p[o]*a,p[i]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){let s=this.cache.get(e)??t(this.columns);return this.cache.set(e,s),s}};function Th(n,e,t,s,o){
+if(!Number.isFinite(t)||!Number.isFinite(s))return n+(e-n)*o;let i=1-o;return i*i*(1+2*o)*n+o*o*(3-2*o)*e+o*i*(i*t-o*s)}var As=n=>n-360*Math.floor(n/360);function Ah(n,e){let t=Math.abs(As(n-e+180)-180);return Math.round(100*E(1-(t-1)/89,0,1))}function Lh(n,e){let t=Math.max(...e)-
+Math.min(...e,0),s=e.reduce((o,i,a)=>o+Math.abs(i-n[a]),0)/e.length;return Math.round(100*E(1-2*s/(t||1),0,1))}var Rh=0;function Et(n,e,t=!1){let s=`hh-guess-${++Rh}`,
 o="",i=n.map(([a,r])=>{let l=u("input",{type:"radio",name:s,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:u("label",{class:"guess-choice"},l,u("span",
 {},r))}});return{element:u("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>o!=="",judge:a=>{for(let{key:r,radio:l,
-row:c}of i){l.disabled=!0;let d=t||r===a;d&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",d)}return t||o===a?100:0}}}var ve=168,Pt=58,
-mo=(n,e=Pt)=>{let t=n*Math.PI/180;return[ve/2+e*Math.sin(t),ve/2-e*Math.cos(t)]};function go(n,e){let t=0,s=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":n,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let d=getComputedStyle(
-a),{context:h}=K(i,Number.parseFloat(d.width)/ve||1),m=d.getPropertyValue("--ink").trim(),p=d.getPropertyValue("--soft").trim(),f=d.getPropertyValue("--accent").
-trim();h.clearRect(0,0,ve,ve),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ve/2+Pt),h.lineTo(ve-8,ve/2+Pt),h.stroke(),h.lineWidth=4,h.
-beginPath(),h.arc(ve/2,ve/2,Pt,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=mo(b,Pt-28);
-h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...mo(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=m,h.lineWidth=2,h.beginPath(),
-h.arc(...mo(o),12,0,2*Math.PI),h.stroke(),g(o,m,7)),g(t,s?f:p,9)},l=d=>{o===null&&(t=fo(d),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
-"aria-valuetext",`${Math.round(t)}°`),r(),e())},c=d=>{let h=i.getBoundingClientRect(),[m,p]=[d.clientX-h.left-h.width/2,d.clientY-h.top-h.height/2];l(Math.atan2(
-m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",d=>{d.preventDefault(),a.focus({preventScroll:!0}),c(d),J(a,d,c)}),a.addEventListener("keydown",d=>{
-let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[d.key];h!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?h/5:h)))}),
-requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:d=>(o=fo(d),r(),qc(t,o))}}var Rt=9,[ye,yn,Ue,po]=[34,12,12,26];function Da({label:n,unit:e,most:t},s){
-let o=Array(Rt).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${n}\
+row:c}of i){l.disabled=!0;let m=t||r===a;m&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",m)}return t||o===a?100:0}}}var ge=168,_t=58,
+Ss=(n,e=_t)=>{let t=n*Math.PI/180;return[ge/2+e*Math.sin(t),ge/2-e*Math.cos(t)]};function Ls(n,e){let t=0,s=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":n,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let m=getComputedStyle(
+a),{context:h}=K(i,Number.parseFloat(m.width)/ge||1),d=m.getPropertyValue("--ink").trim(),p=m.getPropertyValue("--soft").trim(),f=m.getPropertyValue("--accent").
+trim();h.clearRect(0,0,ge,ge),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ge/2+_t),h.lineTo(ge-8,ge/2+_t),h.stroke(),h.lineWidth=4,h.
+beginPath(),h.arc(ge/2,ge/2,_t,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Ss(b,_t-28);
+h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...Ss(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=d,h.lineWidth=2,h.beginPath(),
+h.arc(...Ss(o),12,0,2*Math.PI),h.stroke(),g(o,d,7)),g(t,s?f:p,9)},l=m=>{o===null&&(t=As(m),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
+"aria-valuetext",`${Math.round(t)}°`),r(),e())},c=m=>{let h=i.getBoundingClientRect(),[d,p]=[m.clientX-h.left-h.width/2,m.clientY-h.top-h.height/2];l(Math.atan2(
+d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",m=>{m.preventDefault(),a.focus({preventScroll:!0}),c(m),J(a,m,c)}),a.addEventListener("keydown",m=>{
+let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[m.key];h!==void 0&&(m.preventDefault(),m.stopPropagation(),l(t+(m.shiftKey?h/5:h)))}),
+requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:m=>(o=As(m),r(),Ah(t,o))}}var kt=9,[fe,hn,Fe,Ts]=[34,12,12,26];function Qi({label:n,unit:e,most:t},s){
+let o=Array(kt).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${n}\
  with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:_=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
 ArrowLeft:-1}[_.key];T&&(_.preventDefault(),_.stopPropagation(),g(v,o[v]+T*t/(_.shiftKey?100:20)))}})),c=u("div",{class:"guess sketch",role:"group","aria-label":"\
-Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},m=y=>ye+y/(Rt-1)*(h.width-ye-yn),p=y=>Ue+(1-y/t)*(h.
-height-Ue-po),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:_,width:T,height:L}=K(r,v);h={width:T,height:L,
-px:v};let P=A=>y.getPropertyValue(A).trim();_.clearRect(0,0,T,L),_.strokeStyle=P("--line"),_.fillStyle=P("--soft"),_.font="11px system-ui, sans-serif";for(let A=0;A<
-Rt;A+=2)_.textAlign="center",_.fillText(`${45*A}°`,m(A),L-8),_.strokeRect(m(A),Ue,0,L-Ue-po);for(let A of[0,t/2,t])_.textAlign="right",_.fillText(String(A),ye-
-6,p(A)+4),_.strokeRect(ye,p(A),T-ye-yn,0);_.textAlign="left",_.fillText(e,ye+4,Ue+10);let F=(A,I,H)=>{_.strokeStyle=I,_.lineWidth=2.5,_.setLineDash(H),_.beginPath(),
-A.forEach((ie,Oe)=>{let Ot=ye+Oe/(A.length-1)*(T-ye-yn);Oe?_.lineTo(Ot,p(E(ie,0,t))):_.moveTo(Ot,p(E(ie,0,t)))}),_.stroke(),_.setLineDash([])};F(o,P("--accent"),
-[6,4]),a&&F(a,P("--ink"),[]),l.forEach((A,I)=>{A.style.transform=`translate(${v*m(I)}px, ${v*p(o[I])}px)`})},g=(y,v)=>{a||(o[y]=E(v,0,t),i=!0,l[y].setAttribute(
-"aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${e}`),f(),s())},b=null,w=y=>{let v=d(),[_,T]=[y.clientX-v.left,
-y.clientY-v.top].map(H=>H/h.px),L=E((_-ye)/(h.width-ye-yn),0,1),P=Math.round(L*(Rt-1)),F=t*(1-(T-Ue)/(h.height-Ue-po)),A=b??P,I=o[A];for(let H=Math.min(A,P);H<=
-Math.max(A,P);H++)g(H,A===P?F:I+(F-I)*(H-A)/(P-A));b=P};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
-v.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>i,judge:y=>{a=y,f();let v=(y.length-1)/(Rt-1);return Fc(
-o,o.map((_,T)=>y[Math.round(T*v)]))}}}var xn=2*Math.PI,te=(n,e)=>n.events.find(t=>t.kind===e),vn=n=>G(n-xn*Math.floor(n/xn));function jc(n,e,t=72){let{angle:s}=n.columns,o=n.columns[e],i=[],a=0;for(let r=0;r<=
-t;r++){let l=n.columns.angle[0]+xn*r/t;for(;a+1<n.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,n.length-1),d=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;i.push(o[a]+
-d*(o[c]-o[a]))}return i}var Bc=(n,e)=>n.t[n.columns.angle.findIndex(t=>t>=e)]??n.duration,$c={R:"roll",S:"spin",K:"skid",H:"bounce"},Ke=[{key:"littlewood",title:"\
+Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},d=y=>fe+y/(kt-1)*(h.width-fe-hn),p=y=>Fe+(1-y/t)*(h.
+height-Fe-Ts),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:_,width:T,height:L}=K(r,v);h={width:T,height:L,
+px:v};let R=A=>y.getPropertyValue(A).trim();_.clearRect(0,0,T,L),_.strokeStyle=R("--line"),_.fillStyle=R("--soft"),_.font="11px system-ui, sans-serif";for(let A=0;A<
+kt;A+=2)_.textAlign="center",_.fillText(`${45*A}°`,d(A),L-8),_.strokeRect(d(A),Fe,0,L-Fe-Ts);for(let A of[0,t/2,t])_.textAlign="right",_.fillText(String(A),fe-
+6,p(A)+4),_.strokeRect(fe,p(A),T-fe-hn,0);_.textAlign="left",_.fillText(e,fe+4,Fe+10);let F=(A,D,H)=>{_.strokeStyle=D,_.lineWidth=2.5,_.setLineDash(H),_.beginPath(),
+A.forEach((ie,De)=>{let Ot=fe+De/(A.length-1)*(T-fe-hn);De?_.lineTo(Ot,p(E(ie,0,t))):_.moveTo(Ot,p(E(ie,0,t)))}),_.stroke(),_.setLineDash([])};F(o,R("--accent"),
+[6,4]),a&&F(a,R("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*d(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=E(v,0,t),i=!0,l[y].setAttribute(
+"aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${e}`),f(),s())},b=null,w=y=>{let v=m(),[_,T]=[y.clientX-v.left,
+y.clientY-v.top].map(H=>H/h.px),L=E((_-fe)/(h.width-fe-hn),0,1),R=Math.round(L*(kt-1)),F=t*(1-(T-Fe)/(h.height-Fe-Ts)),A=b??R,D=o[A];for(let H=Math.min(A,R);H<=
+Math.max(A,R);H++)g(H,A===R?F:D+(F-D)*(H-A)/(R-A));b=R};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
+v.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>i,judge:y=>{a=y,f();let v=(y.length-1)/(kt-1);return Lh(
+o,o.map((_,T)=>y[Math.round(T*v)]))}}}var un=2*Math.PI,ee=(n,e)=>n.events.find(t=>t.kind===e),cn=n=>$(n-un*Math.floor(n/un));function Ph(n,e,t=72){let{angle:s}=n.columns,o=n.columns[e],i=[],a=0;for(let r=0;r<=
+t;r++){let l=n.columns.angle[0]+un*r/t;for(;a+1<n.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,n.length-1),m=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;i.push(o[a]+
+m*(o[c]-o[a]))}return i}var Ch=(n,e)=>n.t[n.columns.angle.findIndex(t=>t>=e)]??n.duration,zh={R:"roll",S:"spin",K:"skid",H:"bounce"},He=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>Ct(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>Et(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],n),until:([n])=>{
-let[e,t]=[te(n,"skim"),te(n,"impact")];return e?e.t+.7*((t?.t??n.duration)-e.t):n.duration},answer:([n])=>{let e=te(n,"skim")??te(n,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:vn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+let[e,t]=[ee(n,"skim"),ee(n,"impact")];return e?e.t+.7*((t?.t??n.duration)-e.t):n.duration},answer:([n])=>{let e=ee(n,"skim")??ee(n,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:cn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:n=>Da({label:"Speed of the centre",unit:"m/s",most:10},
-n),until:([n])=>Bc(n,xn),answer:([n])=>{let e=jc(n,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:n=>Qi({label:"Speed of the centre",unit:"m/s",most:10},
+n),until:([n])=>Ch(n,un),answer:([n])=>{let e=Ph(n,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:n=>go("Angle of the load where it begins to slip",n),until:([n])=>te(n,"slip_start")?.t??n.duration,answer:([n])=>{let e=te(n,"slip_start"),t=n.at(e.t).normal_force/
-(n.mass*n.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:vn(e.
+guess:n=>Ls("Angle of the load where it begins to slip",n),until:([n])=>ee(n,"slip_start")?.t??n.duration,answer:([n])=>{let e=ee(n,"slip_start"),t=n.at(e.t).normal_force/
+(n.mass*n.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:cn(e.
 angle),share:`${M(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:n=>go("Angle of the load\
- where it takes off",n),until:([n])=>te(n,"takeoff")?.t??n.duration,answer:([n])=>{let e=te(n,"takeoff"),t=n.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
-It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:vn(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:n=>Ls("Angle of the load\
+ where it takes off",n),until:([n])=>ee(n,"takeoff")?.t??n.duration,answer:([n])=>{let e=ee(n,"takeoff"),t=n.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
+It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:cn(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
 plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at \
 the top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does \
-it do just after it has landed?",queries:[""],guess:n=>Ct([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
-rns too fast."],["bounce","It bounces."]],n),until:([n])=>te(n,"impact")?.t??n.duration,answer:([n])=>{let[e,t]=[te(n,"takeoff"),te(n,"impact")],s=n.events.find(
-o=>o.kind==="apex");return{truth:$c[n.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(s?.height??0),3),angle:vn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+it do just after it has landed?",queries:[""],guess:n=>Et([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
+rns too fast."],["bounce","It bounces."]],n),until:([n])=>ee(n,"impact")?.t??n.duration,answer:([n])=>{let[e,t]=[ee(n,"takeoff"),ee(n,"impact")],s=n.events.find(
+o=>o.kind==="apex");return{truth:zh[n.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(s?.height??0),3),angle:cn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:n=>Ct([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(e=>te(e,"impact")?.t??0)),
+"plane.mu=0.05","plane.mu=0.2",""],guess:n=>Et([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(e=>ee(e,"impact")?.t??0)),
 answer:n=>{let e=n.map(i=>Math.max(0,...i.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,o]=e.map(i=>M(100*i,3));return{truth:String(e.indexOf(Math.max(
 ...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:o}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>Ct([["flight","It flies off."],["impact","An impact stops the sli\
-de at once."],["both","Both agree with the laws."]],n),until:n=>Math.min(.8,...n.map(e=>e.duration)),answer:n=>({truth:n.every(e=>te(e,"painleve_indeterminate"))?
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>Et([["flight","It flies off."],["impact","An impact stops the sli\
+de at once."],["both","Both agree with the laws."]],n),until:n=>Math.min(.8,...n.map(e=>e.duration)),answer:n=>({truth:n.every(e=>ee(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var Oa="hophoop-visit",kn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
+ the motion itself.",question:"",queries:[""]}];var ea="hophoop-visit",dn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
 loop=null;this.asked=0;this.onchallenges=t,this.body=u("div",{class:"visit-body"}),this.said=u("div",{class:"visit-answer",role:"status"}),this.element=u("secti\
-on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){fe(Oa)||(this.
-element.hidden=!1,R(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
+on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ce(ea)||(this.
+element.hidden=!1,P(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
 en play."),u("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),u("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
-this.points.clear(),this.go(0)}leave(){ge(Oa,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.
-remove("visiting"),this.veil(),this.lab.show()}async go(e){let t=Ke[e],s=++this.asked,{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.stop=null,this.
-guess=null,this.unwind(),R(this.said,""),this.element.hidden=!1,o.root.classList.toggle("visiting",e<Ke.length-1);try{let i=await Promise.all(t.queries.map(a=>o.
-backend.film({query:a})));if(s!==this.asked)return;this.films=i.map(a=>new Ce(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??
-null,this.veil(),o.changed(),o.motions.note(),this.fill(e)}catch(i){o.notice.fail(i)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&
-this.lab.stage.element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=Ke[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.
-guess,onclick:()=>this.show()},"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},
-"Skip to the answer");let s=e===Ke.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-u("header",{},u("span",{class:"visit-count"},`Step ${e+1} of ${Ke.length}`),u("progress",{max:String(Ke.length),value:String(e+1),"aria-hidden":"true"}),u("butt\
-on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,u("p",{},t.text),t.question?u("p",{class:"visit-question"},t.
-question):"",this.guess?.element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&
-this.skip,s?u("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&u("button",{type:"button",onclick:()=>this.leave()},
-"Done"),this.guess&&u("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){
-this.play&&(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;if(!(!t||!this.guess)){if(this.stop!==
-null){e.clock.play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),e.clock.run({to:this.stop}),
-this.frame()}}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===null||(this.skip.hidden=!1,
-this.running!==e.playing&&(this.running=e.playing,R(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=
-null,this.unwind(),e.seek(t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:o,values:i={}}=e.answer(this.films),a=t.judge(
-s);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",Ui(o,i)),u("\
-p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].
-reduce((t,s)=>t+s,0);this.said.replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){
-this.guess?.redraw?.(),this.guessing&&this.veil()}};var _n=class{constructor(e){this.lab=e;this.words={t:x,untranslated:tt};this.grips=new cn(this.lab);this.sound=new bn;this.present=new gn(this.lab);this.challenges=
-new rn(this.lab);this.visit=new kn(e,()=>this.challenges.open()),this.table=new wn(e),this.more=new fn(e),this.teach=Na(t=>this.challenges.load(t),()=>this.visit.
-start()),this.layOut(),this.spoken()}layOut(){let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.
-challenges.element):t.before(this.visit.element,this.challenges.element),t.after(this.more.element,this.table.element),e.transport.element.querySelector(".switc\
-hes")?.append(this.more.switch),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.querySelector(".\
-right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,o,i)=>u("button",
-{type:"button",title:o,"aria-label":o,"aria-pressed":"false",onclick:i},Y(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("\
-slow","Slow motion: a tenth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(
-!this.sound.on),this.mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),
-u("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(e.loop)),this.
-slow?.setAttribute("aria-pressed",String(e.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("aria-pressed",String(
-this.present.on))}menu(){let e=(s,o)=>u("button",{type:"button",onclick:()=>{t.open=!1,o()}},s),t=u("details",{class:"learn"},u("summary",{class:"button"},"Lear\
-n"),u("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.
-turn(!0)),e("Table of the motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.
-lab.root.addEventListener("pointerdown",s=>{t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),
-t.open=!1,t.querySelector("summary")?.focus())}),t}languages(){return ao(()=>{this.spoken(),Qt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Le(),
-this.lab.hosted&&(document.documentElement.lang=Le(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.
-sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.
-lab.film()),this.more.changed(),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(n,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},n),En=class{constructor(e,t,s){this.fresh=!1;let o=new Map;for(let a of e)o.set(a.group,
+this.points.clear(),this.go(0)}leave(){ue(ea,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.mark("visit\
+ing",!1),this.veil(),this.lab.show()}async go(e){let t=He[e],s=++this.asked,{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.stop=null,this.guess=null,
+this.unwind(),P(this.said,""),this.element.hidden=!1,o.mark("visiting",e<He.length-1);try{let i=await Promise.all(t.queries.map(a=>o.backend.call("film",{query:a})));
+if(s!==this.asked)return;this.films=i.map(a=>new Re(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),
+o.changed(),o.motions.note(),this.fill(e)}catch(i){o.notice.fail(i)}}veil(){this.lab.mark("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
+"aria-label",x("The hoop, before it is let go."))}fill(e){let t=He[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
+"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},"Skip to the answer");let s=e===
+He.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(u("header",{},u("s\
+pan",{class:"visit-count"},`Step ${e+1} of ${He.length}`),u("progress",{max:String(He.length),value:String(e+1),"aria-hidden":"true"}),u("button",{type:"button",
+class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,u("p",{},t.text),t.question?u("p",{class:"visit-question"},t.question):"",this.guess?.
+element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&this.skip,s?u("button",
+{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&u("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&u("\
+span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){this.play&&(this.
+play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;if(!(!t||!this.guess)){if(this.stop!==null){e.clock.
+play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),e.clock.run({to:this.stop}),this.frame()}}unwind(){
+this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===null||(this.skip.hidden=!1,this.running!==e.playing&&
+(this.running=e.playing,P(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=null,this.unwind(),e.seek(
+t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:o,values:i={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,
+a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",ii(o,i)),u("p",{},e.why??"")),this.veil(),
+this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.
+replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.
+guessing&&this.veil()}};var mn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:Ye};this.sound=new rn;let t=()=>e.film(),s=o=>e.load(o);this.grips=new Xt(e),this.present=new an(
+e.root,()=>e.show()),this.challenges=new Jt({film:t,load:s,ahead:()=>e.stage.options.ahead}),this.visit=new dn(e,()=>this.challenges.open()),this.table=new ln({
+film:t,clock:e.clock,names:()=>e.theme.colors.mode_names}),this.more=new on(e),this.teach=Zi(s,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.
+makeMenu(),this.languages=ws(()=>{this.spoken(),jt(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(s,o,i)=>u("button",{type:"button",title:o,
+"aria-label":o,"aria-pressed":"false",onclick:i},Y(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a t\
+enth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.on),this.
+mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),u("div",{class:"butt\
+ons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop.setAttribute("aria-pressed",String(e.loop)),this.slow.setAttribute(
+"aria-pressed",String(e.speed===.1)),this.loud.setAttribute("aria-pressed",String(this.sound.on)),this.large.setAttribute("aria-pressed",String(this.present.on))}makeMenu(){
+let e=(s,o)=>u("button",{type:"button",onclick:()=>{t.open=!1,o()}},s),t=u("details",{class:"learn"},u("summary",{class:"button"},"Learn"),u("div",{class:"menu-\
+body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
+he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return t.addEventListener("keydow\
+n",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),t}spoken(){this.lab.root.lang=Te(),this.lab.hosted&&(document.
+documentElement.lang=Te(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
+this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
+this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Mt=(n,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},n),pn=class{constructor(e,t,s){this.fresh=!1;let o=new Map;for(let a of e)o.set(a.group,
 [...o.get(a.group)??[],a]);this.presets=u("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
 value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"Motions to start from …"),[...o].
-map(([a,r])=>u("optgroup",{label:a},r.map(({key:l,title:c})=>u("option",{value:l},c))))),this.undo=zt(Y("undo"),"Undo (z)",s.undo),this.redo=zt(Y("redo"),"Redo \
-(y)",s.redo);let i=u("span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=zt(i,"Compare two hoops",s.compare),this.element=
-u("header",{class:"top"},u("h1",{},u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),u("div",{class:"buttons right"},t,zt(Y("theme"),"Dark or light (d)",s.theme),zt("?","Keys and help (?)",s.help)))}show(e,t){
-this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Wc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+map(([a,r])=>u("optgroup",{label:a},r.map(({key:l,title:c})=>u("option",{value:l},c))))),this.undo=Mt(Y("undo"),"Undo (z)",s.undo),this.redo=Mt(Y("redo"),"Redo \
+(y)",s.redo);let i=u("span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=Mt(i,"Compare two hoops",s.compare),this.right=
+u("div",{class:"buttons right"},t,Mt(Y("theme"),"Dark or light (d)",s.theme),Mt("?","Keys and help (?)",s.help)),this.element=u("header",{class:"top"},u("h1",{},
+u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"buttons"},this.undo,this.redo,
+this.compare),this.right)}show(e,t){this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Nh=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
-["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Gc=[["R","roll","the rim does n\
+["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Dh=[["R","roll","the rim does n\
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
- +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Uc=[["▲ ▼","\
+ +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Ih=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],bo=(n,e,t=()=>!1)=>u("table",{},u("caption",{},n),e.map(([s,...o])=>u("\
-tr",{},u("th",{scope:"row"},t(s),s),o.map(i=>u("td",{},i)))));function qa(n,e,t){let s=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The hoo\
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Rs=(n,e,t=()=>!1)=>u("table",{},u("caption",{},n),e.map(([s,...o])=>u("\
+tr",{},u("th",{scope:"row"},t(s),s),o.map(i=>u("td",{},i)))));function ta(n,e,t){let s=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The hoo\
 p"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),bo("Modes",Gc,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),bo("Marks on t\
-he bar of time",Uc),bo("Keys",Wc),t,u("p",{class:"hint"},`hophoop ${n}`),u("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var Mn=class{constructor(e){this.tabs=["A","B"].map((t,s)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=u("div",{class:"\
+mething that rigid-body mechanics cannot decide. Move a slider and see."),Rs("Modes",Dh,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),Rs("Marks on t\
+he bar of time",Ih),Rs("Keys",Nh),t,u("p",{class:"hint"},`hophoop ${n}`),u("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var fn=class{constructor(e){this.tabs=["A","B"].map((t,s)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=u("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=u("p",{class:"preset-text"}),this.element=u("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===t))}};var Fa="hophoop-single-keys",Kc=(n,e)=>({" ":()=>n.clock.play(),ArrowLeft:()=>e?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>e?n.transport.jump(1):
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===t))}};var na="hophoop-single-keys",Oh=(n,e)=>({" ":()=>n.clock.play(),ArrowLeft:()=>e?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>e?n.transport.jump(1):
 n.transport.nudge(1),Home:()=>n.clock.seek(0),End:()=>n.clock.seek(n.clock.duration),h:()=>n.transport.jump(1,"takeoff"),l:()=>n.transport.jump(1,"impact"),"[":()=>n.
 clock.faster(-1),"]":()=>n.clock.faster(1),t:()=>n.toggle("traces"),f:()=>n.toggle("forces"),c:()=>n.toggle("speed"),a:()=>n.extras.more.turn(),w:()=>n.toggle("\
 whole"),3:()=>n.toggle("three"),"+":()=>n.stage.zoom(1.25),"=":()=>n.stage.zoom(1.25),"-":()=>n.stage.zoom(.8),0:()=>n.stage.zoom(0),z:()=>n.travel(-1),y:()=>n.
-travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function Vc(n,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),n.travel(t==="y"||e.shiftKey?1:-1))}function Jc(n){let e=n.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var Sn=class{constructor(e){
-this.on=!e||fe(Fa)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&ge(Fa,this.on?"on":"off")}});this.element=u("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Yc(n,e){let t=e.target;if(n.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){Jc(n);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Vc(n,e);return}if(e.altKey||
+travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function qh(n,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),n.travel(t==="y"||e.shiftKey?1:-1))}function Fh(n){let e=n.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var gn=class{constructor(e){
+this.on=!e||ce(na)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&ue(na,this.on?"on":"off")}});this.element=u("labe\
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Hh(n,e){let t=e.target;if(n.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){Fh(n);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){qh(n,e);return}if(e.altKey||
 t.matches?.("select")&&!(e.key===" "&&n.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!n.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=Kc(n,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function Ha(n,e){
-let t=e?document:n.root,s=o=>{Yc(n,o),e||o.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}function ja(n,e){let t=u("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
+ summary, input[type=checkbox]")||!n.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=Oh(n,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function sa(n,e){
+let t=e?document:n.root,s=o=>{Hh(n,o),e||o.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}function oa(n,e){let t=u("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
 n.classList.contains("stuck"))return;let a=n.offsetHeight;n.style.marginBottom="",n.classList.toggle("stuck",i),i&&(n.style.marginBottom=`${a-n.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=i?`${n.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}function Ba(n,e){n.classList.add("hophoop"),n.dir="ltr",!e&&(n.classList.add("embedded"),n.dataset.lmSuppressShortcuts="true",n.dataset.pSuppressShortcuts="true")}
-function $a(n,e){let{root:t,notice:s,hosted:o}=n,i=h=>!e||e.includes(h),a=u("aside",{class:"side","aria-label":"Parameters"},n.hoops.element,s.message,n.controls.
-element),r=u("div",{class:"player"},n.stage.element,n.timeline.element,n.transport.element),l=o?ja(r,()=>n.request()):null,c=u("div",{class:"middle"},l?.edge,r,
-u("div",{class:"words"},n.story.element,i("theory")&&n.theory.element),i("map")&&n.map.element),d=u("div",{class:"why"},i("plots")&&n.plots.element,i("plots")&&
-n.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&Zc(n.timeline.element),n.header.element,u("div",{class:"columns"},i("controls")&&a,c,d)),s.toast,
-n.share.dialog,n.help),t.classList.toggle("no-controls",!i("controls")),l}function Zc(n){n.id="hh-player";let e=u("a",{class:"skip button",href:"#hh-player"},"S\
-kip to the player");return e.onclick=t=>{t.preventDefault(),n.focus()},e}var[Wa,Qc]=[62,92],Xc=12,Ve=10,eu=36,Ga=Math.PI/180,xe=["x","y"],Tn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
-t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=Wa}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of xe)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+document.documentElement.style.scrollPaddingTop=i?`${n.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}function ia(n,e){n.classList.add("hophoop"),n.dir="ltr",!e&&(n.classList.add("embedded"),n.dataset.lmSuppressShortcuts="true",n.dataset.pSuppressShortcuts="true")}
+function aa(n,e){let{root:t,notice:s,hosted:o,extras:i,transport:a,header:r}=n,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=u("aside",{class:"\
+side","aria-label":"Parameters"},...c,n.hoops.element,s.message,n.controls.element);a.row.append(i.more.switch),a.row.before(i.tools),r.right.prepend(i.menu,i.languages);
+let h=u("div",{class:"player"},i.grips.element,n.stage.element,n.timeline.element,a.element),d=o?oa(h,()=>n.request()):null,p=u("div",{class:"middle"},d?.edge,!l(
+"controls")&&c,h,i.more.element,i.table.element,u("div",{class:"words"},n.story.element,l("theory")&&n.theory.element),l("map")&&n.map.element),f=u("div",{class:"\
+why"},l("plots")&&n.plots.element,l("plots")&&n.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&jh(n.timeline.element),r.element,u("div",{class:"\
+columns"},l("controls")&&m,p,f)),s.toast,n.share.dialog,n.help,i.teach),t.addEventListener("pointerdown",({target:g})=>{for(let b of[n.share.menu,i.menu])b.contains(
+g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),d}function jh(n){n.id="hh-player";let e=u("a",{class:"skip button",href:"#hh-player"},"Skip t\
+o the player");return e.onclick=t=>{t.preventDefault(),n.focus()},e}function et(n,e,{left:t,top:s,box:o},{across:i,up:a,lines:r=!1,middle:l=!1}){let c=s+o.height,m=t+o.width;n.save(),n.font=`11px ${e.font}`,n.strokeStyle=r?e.line:
+e.soft,n.fillStyle=e.soft,n.lineWidth=1,r||n.strokeRect(t+.5,s+.5,o.width-1,o.height-1),n.textAlign="right",n.textBaseline="middle";for(let{at:h,text:d,strong:p}of a.
+marks)r&&(n.globalAlpha=p?1:.55,ra(n,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),n.globalAlpha=1),n.fillText(d,t-6,h);n.textBaseline="alphabetic",n.textAlign="ce\
+nter";for(let{at:h,text:d}of i.marks)ra(n,[h,c],[h,c+4]),n.fillText(d,h,c+15);l?n.fillText(i.name,t+.5*o.width,c+30):(n.textAlign="right",n.fillText(i.name,m,c+
+27)),n.translate(11,s+.5*o.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(a.name,0,0),n.restore()}function ra(n,e,t){n.beginPath(),n.moveTo(...e),
+n.lineTo(...t),n.stroke()}var la=(n,e)=>e?`${x(n)} [${e}]`:x(n);var[ha,Bh]=[62,92],$h=12,St=10,Wh=36,ca=Math.PI/180,_e=["x","y"],bn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
+t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ha}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of _e)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[s,o]=this.windows[e];return{path:this.paths[e],from:s,to:o,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),o=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
-o),Math.min(s[1],t[1]+o)]}zoom(e,t){let s={x:[],y:[]};for(let o of xe){let[i,a]=this.windows[o],r=t?.[o]??.5*(i+a);s[o]=Je([r-(r-i)*e,r+(a-r)*e],this.bounds(o));
-let l=Math.max(Math.abs(s[o][0]),Math.abs(s[o][1]),1e-9);if(s[o][1]-s[o][0]<400*Number.EPSILON*l)return!1}return xe.every(o=>s[o].every((i,a)=>i===this.windows[o][a]))?
-!1:(this.windows=s,!0)}drag(e,t,s){let o=(i,a)=>Je(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:o("x",-t/this.box.width),y:o("y",s/this.box.
-height)}}restore(e){if(!xe.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of xe)this.paths[t]=e[t][0];for(let t of xe)this.windows[t]=Je(
-e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return xe.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Qc:Wa,this.box={width:e-this.left-Xc,height:t-Ve-eu}}clip(e){e.beginPath(),e.rect(this.
-left,Ve,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return Ve+
-(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([o,i],a)=>o+E(a,0,1)*(i-o);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-Ve)/
+o),Math.min(s[1],t[1]+o)]}zoom(e,t){let s={x:[],y:[]};for(let o of _e){let[i,a]=this.windows[o],r=t?.[o]??.5*(i+a);s[o]=je([r-(r-i)*e,r+(a-r)*e],this.bounds(o));
+let l=Math.max(Math.abs(s[o][0]),Math.abs(s[o][1]),1e-9);if(s[o][1]-s[o][0]<400*Number.EPSILON*l)return!1}return _e.every(o=>s[o].every((i,a)=>i===this.windows[o][a]))?
+!1:(this.windows=s,!0)}drag(e,t,s){let o=(i,a)=>je(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:o("x",-t/this.box.width),y:o("y",s/this.box.
+height)}}restore(e){if(!_e.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of _e)this.paths[t]=e[t][0];for(let t of _e)this.windows[t]=je(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return _e.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Bh:ha,this.box={width:e-this.left-$h,height:t-St-Wh}}clip(e){e.beginPath(),e.rect(this.
+left,St,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return St+
+(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([o,i],a)=>o+E(a,0,1)*(i-o);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-St)/
 this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let o=this.info(s),[i,a]=this.windows[s],
-r=Math.max(Math.abs(i),Math.abs(a)),l=E(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(o.label)} = ${q(M(o.degrees?e[s]/Ga:e[s],l),o.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ve+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
-font}`;for(let o of xe){let i=this.info(o),a=i.degrees?1/Ga:1,[r,l]=this.windows[o].map(b=>b*a),c=o==="x"?this.box.width/80:this.box.height/40,d=V(l-r,c),h=this.
-deep(o),m=h?Number((.5*(r+l)).toPrecision(12)):0,p=h?ae(r-m,l-m,c).map(b=>b+m):ae(r,l,c);for(let b of p){let w=h?M(b-m,3):se(b,d);o==="x"?(e.textAlign="center",
-e.fillText(w,this.x(b/a),Ve+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(w,this.left-5,this.y(b/a)),e.textBaseline="alphabetic")}
-let f=h?` − ${String(m).replace("-","−")}`:"",g=`${x(i.label)}${f}${i.unit?` [${i.unit}]`:""}`;e.save(),e.textAlign="center",o==="x"?e.translate(this.left+.5*
-this.box.width,t-5):(e.translate(12,Ve+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(g,0,0),e.restore()}}};function Je([n,e],[t,s]){let o=Math.min(e-n,s-
-t);return n<t?[t,t+o]:e>s?[s-o,s]:[n,e]}function wo(n,e,t,s,o){for(let[i,a]of[[o,4],[s,1.8]])n.strokeStyle=i,n.lineWidth=a,n.beginPath(),n.arc(e,t,7,0,2*Math.PI),
-n.moveTo(e-13,t),n.lineTo(e-4,t),n.moveTo(e+4,t),n.lineTo(e+13,t),n.moveTo(e,t-13),n.lineTo(e,t-4),n.moveTo(e,t+4),n.lineTo(e,t+13),n.stroke()}var it=n=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${n&&`; ${n}`}; double-click for all`,tu=.0018,Ua=200,
-[nu,su]=[1/.6,1/1.7];function oe(n,{zoom:e,home:t,chosen:s=()=>n,keys:o=!1}){return n.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Xt(s()))&&(i.preventDefault(),
-e(Math.exp(-Math.min(Math.max(i.deltaY,-Ua),Ua)*tu),i))},{passive:!1}),n.addEventListener("dblclick",t),o&&n.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(nu);else if(i.key==="-")e(su);else if(i.key==="0")t();else if(i.key==="Escape")n.blur();else return;i.preventDefault(),i.stopPropagation()}),ua(n,e)}var Ka={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Va=48;function Ja(n){let{body:e}=n,t=!1,s=oe(e,{zoom:(o,i)=>n.axes.box&&n.zoom(1/o,i?yo(
-n,i):n.pointed??void 0),home:()=>n.home(),keys:!0});e.addEventListener("pointerdown",o=>iu(n,o,s,i=>t=i)),e.addEventListener("pointermove",o=>{n.axes.box&&!t&&o.
-pointerType!=="touch"&&ou(n,o)}),e.addEventListener("pointerleave",()=>n.tip.hidden=!0),e.addEventListener("keydown",o=>au(n,o))}function yo(n,e){let t=n.body.getBoundingClientRect(),
-{px:s}=n.look;return n.axes.place((e.clientX-t.left)/s,(e.clientY-t.top)/s)}function ou(n,e){n.tip.textContent=n.said(yo(n,e)),n.tip.hidden=!1;let t=n.body.getBoundingClientRect();
-n.tip.style.left=`${E(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,n.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function iu(n,e,t,s){e.preventDefault(),
-n.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...n.axes.windows.x],y:[...n.axes.windows.y]};n.pointed=yo(n,e);let a=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[d,h]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(d,h)<5&&!a||(a=!0,s(!0),n.tip.hidden=!0,n.axes.drag(i,d/n.look.px,h/n.look.px),n.redraw(),n.soon())};
-J(n.body,e,l,(c,d)=>{d&&!a&&!r&&n.pointed&&n.take(n.pointed),s(!1)})}function au(n,e){let t=n.pointed??n.here()??n.axes.middle();if(n.pointed=t,Ka[e.key]){let[s,
-o]=Ka[e.key],{x:i,y:a}=n.axes.windows;n.pointed={x:E(t.x+s*(i[1]-i[0])/Va,i[0],i[1]),y:E(t.y+o*(a[1]-a[0])/Va,a[0],a[1])},n.state.textContent=n.said(n.pointed),
-n.say(n.said(n.pointed))}else if(e.key==="Enter")n.take(t);else return;e.preventDefault(),e.stopPropagation(),n.redraw()}var ru=["start.height","start.vx","start.vy","start.omega"];function Ya(n,e){let t="speed"in n.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>ru.includes(s))?"of starts in any state, though this motion starts rolling":""}var lu=Math.PI/180,hu=12,cu=["hop_height","flight_time","energy_lost","greatest_utilization"];function Za(n){return n.unit==="rad"?[1/lu,"°"]:[1,n.unit==="1"?"":
-n.unit]}function uu({classes:n,what:e},t){let[s,o]=[1/0,-1/0];if(n)return[s,o];for(let i of t)i<s&&(s=i),i>o&&(o=i);return[cu.includes(e)?Math.min(s,0):s,o]}function Qa(n){
-let{values:e}=n.arrays,t=n.header,{x:s,y:o,classes:i}=t,a=new ImageData(s.cells,o.cells),[r,l]=uu(t,e),c=i?.map(({color:h})=>Ee(h));for(let h=0;h<o.cells;h++)for(let m=0;m<
-s.cells;m++){let p=e[h*s.cells+m],f=4*((o.cells-1-h)*s.cells+m);if(!Number.isFinite(p))continue;let g=c&&(m+1<s.cells&&e[h*s.cells+m+1]!==p||h+1<o.cells&&e[(h+1)*
-s.cells+m]!==p),b=c?c[p].map(w=>g?.72*w:w):et[E(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let d=u("canvas",{width:s.cells,height:o.cells});
-return we(d).putImageData(a,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[o.from,o.to],low:r,high:l}}function Xa(n,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
-i[1]+1e-300;return[...n.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-hu)}function er({header:n,low:e,high:t,values:s}){let{classes:o}=n;if(!o){let r=u("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=we(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${et[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,d]=Za(n);return[u("span",{},n.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?q(M(t*c,3),d):""),s.some(h=>!Number.isFinite(h))?u("span",{},u("\
+r=Math.max(Math.abs(i),Math.abs(a)),l=E(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(o.label)} = ${I(M(o.degrees?e[s]/ca:e[s],l),o.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t){let{left:s,box:o}=this,[i,a]=[this.axis("x",o.width/80),this.axis("y",o.height/40)];et(e,t,{left:s,top:St,box:o},{across:i,up:a,middle:!0})}axis(e,t){
+let s=this.info(e),o=s.degrees?1/ca:1,[i,a]=this.windows[e].map(d=>d*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?ae(i-c,a-c,t).map(
+d=>d+c):ae(i,a,t),h=l?` − ${String(c).replace("-","−")}`:"";return{marks:m.map(d=>({at:this[e](d/o),text:l?M(d-c,3):se(d,r)})),name:`${x(s.label)}${h}${s.unit?
+` [${s.unit}]`:""}`}}};function je([n,e],[t,s]){let o=Math.min(e-n,s-t);return n<t?[t,t+o]:e>s?[s-o,s]:[n,e]}function Ps(n,e,t,s,o){for(let[i,a]of[[o,4],[s,1.8]])
+n.strokeStyle=i,n.lineWidth=a,n.beginPath(),n.arc(e,t,7,0,2*Math.PI),n.moveTo(e-13,t),n.lineTo(e-4,t),n.moveTo(e+4,t),n.lineTo(e+13,t),n.moveTo(e,t-13),n.lineTo(
+e,t-4),n.moveTo(e,t+4),n.lineTo(e,t+13),n.stroke()}var tt=n=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${n&&`; ${n}`}; double-click for all`,Gh=.0018,ua=200,
+[Uh,Kh]=[1/.6,1/1.7];function oe(n,{zoom:e,home:t,chosen:s=()=>n,keys:o=!1}){return n.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Bt(s()))&&(i.preventDefault(),
+e(Math.exp(-Math.min(Math.max(i.deltaY,-ua),ua)*Gh),i))},{passive:!1}),n.addEventListener("dblclick",t),o&&n.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
+"=")e(Uh);else if(i.key==="-")e(Kh);else if(i.key==="0")t();else if(i.key==="Escape")n.blur();else return;i.preventDefault(),i.stopPropagation()}),Ei(n,e)}var da={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},ma=48;function pa(n){let{body:e}=n,t=!1,s=oe(e,{zoom:(o,i)=>n.axes.box&&n.zoom(1/o,i?Cs(
+n,i):n.pointed??void 0),home:()=>n.home(),keys:!0});e.addEventListener("pointerdown",o=>Jh(n,o,s,i=>t=i)),e.addEventListener("pointermove",o=>{n.axes.box&&!t&&o.
+pointerType!=="touch"&&Vh(n,o)}),e.addEventListener("pointerleave",()=>n.tip.hidden=!0),e.addEventListener("keydown",o=>Yh(n,o))}function Cs(n,e){let t=n.body.getBoundingClientRect(),
+{px:s}=n.look;return n.axes.place((e.clientX-t.left)/s,(e.clientY-t.top)/s)}function Vh(n,e){n.tip.textContent=n.said(Cs(n,e)),n.tip.hidden=!1;let t=n.body.getBoundingClientRect();
+n.tip.style.left=`${E(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,n.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Jh(n,e,t,s){e.preventDefault(),
+n.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...n.axes.windows.x],y:[...n.axes.windows.y]};n.pointed=Cs(n,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+r)return;let[m,h]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(m,h)<5&&!a||(a=!0,s(!0),n.tip.hidden=!0,n.axes.drag(i,m/n.look.px,h/n.look.px),n.redraw(),n.soon())};
+J(n.body,e,l,(c,m)=>{m&&!a&&!r&&n.pointed&&n.take(n.pointed),s(!1)})}function Yh(n,e){let t=n.pointed??n.here()??n.axes.middle();if(n.pointed=t,da[e.key]){let[s,
+o]=da[e.key],{x:i,y:a}=n.axes.windows;n.pointed={x:E(t.x+s*(i[1]-i[0])/ma,i[0],i[1]),y:E(t.y+o*(a[1]-a[0])/ma,a[0],a[1])},n.state.textContent=n.said(n.pointed),
+n.say(n.said(n.pointed))}else if(e.key==="Enter")n.take(t);else return;e.preventDefault(),e.stopPropagation(),n.redraw()}var Zh=["start.height","start.vx","start.vy","start.omega"];function fa(n,e){let t="speed"in n.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(s=>Zh.includes(s))?"of starts in any state, though this motion starts rolling":""}var Xh=Math.PI/180,Qh=12,ec=["hop_height","flight_time","energy_lost","greatest_utilization"];function ga(n){return n.unit==="rad"?[1/Xh,"°"]:[1,n.unit==="1"?"":
+n.unit]}function tc({classes:n,what:e},t){let[s,o]=[1/0,-1/0];if(n)return[s,o];for(let i of t)i<s&&(s=i),i>o&&(o=i);return[ec.includes(e)?Math.min(s,0):s,o]}function ba(n){
+let{values:e}=n.arrays,t=n.header,{x:s,y:o,classes:i}=t,a=new ImageData(s.cells,o.cells),[r,l]=tc(t,e),c=i?.map(({color:h})=>ve(h));for(let h=0;h<o.cells;h++)for(let d=0;d<
+s.cells;d++){let p=e[h*s.cells+d],f=4*((o.cells-1-h)*s.cells+d);if(!Number.isFinite(p))continue;let g=c&&(d+1<s.cells&&e[h*s.cells+d+1]!==p||h+1<o.cells&&e[(h+1)*
+s.cells+d]!==p),b=c?c[p].map(w=>g?.72*w:w):Je[E(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=u("canvas",{width:s.cells,height:o.cells});
+return me(m).putImageData(a,0,0),{picture:m,header:t,values:e,x:[s.from,s.to],y:[o.from,o.to],low:r,high:l}}function wa(n,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
+i[1]+1e-300;return[...n.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-Qh)}function ya({header:n,low:e,high:t,values:s}){let{classes:o}=n;if(!o){let r=u("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${Je[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
+10);let[c,m]=ga(n);return[u("span",{},n.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?I(M(t*c,3),m):""),s.some(h=>!Number.isFinite(h))?u("span",{},u("\
 i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
 0,10).map(([r])=>{let{color:l,text:c}=o[r];return u("span",{},u("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?u("span",{},`and ${a.length-
-10} more`):""]}function tr(n,e){for(let{header:t,values:s}of[...n].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
-(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=s[l*o.cells+r];if(a)return x(a[c]?.text??"not allowed");let[d,h]=Za(t);return Number.
-isFinite(c)?q(M(c*d,4),h):x("none")}return"…"}var nr=[[24,16],[72,48],[216,144]],An=class{constructor(e,t,{take:s,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=s,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new Tn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
+10} more`):""]}function va(n,e){for(let{header:t,values:s}of[...n].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
+(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=s[l*o.cells+r];if(a)return x(a[c]?.text??"not allowed");let[m,h]=ga(t);return Number.
+isFinite(c)?I(M(c*m,4),h):x("none")}return"…"}var xa=[[24,16],[72,48],[216,144]],wn=class{constructor(e,t,{take:s,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=s,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new bn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
 class:"tip",hidden:!0}),this.body=u("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
 the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=u("div",{class:"map-keys"}),this.state=u("span",{class:"hint"});let r=l=>{let c=u("select",{"\
-data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:d,label:h})=>u("option",{value:d},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
+data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:m,label:h})=>u("option",{value:m},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
 u("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,c])=>u("option",{value:l},c))),
 this.element=u("section",{class:"map","aria-label":"Map of motions"},u("div",{class:"map-head"},u("h2",{},"Map"),u("label",{},"of",this.quantity),u("label",{},"\
 Across",this.selects.x),u("label",{},"Up",this.selects.y),u("span",{class:"buttons"},u("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
 zoom(.5)},"+"),u("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),u("button",{type:"button",onclick:()=>this.home()},
-"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${it("drag to move")}.`)),Ja(this),this.soon=ne(()=>this.
+"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${tt("drag to move")}.`)),pa(this),this.soon=ne(()=>this.
 refresh(),140),this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.
-syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of xe)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
+syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of _e)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
 choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let s of Object.values(this.axes.paths)){
 let[o,i]=s.split(".");t[o]&&delete t[o][i]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(e.scenario);s!==this.key_now&&(this.key_now=
 s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&e.x==="start.speed"&&e.y==="plane.mu")return;
 let s=o=>[e[o],...t[o]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===e.what)||!this.axes.restore(e)||(this.
 quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.stale=!0;return}this.stale=!1,this.asked?.
 abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;
-let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();try{for(let[i,a]of nr){
-R(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:s,...r,what:this.what},c=await this.
-backend.map(l,e),d=Qa(c);this.layers=Xa(this.layers,d),this.keys.replaceChildren(...er(d));let h=Ya(t,Object.values(this.axes.paths)),m=x(s.length?"{count} moti\
-ons, with rigid contact":"{count} motions",{count:i*a});R(this.state,h?`${m}; ${x(h)}`:m),this.redraw()}this.level=nr.length}catch(i){let{name:a,message:r}=i;if(a===
-"AbortError")return;R(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:s,height:o}=K(this.canvas,e.px);this.axes.
-fit(s,o),t.clearRect(0,0,s,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(m=>i.x(m)),[d,h]=r.
-y.map(m=>i.y(m));t.drawImage(r.picture,l,h,c-l,d-h)}let a=this.here();a&&wo(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Xt(this.body)&&wo(t,i.x(this.pointed.
-x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,o,e)}here(){let e=s=>{let[o,i]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[i]},
-t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${tr(this.layers,
-e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Rn=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",s=performance.now()){let o=this.now;if(this.now=e,o===
-null||Ln(o,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
-o),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&Ln(this.now,e)}next(e){
+let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();try{for(let[i,a]of xa){
+P(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:s,...r,what:this.what},c=await this.
+backend.call("map",l,e),m=ba(c);this.layers=wa(this.layers,m),this.keys.replaceChildren(...ya(m));let h=fa(t,Object.values(this.axes.paths)),d=x(s.length?"{coun\
+t} motions, with rigid contact":"{count} motions",{count:i*a});P(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.level=xa.length}catch(i){let{name:a,message:r}=i;
+if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:s,height:o}=K(this.canvas,e.px);this.
+axes.fit(s,o),t.clearRect(0,0,s,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>i.x(d)),
+[m,h]=r.y.map(d=>i.y(d));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&Ps(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Bt(this.body)&&Ps(t,i.x(this.
+pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,e)}here(){let e=s=>{let[o,i]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[i]},
+t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${va(this.layers,
+e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var vn=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",s=performance.now()){let o=this.now;if(this.now=e,o===
+null||yn(o,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
+o),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&yn(this.now,e)}next(e){
 return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,this.past],o=t.pop();!o||!this.now||(s.push(this.now),this.
-now=o,this.what="")}arrive(e){if(!(this.now&&Ln(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:this.future,o=s.length-s.findLastIndex(i=>Ln(i,e));if(!(o>
-s.length)){for(let i=0;i<o;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},Ln=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var Pn=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new Rn;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
+now=o,this.what="")}arrive(e){if(!(this.now&&yn(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:this.future,o=s.length-s.findLastIndex(i=>yn(i,e));if(!(o>
+s.length)){for(let i=0;i<o;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},yn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var xn=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new vn;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Ce(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
-all(e.map(t=>this.backend.film({query:t}))))}change(e,t){let s=this.lanes[this.active];s.moved=performance.now(),s.since??=s.moved,s.pending=[...(s.pending??[]).
-filter(([o])=>!e.some(([i])=>i===o)),...e],s.commit||=t,s.what=e.map(([o])=>o).join(),t&&this.history.touch(s.what,s.moved),this.pump(s)}async pump(e){if(e.busy||
-!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new Ce(
-await this.backend.film({scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(o){this.lanes.includes(e)&&this.listener.failed(
-o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let s of this.lanes){let{film:o}=s,i=s.refining||s.coarse===o?null:o.wanted(e,t);i&&(s.refining=!0,this.backend.
-samples(o.scenario,i).then(a=>{o.refine(a),this.listener.refined()}).catch(()=>{s.coarse=o}).finally(()=>{s.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,
-e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(this.history.note(this.queries(),e,t))}replace(e){this.
-lanes[this.active]={film:new Ce(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.
-history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(
-e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.
-listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),
-this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s=[this.lanes.length>1?
-`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var du=6e3,Cn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
-timer=0}fail(e){R(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Re(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.moved=performance.now(),s.since??=s.moved,s.pending=[...(s.pending??
+[]).filter(([o])=>!e.some(([i])=>i===o)),...e],s.commit||=t,s.what=e.map(([o])=>o).join(),t&&this.history.touch(s.what,s.moved),this.pump(s)}async pump(e){if(e.
+busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
+new Re(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(o){this.lanes.includes(e)&&this.
+listener.failed(o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let s of this.lanes){let{film:o}=s,i=s.refining||s.coarse===o?null:o.wanted(e,t);i&&(s.refining=
+!0,this.backend.call("samples",{scenario:o.scenario,window:i}).then(({arrays:a})=>{o.refine(a),this.listener.refined()}).catch(()=>{s.coarse=o}).finally(()=>{s.
+refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(
+this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Re(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
+let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){
+return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.
+going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
+active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
+"same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
+0).query,s&&`#${s}`)}};var nc=6e3,kn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
+timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
 message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),R(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},du)}};var D=52,ze=10,C=8,zn=30;function sr(n,e){if(!n.length)return[0,1];let t=Float64Array.from(n).sort(),[s,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},nc)}};var O=52,_n=10,C=8,En=30;function ka(n,e){if(!n.length)return[0,1];let t=Float64Array.from(n).sort(),[s,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-i,1e-12);o>a+4*r&&(o=a+.6*r),s<i-4*r&&(s=i-.6*r),s=Math.min(s,0),o=Math.max(o,0),e&&([s,o]=[-Math.max(-s,o),Math.max(
--s,o)]);let l=.06*(o-s)||1;return[s<0?s-l:s,o+l]}function or(n,e,t,s){let{look:o,box:i,heights:a,range:r}=e;n.font=`11px ${o.font}`,n.strokeStyle=o.line,n.fillStyle=
-o.soft,n.lineWidth=1;let l=Math.max(i.height/28,4);for(;ae(a[0],a[1],l).length<3&&l<12;)l+=1;let c=V(a[1]-a[0],l);n.textAlign="right",n.textBaseline="middle";for(let g of ae(
-a[0],a[1],l)){let b=Math.round(e.y(g))+.5;n.globalAlpha=Math.abs(g)<1e-9*c?1:.55,n.beginPath(),n.moveTo(D,b),n.lineTo(t-ze,b),n.stroke(),n.globalAlpha=1,n.fillText(
-se(g,c),D-6,b)}let d=i.width/70,h=V(r[1]-r[0],d);n.textAlign="center",n.textBaseline="alphabetic";let{name:m,unit:p}=U[e.shared.axis],f=p?`${x(m)} [${p}]`:x(m);
-for(let g of ae(r[0],r[1],d)){let b=e.x(g);n.beginPath(),n.moveTo(b,C+i.height),n.lineTo(b,C+i.height+4),n.stroke(),n.fillText(se(g,h),b,C+i.height+15)}n.textAlign=
-"right",n.fillText(f,t-ze,s-3),n.save(),n.translate(11,C+.5*i.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(x(e.unit),0,0),n.restore()}var{letters:mu}=S.words;function ir(n,e,t){let s=n.length/e,o=u("canvas",{width:e,height:s}),i=new ImageData(e,s);for(let a=0;a<s;a++)for(let r=0;r<e;r++){let l=mu[n[a*
-e+r]],c=Ee(t[l]??"#6E6E6E"),d=4*((s-1-a)*e+r);i.data.set([...c,255],d)}return we(o).putImageData(i,0,0),o}function ar(n,e,t){let s=t.length;n.strokeStyle=vt(e.look.
+-s,o)]);let l=.06*(o-s)||1;return[s<0?s-l:s,o+l]}function _a(n,e){let{look:t,box:s,heights:o,range:i}=e,a=Math.max(s.height/28,4);for(;ae(o[0],o[1],a).length<3&&
+a<12;)a+=1;let r=V(o[1]-o[0],a),l=s.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=W[e.shared.axis];et(n,t,{left:O,top:C,box:s},{up:{marks:ae(o[0],o[1],a).map(d=>({at:e.
+y(d),text:se(d,r),strong:Math.abs(d)<1e-9*r})),name:x(e.unit)},across:{marks:ae(i[0],i[1],l).map(d=>({at:e.x(d),text:se(d,c)})),name:la(m,h)},lines:!0})}var{letters:sc}=S.words;function Ea(n,e,t){let s=n.length/e,o=u("canvas",{width:e,height:s}),i=new ImageData(e,s);for(let a=0;a<s;a++)for(let r=0;r<e;r++){let l=sc[n[a*
+e+r]],c=ve(t[l]??"#6E6E6E"),m=4*((s-1-a)*e+r);i.data.set([...c,255],m)}return me(o).putImageData(i,0,0),o}function Ma(n,e,t){let s=t.length;n.strokeStyle=ct(e.look.
 dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let o=0;o<s;o++){if(!t[o])continue;let i=o;for(;i<s&&t[i]===t[o];)i++;let a=e.x(o*2*Math.PI/s),r=e.x(i*2*Math.PI/
 s);n.save(),n.beginPath(),n.rect(a,C,r-a,e.box.height),n.clip(),n.beginPath();let l=t[o];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)n.moveTo(a+c,l>0?C+e.box.
-height:C),n.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);n.stroke(),n.restore(),o=i}}function rr(n,e,t,s){let{look:o}=e;n.font=`11px ${o.font}`,n.strokeStyle=o.
-soft,n.fillStyle=o.soft,n.lineWidth=1,n.strokeRect(D+.5,C+.5,e.box.width-1,e.box.height-1),n.textAlign="center";let i=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
-PI,r=a-i>200?45:V(a-i,6);for(let c=Math.ceil(i/r-1e-9);c*r<=a+1e-9;c++){let d=e.x(c*r*Math.PI/180);n.beginPath(),n.moveTo(d,C+e.box.height),n.lineTo(d,C+e.box.height+
-4),n.stroke(),n.fillText(se(c*r,r),d,C+e.box.height+15)}n.textAlign="right",n.fillText(x("angle θ within a turn [°]"),t-ze,s-3),n.textBaseline="middle";let l=e.
-top()-e.bottom();for(let c of ae(e.bottom(),e.top(),5))n.fillText(se(c,V(l,5)),D-6,e.y(c));n.textBaseline="alphabetic",n.save(),n.translate(11,C+.5*e.box.height),
-n.rotate(-Math.PI/2),n.textAlign="center",n.fillText("θ̇ [rad/s]",0,0),n.restore()}var Nn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function In(n,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-n??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,o=Nn[e].map((i,a)=>(s+=
+height:C),n.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);n.stroke(),n.restore(),o=i}}function Sa(n,e){let{look:t,box:s}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-
+o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*a);let l=V(e.top()-e.bottom(),5);et(n,t,{left:O,top:C,box:s},{across:{marks:r.map(
+c=>({at:e.x(c*Math.PI/180),text:se(c,a)})),name:x("angle θ within a turn [°]")},up:{marks:ae(e.bottom(),e.top(),5).map(c=>({at:e.y(c),text:se(c,l)})),name:"θ̇\
+ [rad/s]"}})}var Mn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Sn(n,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+n??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,o=Mn[e].map((i,a)=>(s+=
 i,`${a%2?"transparent":n??"var(--ink)"} ${s-i}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${o.
-join(", ")})`}return t}var Dn=class{constructor(e,t,s){this.backend=e;this.clock=t;this.colors=s;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
+join(", ")})`}return t}var Tn=class{constructor(e,t,s){this.backend=e;this.clock=t;this.colors=s;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
  plot-over"});this.keys=u("div",{class:"plot-keys"});this.asked="";this.body=u("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle \
 and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},"Pla\
 ne of θ and θ̇"),this.keys),this.body,u("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
-" ",`Click to go there; ${it("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=oe(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
+" ",`Click to go there; ${tt("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=oe(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
 i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ne(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),
 o=JSON.stringify([e.hoop,e.plane,s]);if(o!==this.asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=o,this.pictures=[i],this.redraw()}this.window&&
 await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(
 this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.
-name!=="AbortError")throw e}}}async painted(e,t,s){let{modes:o,paradox:i}=await this.backend.regions(e,t,s);return s?.throwIfAborted(),{window:t,paradox:i,picture:ir(
-o,i.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(
-Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=
-[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=
-2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),s=((e.clientX-t.left)/this.
-look.px-D)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-
-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],s){let o=Math.max(e-(e-this.range[0])*s,0),i=Math.
-min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[o,i],this.window=[r,l],this.
-isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:
-this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(o=>o.columns.omega.
-some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return D+(e-this.
-range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;
-let{colors:e,look:t}=this,{context:s,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-D-ze,height:i-C-zn},s.clearRect(0,0,o,i),s.save(),s.beginPath(),
-s.rect(D,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,d,h]=r,m=[this.
-x(l),this.y(h),this.x(c)-this.x(l),this.y(d)-this.y(h)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),
-s.globalAlpha=1}ar(s,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),rr(s,this,o,i),this.keyed!==t.dark){this.
-keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>u("span",{class:"plot-key"},In(e.modes[r]),
-l)))}this.cursor(this.clock.time)}way(e,t,s){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.
-films.length>1?pe(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(i[c])){l=null;continue}let d=Math.floor(
-o[c]/r),h=o[c]-d*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),this.y(i[c])),e.moveTo(this.x(r-m),this.
-y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:d,mode:a[c]}}e.stroke(),e.setLineDash([])}cursor(e){if(!this.films||!this.
-box)return;let{context:t,width:s,height:o}=K(this.over,this.look.px);t.clearRect(0,0,s,o),this.films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,c=r.angle-Math.floor(
-r.angle/l)*l,d=this.x(c),h=this.y(r.omega);d>=D&&d<=D+this.box.width&&h>=C&&h<=C+this.box.height&&(t.beginPath(),t.arc(d,h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.
-colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?pe(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700\
- 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,h-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,o]=[e.clientX-
-t.left,e.clientY-t.top].map(d=>d/this.look.px);if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,c={distance:1/0,t:0};
-for(let d=0;d<i.length;d++){let h=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(h)-s,this.y(r[d])-o);m<c.distance&&(c={distance:m,t:i.t[d]})}c.distance<40&&this.
-clock.seek(E(c.t,0,i.duration))}};var at=class{constructor({key:e,title:t,unit:s,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=s,this.curves=o,this.limits=
+name!=="AbortError")throw e}}}async painted(e,t,s){let{header:o,arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return s?.throwIfAborted(),
+{window:o.window,paradox:i.paradox,picture:Ea(i.modes,i.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??
+[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,
+4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-
+e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.
+body.getBoundingClientRect(),s=((e.clientX-t.left)/this.look.px-O)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+s*
+(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([
+e,t],s){let o=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.
+top()-t)*s,a);this.range=[o,i],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?
+-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=
+this.findReach(),this.forwards=e.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&
+(this.forwards=!0),this.redraw()}x(e){return O+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.
+bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-O-_n,height:i-
+C-En},s.clearRect(0,0,o,i),s.save(),s.beginPath(),s.rect(O,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,
+window:r}of this.pictures){let[l,c,m,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];s.fillStyle=t.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.
+globalAlpha=.35,s.drawImage(a,d[0],d[1],d[2],d[3]),s.globalAlpha=1}Ma(s,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.
+restore(),Sa(s,this),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.
+map(([r,l])=>u("span",{class:"plot-key"},Sn(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,s){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
+s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?he(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
+isFinite(i[c])){l=null;continue}let m=Math.floor(o[c]/r),h=o[c]-m*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(m!==l.lap){let d=m>l.lap?r:0;e.lineTo(this.
+x(d),this.y(i[c])),e.moveTo(this.x(r-d),this.y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:m,mode:a[c]}}e.stroke(),e.setLineDash(
+[])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:o}=K(this.over,this.look.px);t.clearRect(0,0,s,o),this.films.forEach((i,a)=>{let r=i.
+at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,m=this.x(c),h=this.y(r.omega);m>=O&&m<=O+this.box.width&&h>=C&&h<=C+this.box.height&&(t.beginPath(),t.arc(m,
+h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?he(a,this.look.dark):this.look.ink,t.stroke(),
+!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],m+8,h-6)))})}seek(e){let t=this.body.
+getBoundingClientRect(),[s,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.
+columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/l)*l,d=Math.hypot(this.x(h)-s,this.y(r[m])-o);d<c.distance&&(c={
+distance:d,t:i.t[m]})}c.distance<40&&this.clock.seek(E(c.t,0,i.duration))}};var nt=class{constructor({key:e,title:t,unit:s,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=s,this.curves=o,this.limits=
 i,this.symmetric=a,this.canvas=u("canvas",{class:"plot-canvas"}),this.over=u("canvas",{class:"plot-canvas plot-over"}),this.keys=u("div",{class:"plot-keys"}),this.
 body=u("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=u("section",{class:"plot","data-plot":e},u("heade\
 r",{},u("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=oe(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
-c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return U[this.shared.axis].values(e)}fullRange(){if(this.
+c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return W[this.shared.axis].values(e)}fullRange(){if(this.
 shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let o of this.abscissa(s))o<e&&(e=
 o),o>t&&(t=o);return t>e?[e,t]:[e-1,t+1]}take(e,t,s){this.films=e,this.active=t,this.look=s,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
-e[t],t),s.dark)}draw(e){let{films:t,active:s}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-D-ze,height:a-C-zn},o.clearRect(0,
-0,i,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((d,h)=>({...d,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="ti\
-me"&&this.bands(o,t[s],e),or(o,this,i,a),o.save(),o.beginPath(),o.rect(D,C,this.box.width,this.box.height),o.clip();for(let l of r)this.curve(o,l);if(t.length>1)
-for(let l of r)l.number===0&&this.letter(o,l);o.restore(),this.describe(r)}shades(e,t){let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({
-...i,color:i.color&&xt(i.color,s)}));let o=Object.keys(Nn);return this.curves(e).map((i,a)=>({...i,color:pe(t,s),dash:o[a%o.length]}))}x(e){return D+(e-this.range[0])/
-(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{
-film:s,values:o}of e){let i=this.abscissa(s);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.isFinite(o[a])&&t.push(o[a])}return sr(
-t,this.symmetric)}bands(e,t,s){for(let o of t.phases){let i=E(this.x(o.from),D,D+this.box.width),a=E(this.x(o.to),D,D+this.box.width);a<=i||(e.fillStyle=vt(s.modes[o.
-mode],.14),e.fillRect(i,C,a-i,this.box.height))}}curve(e,{film:t,color:s,dash:o,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Nn[o??"s\
-olid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[i];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(
-c[d])||!Number.isFinite(l[d])){a=!1;continue}let h=this.x(l[d]),m=E(this.y(c[d]),-1e4,1e4);a?e.lineTo(h,m):e.moveTo(h,m),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{
-film:t,lane:s,values:o,color:i}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(
-o[l]))return;let[c,d]=[this.x(a[l]),E(this.y(o[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=
-this.look.panel,e.strokeText("AB"[s],c,d),e.fillStyle=i??this.look.ink,e.fillText("AB"[s],c,d)}legend(e,t){let s=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==
-s&&(this.named=s,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},In(o.color,o.dash),o.name,
+e[t],t),s.dark)}draw(e){let{films:t,active:s}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-O-_n,height:a-C-En},o.clearRect(0,
+0,i,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((m,h)=>({...m,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="ti\
+me"&&this.bands(o,t[s],e),_a(o,this),o.save(),o.beginPath(),o.rect(O,C,this.box.width,this.box.height),o.clip();for(let l of r)this.curve(o,l);if(t.length>1)for(let l of r)
+l.number===0&&this.letter(o,l);o.restore(),this.describe(r)}shades(e,t){let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.
+color&&ut(i.color,s)}));let o=Object.keys(Mn);return this.curves(e).map((i,a)=>({...i,color:he(t,s),dash:o[a%o.length]}))}x(e){return O+(e-this.range[0])/(this.
+range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:s,
+values:o}of e){let i=this.abscissa(s);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.isFinite(o[a])&&t.push(o[a])}return ka(t,this.
+symmetric)}bands(e,t,s){for(let o of t.phases){let i=E(this.x(o.from),O,O+this.box.width),a=E(this.x(o.to),O,O+this.box.width);a<=i||(e.fillStyle=ct(s.modes[o.mode],
+.14),e.fillRect(i,C,a-i,this.box.height))}}curve(e,{film:t,color:s,dash:o,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Mn[o??"solid"]),
+e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[i];for(let m=r.from;m<r.to;m++){if(!Number.isFinite(c[m])||
+!Number.isFinite(l[m])){a=!1;continue}let h=this.x(l[m]),d=E(this.y(c[m]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,
+lane:s,values:o,color:i}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(o[l]))
+return;let[c,m]=[this.x(a[l]),E(this.y(o[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.
+look.panel,e.strokeText("AB"[s],c,m),e.fillStyle=i??this.look.ink,e.fillText("AB"[s],c,m)}legend(e,t){let s=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==
+s&&(this.named=s,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},Sn(o.color,o.dash),o.name,
 " ",this.values[i]))))}describe(e){let t=e.slice(0,6).map(({name:o,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of i)h<r&&(r=h),h>l&&(l=h);let c=this.films.
-length>1?`${"AB"[a]}: `:"",d={name:x(o),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",d)}`:""}),s=x("Diagram: {title} in {unit}.",{
+length>1?`${"AB"[a]}: `:"",m={name:x(o),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",m)}`:""}),s=x("Diagram: {title} in {unit}.",{
 title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,
-width:s,height:o}=K(this.over,this.look.px);if(t.clearRect(0,0,s,o),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),c=r.index(l.t),d=Math.min(c+1,r.length-
-1),h=r.t[d]>r.t[c]?(l.t-r.t[c])/(r.t[d]-r.t[c]):0,m=this.abscissa(r),p=this.x(m[c]+h*(m[d]-m[c])),f=p>=D-1&&p<=D+this.box.width+1;f&&(t.strokeStyle=this.look.soft,
-t.lineWidth=1,t.beginPath(),t.moveTo(p,C),t.lineTo(p,C+this.box.height),t.stroke()),this.shades(r,a).forEach((g,b)=>{let w=g.values[d],y=Number.isFinite(w)?g.values[c]+
+width:s,height:o}=K(this.over,this.look.px);if(t.clearRect(0,0,s,o),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),c=r.index(l.t),m=Math.min(c+1,r.length-
+1),h=r.t[m]>r.t[c]?(l.t-r.t[c])/(r.t[m]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[m]-d[c])),f=p>=O-1&&p<=O+this.box.width+1;f&&(t.strokeStyle=this.look.soft,
+t.lineWidth=1,t.beginPath(),t.moveTo(p,C),t.lineTo(p,C+this.box.height),t.stroke()),this.shades(r,a).forEach((g,b)=>{let w=g.values[m],y=Number.isFinite(w)?g.values[c]+
 h*(w-g.values[c]):g.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=M(y,3));let v=this.y(y);!f||!(v>=C-1&&v<=C+this.box.height+1)||(t.fillStyle=
-g.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=vt("#0072B2",.2),t.fillRect(Math.min(
-i,a),C,Math.abs(a-i),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),s=E(((e.clientX-t.left)/this.look.px-D)/this.box.width,0,1);return this.
+g.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=ct("#0072B2",.2),t.fillRect(Math.min(
+i,a),C,Math.abs(a-i),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),s=E(((e.clientX-t.left)/this.look.px-O)/this.box.width,0,1);return this.
 range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left)/this.look.px,o=this.valueAt(
 e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=(r.clientX-t.left)/this.look.px;this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.
-pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:d}=this;this.picked=
-null,d&&l?this.zoomTo(o<c?[o,c]:[c,o]):d?this.cursor(this.shared.clock.time):l&&!i&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.axis==="time")
+pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:m}=this;this.picked=
+null,m&&l?this.zoomTo(o<c?[o,c]:[c,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.axis==="time")
 return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),o=0;for(let i=0;i<s.length;i++)Math.abs(s[i]-e)<Math.abs(s[o]-e)&&(o=i);return this.onseek(
 t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),o=Math.max(e-(e-this.range[0])*t,s[0]),i=Math.min(e+(this.range[1]-
-e)*t,s[1]);this.zoomTo(o<=s[0]&&i>=s[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var vo=n=>Object.entries(U).map(([e,t])=>u("option",{value:e},n(t)));function lr(n){let e="height",t=new at({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
-U[e].name),values:U[e].values(i)}]},n),s=()=>{let{symbol:i,unit:a}=U[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=o.value,s(),n.changed()}},vo(Pa));return o.value=e,s(),t.element.querySelector("h3")?.after(o),t}function pu(n){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:n.center_speed,values:e.columns.vx},{name:"\
+e)*t,s[1]);this.zoomTo(o<=s[0]&&i>=s[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var zs=n=>Object.entries(W).map(([e,t])=>u("option",{value:e},n(t)));function Ta(n){let e="height",t=new nt({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+W[e].name),values:W[e].values(i)}]},n),s=()=>{let{symbol:i,unit:a}=W[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=o.value,s(),n.changed()}},zs(Vi));return o.value=e,s(),t.element.querySelector("h3")?.after(o),t}function oc(n){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:n.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:n.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:n.kinetic,values:e.columns.kinetic},{name:"potential",color:n.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:s,potential:o})=>Float64Array.from(t,(i,a)=>s[a]+o[a])),dash:"dash"},{name:"lost to friction",color:n.friction_loss,
@@ -2120,128 +1960,128 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:n.normal_force,values:e.columns.normal_force},{name:"friction F",color:n.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:n.
-friction_force,values:e.columns.utilization}]}]}var On=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
-this.plots=[...pu(t).map(o=>new at(o,this.shared)),lr(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
+friction_force,values:e.columns.utilization}]}]}var An=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
+this.plots=[...oc(t).map(o=>new nt(o,this.shared)),Ta(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
 !0]));let s=new IntersectionObserver(o=>{for(let{target:i,isIntersecting:a}of o)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let o of this.plots)
 s.observe(o.element);this.axis=u("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
-this.redraw()}},vo(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
+this.redraw()}},zs(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
 span",{class:"hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(o=>o.element))}draw(e,t,s){
-this.films=e,this.active=t,this.look=s;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${it("")}`,
-i=e.length>1;R(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.films?.length){this.
+this.films=e,this.active=t,this.look=s;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${tt("")}`,
+i=e.length>1;P(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var fu={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},gu={python:"The bits differ: {own} here, {other} in Python.",link:"\
-The bits differ: {own} here, {other} where the link was made, perhaps with another version."},qn=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var ic={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},ac={python:"The bits differ: {own} here, {other} in Python.",link:"\
+The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Ln=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
 ({key:t,query:s})=>[s,S.fingerprints[t]]))}expect(e,t){for(let[s,{query:o}]of e.entries())t[s]&&this.link.set(o,t[s])}expected(e){return e.map(({query:t})=>this.
-link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(s=>{let o=this[s].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?fu[s]:
-gu[s].replace("{own}",t).replace("{other}",o)}]}):[]}};var mr=ul(dr(),1);var bu=3840;async function pr(n){let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=Math.max(bu/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
-round(e*s),height:Math.round(t*s)}),i=we(o);return i.setTransform(s,0,0,s,0,0),ko(i,n,e,t),n.stage.options.three?(i.drawImage(n.stage.sharp(n,s),0,0,e,t),n.drawStage()):
-br(i,n,e,t),_o(i,n,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function fr(n){if(n.stage.options.three)
-throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=new mr.Context(
-{width:e,height:t,document});return ko(s,n,e,t),br(s,n,e,t),_o(s,n,t),new Blob([s.getSerializedSvg()],{type:"image/svg+xml"})}function gr(n,e){let t=n.stage.canvas(),
-{width:s,height:o}=t.getBoundingClientRect(),i=we(e);i.setTransform(e.width/s,0,0,e.height/o,0,0),ko(i,n,s,o),i.drawImage(t,0,0,s,o),_o(i,n,o)}function ko(n,{theme:e},t,s){
-n.fillStyle=e.look.paper,n.fillRect(0,0,t,s)}function br(n,e,t,s){let{stage:o,clock:i,theme:a}=e;o.flat.paint(n,t,s,e.films(),i.time,o.options,a.look,a.inks)}function _o(n,e,t){
-let{theme:s,stage:o,clock:i}=e,{px:a}=s.look,r=e.films();n.textBaseline="top",n.textAlign="left";for(let[l,c]of r.entries()){let d=c.at(i.time),h=r.length>1?`${"\
-AB"[l]}: `:"",m=x(s.colors.mode_names[d.mode]),p=`t = ${d.t.toFixed(3)} s, θ = ${G(d.angle)}, v = ${M(d.vx,3)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.length;
-n.fillStyle=s.colors.modes[d.mode],n.fillRect(12,f+2*a,11*a,11*a),n.fillStyle=s.look.ink,n.font=`${13*a}px ${s.look.font}`,n.fillText(`${h}${m}, ${p}`,12+18*a,f)}
-n.textBaseline="alphabetic"}async function wr(n){let e=n.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
+link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(s=>{let o=this[s].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?ic[s]:
+ac[s].replace("{own}",t).replace("{other}",o)}]}):[]}};var Ca=ml(Pa(),1);var rc=3840;async function za(n){let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=Math.max(rc/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
+round(e*s),height:Math.round(t*s)}),i=me(o);return i.setTransform(s,0,0,s,0,0),Ds(i,n,e,t),n.stage.options.three?(i.drawImage(n.stage.sharp(n,s),0,0,e,t),n.drawStage()):
+Ia(i,n,e,t),Is(i,n,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Na(n){if(n.stage.options.three)
+throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=new Ca.Context(
+{width:e,height:t,document});return Ds(s,n,e,t),Ia(s,n,e,t),Is(s,n,t),new Blob([s.getSerializedSvg()],{type:"image/svg+xml"})}function Da(n,e){let t=n.stage.canvas(),
+{width:s,height:o}=t.getBoundingClientRect(),i=me(e);i.setTransform(e.width/s,0,0,e.height/o,0,0),Ds(i,n,s,o),i.drawImage(t,0,0,s,o),Is(i,n,o)}function Ds(n,{theme:e},t,s){
+n.fillStyle=e.look.paper,n.fillRect(0,0,t,s)}function Ia(n,e,t,s){let{stage:o,clock:i,theme:a}=e;o.flat.paint(n,t,s,e.films(),i.time,o.options,a.look,a.inks)}function Is(n,e,t){
+let{theme:s,stage:o,clock:i}=e,{px:a}=s.look,r=e.films();n.textBaseline="top",n.textAlign="left";for(let[l,c]of r.entries()){let m=c.at(i.time),h=r.length>1?`${"\
+AB"[l]}: `:"",d=x(s.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${$(m.angle)}, v = ${M(m.vx,3)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.length;
+n.fillStyle=s.colors.modes[m.mode],n.fillRect(12,f+2*a,11*a,11*a),n.fillStyle=s.look.ink,n.font=`${13*a}px ${s.look.font}`,n.fillText(`${h}${d}, ${p}`,12+18*a,f)}
+n.textBaseline="alphabetic"}async function Oa(n){let e=n.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
 stead.");let t=u("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),s=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),o=[];
 s.ondataavailable=r=>o.push(r.data);let i=new Promise(r=>s.onstop=r),{loop:a}=n.clock;return n.clock.loop=!1,n.clock.seek(0),n.notice.say("Recording one run …"),
-n.afterFrame=()=>{gr(n,t),!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await i,n.afterFrame=null,n.clock.loop=a,new Blob(o,{type:s.
-mimeType})}var wu=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],Hn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},"Keep"),u("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),wu.filter(([t])=>e.backend.files.includes(t)).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture \
-(PNG)",()=>this.picture("png",pr)),this.item("Picture (SVG)",()=>this.picture("svg",fr)),this.item("Record a film here (WebM)",()=>this.record()),this.item("Sho\
-w me the Python",()=>this.code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerdown",
-t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return u("button",{type:"button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(s){this.
-lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.clipboard.writeText(e),this.
-lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith("mp4")?
-"The film is being made; this takes a while …":`Fetching ${e} …`),st(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
-re.`)}async picture(e,t){st(await t(this.lab),`hophoop.${e}`)}async record(){st(await wr(this.lab),"hophoop.webm"),this.lab.notice.say("The film is there.")}async code(){
-let{python:e,toml:t}=this.lab.backend.code(this.lab.film().scenario);this.show("The same motion in Python",e,"The scenario as a file",t)}show(...e){let t=[];for(let s=0;s<
-e.length;s+=2){let o=e[s+1],i=u("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.clipboard?.writeText(o).catch(()=>{}),R(i,"Copied")},t.push(
-u("header",{},u("h2",{},e[s]),i),u("pre",{tabindex:"0"},u("code",{},document.createTextNode(o))))}this.dialog.replaceChildren(...t,u("button",{type:"button",class:"\
-close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var yr=120,jn=class{constructor(e,t,s,o,i,a,r,l,c,d,h){this.context=e;this.width=t;this.height=s;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
-h;this.top=0;this.pose=o.at(i);let m=o.radius,{left:p,right:f}=o.extent,{top:g}=h;this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let b=2*h.radius+Math.
-min(g,6*h.radius),w=Math.min(.66*s/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*m,v=(f-p)*Math.abs(this.sine)+2.6*m+g;this.scale=Math.min(t/y,.86*s/
-v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+d[0],(o.slope?.62:.8)*s+d[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
-place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],o=t-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+o*this.sine),this.place[1]-
+n.afterFrame=()=>{Da(n,t),!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await i,n.afterFrame=null,n.clock.loop=a,new Blob(o,{type:s.
+mimeType})}var lc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+)"]],Pn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},"Keep"),u("div",{class:"menu-body"},e.backend.shares&&
+this.item("Copy the link",()=>this.copyLink()),lc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Pic\
+ture (PNG)",()=>this.picture("png",za)),this.item("Picture (SVG)",()=>this.picture("svg",Na)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
+"Show me the Python",()=>this.code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"})}item(e,t){return u("button",{type:"\
+button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(s){this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??
+""))??"";try{await navigator.clipboard.writeText(e),this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.
+lab.film();this.lab.notice.say(e.endsWith("mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),Xe(await this.lab.backend.file(e,t.query),
+`hophoop-${e}`),this.lab.notice.say(`${e} is there.`)}async picture(e,t){Xe(await t(this.lab),`hophoop.${e}`)}async record(){Xe(await Oa(this.lab),"hophoop.webm"),
+this.lab.notice.say("The film is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same\
+ motion in Python",e.python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let o=e[s+1],i=u("button",{type:"button"},"Copy");
+i.onclick=async()=>{await navigator.clipboard?.writeText(o).catch(()=>{}),P(i,"Copied")},t.push(u("header",{},u("h2",{},e[s]),i),u("pre",{tabindex:"0"},u("code",
+{},document.createTextNode(o))))}this.dialog.replaceChildren(...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.
+showModal()}};var qa=120,Cn=class{constructor(e,t,s,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=s;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
+h;this.top=0;this.pose=o.at(i);let d=o.radius,{left:p,right:f}=o.extent,{top:g}=h;this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let b=2*h.radius+Math.
+min(g,6*h.radius),w=Math.min(.66*s/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*d,v=(f-p)*Math.abs(this.sine)+2.6*d+g;this.scale=Math.min(t/y,.86*s/
+v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+m[0],(o.slope?.62:.8)*s+m[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
+place=[(t<520?.6:.46)*t+m[0],.82*s+m[1]]}point(e,t){let s=e-this.focus[0],o=t-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+o*this.sine),this.place[1]-
 this.scale*(o*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/this.scale,o=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-o*this.
 sine,this.focus[1]+s*this.sine+o*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
 forces()}ground(){let{context:e,look:t,width:s,height:o}=this,i=(Math.hypot(s,o)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
-this.focus[0]-i,0),[l,c]=this.point(this.focus[0]+i,0),d=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
-l+d[0],c+d[1]),e.lineTo(a+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=V(s/this.scale,s/
-(90*t.px));e.fillStyle=t.soft,e.font=`${11*t.px}px ${t.font}`,e.textAlign="center",e.lineWidth=1;let m=Math.ceil((this.focus[0]-i)/h),p=Math.min(Math.floor((this.
-focus[0]+i)/h),m+400);for(let f=m;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>s+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
+this.focus[0]-i,0),[l,c]=this.point(this.focus[0]+i,0),m=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
+l+m[0],c+m[1]),e.lineTo(a+m[0],r+m[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=V(s/this.scale,s/
+(90*t.px));e.fillStyle=t.soft,e.font=`${11*t.px}px ${t.font}`,e.textAlign="center",e.lineWidth=1;let d=Math.ceil((this.focus[0]-i)/h),p=Math.min(Math.floor((this.
+focus[0]+i)/h),d+400);for(let f=d;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>s+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
 e.fillText(`${se(f*h,h)} m`,g-18*t.px*this.sine,b+8+10*t.px*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:o}=this,i=e.radius,a=this.options.ahead?e.
-duration:this.pose.t,r=(l,c,d,h)=>{t.strokeStyle=c,t.lineWidth=d,t.lineJoin="round",t.beginPath();let m=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),i+g+l*
-Math.cos(b));m?t.lineTo(w,y):t.moveTo(w,y),m=!0};for(let f of e.pieces()){let{x:g,height:b,angle:w,mode:y}=f.film.columns;for(let v=f.from;v<f.to&&f.film.t[v]<=
-a;v++)h===void 0||y[v]===3===h?p(g[v],b[v],w[v]):m=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),
+duration:this.pose.t,r=(l,c,m,h)=>{t.strokeStyle=c,t.lineWidth=m,t.lineJoin="round",t.beginPath();let d=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),i+g+l*
+Math.cos(b));d?t.lineTo(w,y):t.moveTo(w,y),d=!0};for(let f of e.pieces()){let{x:g,height:b,angle:w,mode:y}=f.film.columns;for(let v=f.from;v<f.to&&f.film.t[v]<=
+a;v++)h===void 0||y[v]===3===h?p(g[v],b[v],w[v]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),
 t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,o.gravity_center,1.8,!1),r(e.eccentricity*i,o.airborne,2.4,!0),t.globalAlpha=
 1}mark(e,t){let{context:s,film:o,pose:i,scale:a}=this,[r,l]=this.point(i.x,o.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),s.arc(r,l,Math.max(o.radius*
 a-E(.07*o.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 ${17*this.look.px}px ${this.look.font}`,s.textAlign="center",s.fillText(e,r-14,l+
-20)}hoop(){let{film:e,pose:t,context:s,look:o,colors:i,scale:a}=this,r=e.radius,l=E(.07*r*a,2,14),c=r-.5*l/a,d=[t.x,r+t.height],h=(b,w=c)=>this.point(d[0]+w*Math.
-sin(b),d[1]+w*Math.cos(b));if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*a,0,2*Math.PI),s.stroke()),
-this.options.speed){let b=this.common.speed;s.lineWidth=l;let w=2*Math.PI/yr;for(let y=0;y<yr;y++){let v=t.angle+y*w,_=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),
-t.vy-r*t.omega*Math.sin(v+.5*w));s.strokeStyle=Yt[E(Math.round(255*_/b)||0,0,255)],s.beginPath(),s.moveTo(...h(v-.04*w)),s.lineTo(...h(v+1.04*w)),s.stroke()}}else
-s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=1,s.beginPath(),
-s.moveTo(...this.point(d[0],d[1])),s.lineTo(...h(t.angle)),s.stroke();let m=(b,w,y,v)=>{s.beginPath(),s.arc(...b,w,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=
-1.5,s.strokeStyle=v,s.stroke()};m(this.point(d[0],d[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,d):m(h(t.angle),E(.1*r*a,4,16),o.ink,o.paper);
-let f=e.eccentricity*r,g=this.point(d[0]+f*Math.sin(t.angle),d[1]+f*Math.cos(t.angle));m(g,E(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,o.paper)}parts(e,t){
-let{film:s,pose:o,context:i,look:a,scale:r}=this,c=e.reduce((d,h)=>d+h.mass*(h.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let d of e){let h=c*(d.at??0),m=this.point(
-t[0]+h*Math.sin(o.angle),t[1]+h*Math.cos(o.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),d.shape==="ring")i.globalAlpha=.22,i.arc(...m,d.outer_radius*
-r,0,2*Math.PI),i.arc(...m,d.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(d.shape==="rod"){let p=.5*d.length,f=g=>this.point(t[0]+g*Math.sin(o.
-angle),t[1]+g*Math.cos(o.angle));i.lineWidth=4,i.moveTo(...f(h-p)),i.lineTo(...f(h+p)),i.stroke()}else{let p=d.shape==="disk"?d.radius*r:E(.08*s.radius*r,3,12);
-i.globalAlpha=d.shape==="disk"?.55:1,i.arc(...m,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,o=e.radius,i=e.mass*(e.gravity||
+20)}hoop(){let{film:e,pose:t,context:s,look:o,colors:i,scale:a}=this,r=e.radius,l=E(.07*r*a,2,14),c=r-.5*l/a,m=[t.x,r+t.height],h=(b,w=c)=>this.point(m[0]+w*Math.
+sin(b),m[1]+w*Math.cos(b));if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),s.stroke()),
+this.options.speed){let b=this.common.speed;s.lineWidth=l;let w=2*Math.PI/qa;for(let y=0;y<qa;y++){let v=t.angle+y*w,_=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),
+t.vy-r*t.omega*Math.sin(v+.5*w));s.strokeStyle=Ft[E(Math.round(255*_/b)||0,0,255)],s.beginPath(),s.moveTo(...h(v-.04*w)),s.lineTo(...h(v+1.04*w)),s.stroke()}}else
+s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=1,s.beginPath(),
+s.moveTo(...this.point(m[0],m[1])),s.lineTo(...h(t.angle)),s.stroke();let d=(b,w,y,v)=>{s.beginPath(),s.arc(...b,w,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=
+1.5,s.strokeStyle=v,s.stroke()};d(this.point(m[0],m[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,m):d(h(t.angle),E(.1*r*a,4,16),o.ink,o.paper);
+let f=e.eccentricity*r,g=this.point(m[0]+f*Math.sin(t.angle),m[1]+f*Math.cos(t.angle));d(g,E(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,o.paper)}parts(e,t){
+let{film:s,pose:o,context:i,look:a,scale:r}=this,c=e.reduce((m,h)=>m+h.mass*(h.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let m of e){let h=c*(m.at??0),d=this.point(
+t[0]+h*Math.sin(o.angle),t[1]+h*Math.cos(o.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),m.shape==="ring")i.globalAlpha=.22,i.arc(...d,m.outer_radius*
+r,0,2*Math.PI),i.arc(...d,m.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(m.shape==="rod"){let p=.5*m.length,f=g=>this.point(t[0]+g*Math.sin(o.
+angle),t[1]+g*Math.cos(o.angle));i.lineWidth=4,i.moveTo(...f(h-p)),i.lineTo(...f(h+p)),i.stroke()}else{let p=m.shape==="disk"?m.radius*r:E(.08*s.radius*r,3,12);
+i.globalAlpha=m.shape==="disk"?.55:1,i.arc(...d,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,o=e.radius,i=e.mass*(e.gravity||
 9.81),a=l=>.55*o*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N = ${M(t.normal_force,
-3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${M(t.friction_force,3)} N`,!0)}arrow([e,t],[s,o],i,a,r){let{context:l,look:c,width:d}=this,
-h=2.2*this.film.radius,m=Math.abs(s)>h||Math.abs(o)>h;[s,o]=[E(s,-h,h),E(o,-h,h)];let p=this.point(e,t),f=this.point(e+s,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);
+3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${M(t.friction_force,3)} N`,!0)}arrow([e,t],[s,o],i,a,r){let{context:l,look:c,width:m}=this,
+h=2.2*this.film.radius,d=Math.abs(s)>h||Math.abs(o)>h;[s,o]=[E(s,-h,h),E(o,-h,h)];let p=this.point(e,t),f=this.point(e+s,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);
 if(g<2)return;let b=(f[0]-p[0])/g,w=(f[1]-p[1])/g,y=Math.min(11,g);for(let[T,L]of[[c.paper,6],[i,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=L,l.beginPath(),l.
 moveTo(...p),l.lineTo(f[0]-b*y,f[1]-w*y),l.stroke();if(l.beginPath(),l.moveTo(...f),l.lineTo(f[0]-b*y-w*y*.5,f[1]-w*y+b*y*.5),l.lineTo(f[0]-b*y+w*y*.5,f[1]-w*y-
-b*y*.5),l.fill(),m){let[T,L]=[p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let P of[-3,3])l.moveTo(T+b*(P-3)-w*7,L+w*(P-3)+b*
-7),l.lineTo(T+b*(P+3)+w*7,L+w*(P+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,
-l.textAlign="left";let _=r?[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,E(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];_[0]=E(_[0],4,d-v-
-4),l.strokeText(a,_[0],_[1]),l.fillText(a,_[0],_[1])}};var Bn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+b*y*.5),l.fill(),d){let[T,L]=[p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let R of[-3,3])l.moveTo(T+b*(R-3)-w*7,L+w*(R-3)+b*
+7),l.lineTo(T+b*(R+3)+w*7,L+w*(R+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,
+l.textAlign="left";let _=r?[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,E(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];_[0]=E(_[0],4,m-v-
+4),l.strokeText(a,_[0],_[1]),l.fillText(a,_[0],_[1])}};var zn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.grab=()=>!1,this.over=()=>{},e.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=oe(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,s]=[0,0]){let{width:o,
 height:i}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*o,s*i]}zoomBy(e){this.zoom=E(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
 let t=[e.clientX,e.clientY],s=this.shift;J(this.canvas,e,o=>{this.pinched()||(this.shift=[s[0]+o.clientX-t[0],s[1]+o.clientY-t[1]],this.onview())})}draw(e,t,s,o,i){
 let{context:a,width:r,height:l}=K(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,s,o,i))}paint(e,t,s,o,i,a,r,l){let c=s/o.length,
-d={top:Math.max(...o.map(h=>h.extent.top)),radius:Math.max(...o.map(h=>h.radius)),speed:Math.max(...o.map(h=>h.extent.speed))};return o.map((h,m)=>{e.save(),e.beginPath(),
-e.rect(0,m*c,t,c),e.clip(),e.translate(0,m*c);let p=new jn(e,t,c,h,i,a,r,l,this.zoom,this.shift,d);return p.top=m*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
-p,m),o.length>1&&(p.mark("AB"[m],pe(m,r.dark)),e.fillStyle=pe(m,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,e.textAlign="left",e.fillText("AB"[m],12,c-12)),e.restore(),
-m>0&&(e.fillStyle=r.line,e.fillRect(0,m*c-.5,t,1)),p})}};function Mo(n,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=n[4*a+o]*e[4*s+a];t[4*s+o]=i}return t}function vr(n,e,t,s){
-let o=1/Math.tan(n/2),i=1/(t-s);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function xr(n,e){let t=Ye(So(n,e)),s=Ye($n([0,1,0],t)),
-o=$n(t,s);return new Float32Array([s[0],o[0],t[0],0,s[1],o[1],t[1],0,s[2],o[2],t[2],0,-Eo(s,n),-Eo(o,n),-Eo(t,n),1])}var So=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],
-Eo=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],$n=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]];function Ye(n){let e=Math.hypot(...n)||1;return[
-n[0]/e,n[1]/e,n[2]/e]}function Wn(n,e,t,s){let o=Ye(e),i=Ye($n(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=$n(i,o);return new Float32Array([...i.map(r=>r*s),0,...o.
-map(r=>r*t),0,...a.map(r=>r*s),0,...n,1])}function To(n){let[e,t]=[Math.cos(n),Math.sin(n)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function re(n){let e=Number.parseInt(n.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function rt(n,e,t){let s=n.createProgram(),o=[[n.VERTEX_SHADER,e],[n.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=n.createShader(a);if(n.shaderSource(l,r),n.compileShader(
+m={top:Math.max(...o.map(h=>h.extent.top)),radius:Math.max(...o.map(h=>h.radius)),speed:Math.max(...o.map(h=>h.extent.speed))};return o.map((h,d)=>{e.save(),e.beginPath(),
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Cn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
+p,d),o.length>1&&(p.mark("AB"[d],he(d,r.dark)),e.fillStyle=he(d,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
+d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function qs(n,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=n[4*a+o]*e[4*s+a];t[4*s+o]=i}return t}function Fa(n,e,t,s){
+let o=1/Math.tan(n/2),i=1/(t-s);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function Ha(n,e){let t=Be(Fs(n,e)),s=Be(Nn([0,1,0],t)),
+o=Nn(t,s);return new Float32Array([s[0],o[0],t[0],0,s[1],o[1],t[1],0,s[2],o[2],t[2],0,-Os(s,n),-Os(o,n),-Os(t,n),1])}var Fs=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],
+Os=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],Nn=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]];function Be(n){let e=Math.hypot(...n)||1;return[
+n[0]/e,n[1]/e,n[2]/e]}function Dn(n,e,t,s){let o=Be(e),i=Be(Nn(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=Nn(i,o);return new Float32Array([...i.map(r=>r*s),0,...o.
+map(r=>r*t),0,...a.map(r=>r*s),0,...n,1])}function Hs(n){let[e,t]=[Math.cos(n),Math.sin(n)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function re(n){let e=Number.parseInt(n.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function st(n,e,t){let s=n.createProgram(),o=[[n.VERTEX_SHADER,e],[n.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=n.createShader(a);if(n.shaderSource(l,r),n.compileShader(
 l),!n.getShaderParameter(l,n.COMPILE_STATUS))throw new Error(String(n.getShaderInfoLog(l)));n.attachShader(s,l)}if(n.linkProgram(s),!n.getProgramParameter(s,n.LINK_STATUS))
 throw new Error(String(n.getProgramInfoLog(s)));let i={program:s,uniforms:{},attributes:{}};for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_UNIFORMS);a++){let{name:r}=n.
 getActiveUniform(s,a);i.uniforms[r]=n.getUniformLocation(s,r)}for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_ATTRIBUTES);a++){let{name:r}=n.getActiveAttrib(s,a);
-i.attributes[r]=n.getAttribLocation(s,r)}return i}function Ze(n,e,t,s){let o=n.createBuffer();n.bindBuffer(n.ARRAY_BUFFER,o),n.bufferData(n.ARRAY_BUFFER,new Float32Array(
+i.attributes[r]=n.getAttribLocation(s,r)}return i}function $e(n,e,t,s){let o=n.createBuffer();n.bindBuffer(n.ARRAY_BUFFER,o),n.bufferData(n.ARRAY_BUFFER,new Float32Array(
 e),n.STATIC_DRAW);let i=s?n.createBuffer():null;s&&(n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,i),n.bufferData(n.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),n.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function lt(n,e,t){n.bindBuffer(n.ARRAY_BUFFER,
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function ot(n,e,t){n.bindBuffer(n.ARRAY_BUFFER,
 t.vertices);let s=0;for(let[o,i]of Object.entries(t.parts)){let a=e.attributes[o];a!==void 0&&(n.enableVertexAttribArray(a),n.vertexAttribPointer(a,i,n.FLOAT,!1,
-t.stride,s)),s+=4*i}t.elements&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.elements)}function Ao(n,e){let t=[];for(let s=0;s<n;s++)for(let o=0;o<e;o++){let i=s*(e+1)+
-o,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function kr(n,e=120,t=14){let s=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++)s.push(2*Math.PI*o/e,2*Math.PI*i/t);return Ze(
-n,s,{bend:2},Ao(e,t))}function _r(n,e=28,t=18){let s=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*o/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ze(n,s,{position:3,normal:3},Ao(e,t))}function Lo(n,e,t=20){let s=[];for(let o=0;o<=t;o++){let i=2*
-Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Ze(n,s,{position:3,normal:3},Ao(t,1))}var Tr=`
+t.stride,s)),s+=4*i}t.elements&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.elements)}function js(n,e){let t=[];for(let s=0;s<n;s++)for(let o=0;o<e;o++){let i=s*(e+1)+
+o,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function ja(n,e=120,t=14){let s=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++)s.push(2*Math.PI*o/e,2*Math.PI*i/t);return $e(
+n,s,{bend:2},js(e,t))}function Ba(n,e=28,t=18){let s=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*o/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return $e(n,s,{position:3,normal:3},js(e,t))}function Bs(n,e,t=20){let s=[];for(let o=0;o<=t;o++){let i=2*
+Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return $e(n,s,{position:3,normal:3},js(t,1))}var Ua=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,Ar=`
+  }`,Ka=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,Lr="vec4(0.0, 0.0, 0.0, shadow)",Er=[`attribute vec2 bend;
+  }`,Va="vec4(0.0, 0.0, 0.0, shadow)",$a=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${Ar}
+   ${Ka}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -2253,21 +2093,21 @@ Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${Tr}
+   ${Ua}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${Lr} : vec4(shaded(color, n), 1.0);
-   }`],Mr=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${Va} : vec4(shaded(color, n), 1.0);
+   }`],Wa=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${Ar}
+   ${Ka}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${Tr}
-   void main() { gl_FragColor = shadow > 0.0 ? ${Lr} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Sr=[`attribute vec3 position, next, tint; attribute \
+   ${Ua}
+   void main() { gl_FragColor = shadow > 0.0 ? ${Va} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Ga=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -2282,28 +2122,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Gn=class{constructor(e,t,s,o,{keep:i=!1}={}){this.canvas=e;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],In=class{constructor(e,t,s,o,{keep:i=!1}={}){this.canvas=e;
 this.dark=o;this.eye=[0,0,1];this.fastest=1;let a=e.getContext("webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser dr\
-aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Ye(s),this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=rt(a,Er[0],Er[1]),this.body=rt(a,Mr[0],Mr[1]),this.
-line=rt(a,Sr[0],Sr[1]),this.torus=kr(a),this.sphere=_r(a),this.cylinder=Lo(a,1),this.cone=Lo(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
+aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Be(s),this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=st(a,$a[0],$a[1]),this.body=st(a,Wa[0],Wa[1]),this.
+line=st(a,Ga[0],Ga[1]),this.torus=ja(a),this.sphere=Ba(a),this.cylinder=Bs(a,1),this.cone=Bs(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
 colors);let r=new Uint8Array(t.flatMap(l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,
 r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(
-a.TEXTURE_2D,l,a.LINEAR);this.view=To(0)}begin({background:e,eye:t,target:s,slope:o,angle:i,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
-l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=vr(i,c.width/c.height,a,r);this.
-view=Mo(Mo(d,xr(t,s)),To(o)),this.eye=Ye(So(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
+a.TEXTURE_2D,l,a.LINEAR);this.view=Hs(0)}begin({background:e,eye:t,target:s,slope:o,angle:i,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
+l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let m=Fa(i,c.width/c.height,a,r);this.
+view=qs(qs(m,Ha(t,s)),Hs(o)),this.eye=Be(Fs(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
 ...t};for(let[i,a]of Object.entries(o)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.
 length}fv`](r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,
 t.ONE_MINUS_SRC_ALPHA,t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),
 e(),t.depthMask(!0),t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:o=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,
-color:s,shadow:o?this.dark:0,lit:Number(i)}),lt(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,o){this.solid(this.sphere,Wn(e,
-[0,1,0],t,t),s,{shadow:o})}ring({center:e,radius:t,tube:s,broad:o,angle:i,velocity:a,omega:r,plain:l=null},c){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,
-s,o,i],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),lt(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,
-d.UNSIGNED_SHORT,0)}rod(e,t,s,o,i,a=!1){this.solid(this.cylinder,Wn(e,t,s,o),i,{shadow:a})}arrow(e,t,s,o,i){if(!(s>.02*o))return;let a=Math.min(.18*o,s),r=e.map(
-(l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,s-a,.029*o,i),this.solid(this.cone,Wn(r,t,a,Math.min(.075*o,.6*a)),i)}trace(e,t,s){let o=[];for(let i=0;i<e;i++){let a=t(
-i),r=t(Math.min(i+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((c,d)=>2*c-l[d])}for(let l of[-1,1])o.push(...a,0,...r,0,...s(i),l)}
-return Ze(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
-2/l.width,2/l.height],width:s,distance:o,shift:i,depth:a}),lt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let o=this.view,[i,a,r]=[0,1,
-3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*s+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var yu=[.35,.85,.4],vu=.18,Nt={azimuth:.5,height:.22,distance:5.2},Rr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+color:s,shadow:o?this.dark:0,lit:Number(i)}),ot(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,o){this.solid(this.sphere,Dn(e,
+[0,1,0],t,t),s,{shadow:o})}ring({center:e,radius:t,tube:s,broad:o,angle:i,velocity:a,omega:r,plain:l=null},c){let{gl:m}=this;this.use(this.rim,{center:e,size:[t,
+s,o,i],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ot(m,this.rim,this.torus),m.drawElements(m.TRIANGLES,this.torus.count,
+m.UNSIGNED_SHORT,0)}rod(e,t,s,o,i,a=!1){this.solid(this.cylinder,Dn(e,t,s,o),i,{shadow:a})}arrow(e,t,s,o,i){if(!(s>.02*o))return;let a=Math.min(.18*o,s),r=e.map(
+(l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,s-a,.029*o,i),this.solid(this.cone,Dn(r,t,a,Math.min(.075*o,.6*a)),i)}trace(e,t,s){let o=[];for(let i=0;i<e;i++){let a=t(
+i),r=t(Math.min(i+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((c,m)=>2*c-l[m])}for(let l of[-1,1])o.push(...a,0,...r,0,...s(i),l)}
+return $e(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
+2/l.width,2/l.height],width:s,distance:o,shift:i,depth:a}),ot(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let o=this.view,[i,a,r]=[0,1,
+3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*s+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var hc=[.35,.85,.4],cc=.18,Tt={azimuth:.5,height:.22,distance:5.2},Ja=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2311,286 +2151,445 @@ return Ze(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,di
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Un=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Gn(this.canvas,et,yu,vu,{keep:!0});this.floor=rt(this.space.gl,Rr[0],Rr[1]);this.corners=
-Ze(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Nt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
+   }`],On=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new In(this.canvas,Je,hc,cc,{keep:!0});this.floor=st(this.space.gl,Ja[0],Ja[1]);this.corners=
+$e(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Tt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
 e.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=oe(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
-turned.distance=E(this.turned.distance/e,1.6,60):this.turned={...Nt},this.onview()}from(){let{azimuth:e,height:t,distance:s}=this.turned;return e===Nt.azimuth&&
-t===Nt.height&&s===Nt.distance?void 0:[e,t,s]}look([e,t,s]){this.turned={azimuth:E(e,-1.5,1.5),height:E(t,.02,1.45),distance:E(s,1.6,60)}}drag(e){let t={...this.
+turned.distance=E(this.turned.distance/e,1.6,60):this.turned={...Tt},this.onview()}from(){let{azimuth:e,height:t,distance:s}=this.turned;return e===Tt.azimuth&&
+t===Tt.height&&s===Tt.distance?void 0:[e,t,s]}look([e,t,s]){this.turned={azimuth:E(e,-1.5,1.5),height:E(t,.02,1.45),distance:E(s,1.6,60)}}drag(e){let t={...this.
 turned,x:e.clientX,y:e.clientY};J(this.canvas,e,s=>{this.pinched()||(this.turned.azimuth=E(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=E(t.height+
 (s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
-.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,s,o,i,a,r){let{canvas:l,space:c}=this,d=r??Math.min(
-globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*d),1),l.height=Math.max(Math.round(h.height*
-d),1);let m=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(m[0].x)?m[0].x:0,c.begin({background:re(o.
-paper),...this.camera(e[0],m[0],p,s)}),c.ground(()=>this.drawFloor(p,o));let f=g=>{for(let[b,w]of e.entries())g(w,m[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
-drawHoop(g,b,w,s,o,i,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,s,o,i,!1),s.traces&&this.drawTraces(g,b,w,o,i,d),s.forces&&this.drawForces(g,b,w,i)})}camera(e,t,s,o){
-let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,d=o.whole?Math.max(r*s,.85*(c-l)+3*s):r*s,[h,m]=[o.whole?.5*(l+c)-this.focus:0,s+.45*(t.
-height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+m*f,-h*f+m*p,0],b=[g[0]+d*Math.sin(i)*Math.cos(a),g[1]+d*Math.sin(a),d*Math.cos(i)*Math.cos(a)];return this.
-reach=12*s+3*d,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*d}}drawFloor(e,t){let{space:s}=this,o=re(t.ground),i=o.map(l=>l*(t.dark?.82:.94)),a=.5*
-e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:o,dark:i,far:re(t.paper),tile:a,shift:r}),lt(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,
-0,4)}drawHoop(e,t,s,o,i,a,r){let{space:l}=this,c=e.radius,d=.045*c,h=[t.x-this.focus,c+t.height,s];l.ring({center:h,radius:c,tube:d,broad:3.2*d,angle:t.angle,velocity:[
-t.vx,t.vy],omega:t.omega,plain:o.speed?null:re(a.modes[t.mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*m[w]);l.ball(p(c-d),.125*
-c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,m,c-d,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,re(f?a.airborne:a.gravity_center),
-r)}drawForces(e,t,s,o){if(t.mode==="H"||!(t.normal_force>0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,s+.2*i],l=d=>E(.55*
-i*Math.abs(d)/a,0,3.2*i),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),i,re(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
-i,re(o.friction_force))}linesOf(e,t,s){let o=this.lines.get(e);if(o?.dark===t.dark)return o;let i=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,d=(g,b)=>this.
-space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,m,p]=[re(s.gravity_center),re(s.airborne),re(t.ink)],f={dark:t.dark,load:d(i,()=>p),
-center:d(e.eccentricity*i,g=>c[g]===3?m:h)};return this.lines.set(e,f),f}drawTraces(e,t,s,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
-2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...d}),this.space.drawTrace(l,c,{width:1.6*a,...d})}};var xu=["hoop","mode","time","angle","v","R θ̇","gap"],Kn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Bn(this.plane,this.onview);
-this.deep=null;this.outputs=xu.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
-v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${Yt.filter((o,i)=>i%15===0).join(",")})`}),u("span",{},"0"),u("span",
+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,s,o,i,a,r){let{canvas:l,space:c}=this,m=r??Math.min(
+globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*m),1),l.height=Math.max(Math.round(h.height*
+m),1);let d=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,c.begin({background:re(o.
+paper),...this.camera(e[0],d[0],p,s)}),c.ground(()=>this.drawFloor(p,o));let f=g=>{for(let[b,w]of e.entries())g(w,d[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
+drawHoop(g,b,w,s,o,i,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,s,o,i,!1),s.traces&&this.drawTraces(g,b,w,o,i,m),s.forces&&this.drawForces(g,b,w,i)})}camera(e,t,s,o){
+let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,m=o.whole?Math.max(r*s,.85*(c-l)+3*s):r*s,[h,d]=[o.whole?.5*(l+c)-this.focus:0,s+.45*(t.
+height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+d*f,-h*f+d*p,0],b=[g[0]+m*Math.sin(i)*Math.cos(a),g[1]+m*Math.sin(a),m*Math.cos(i)*Math.cos(a)];return this.
+reach=12*s+3*m,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*m}}drawFloor(e,t){let{space:s}=this,o=re(t.ground),i=o.map(l=>l*(t.dark?.82:.94)),a=.5*
+e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:o,dark:i,far:re(t.paper),tile:a,shift:r}),ot(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,
+0,4)}drawHoop(e,t,s,o,i,a,r){let{space:l}=this,c=e.radius,m=.045*c,h=[t.x-this.focus,c+t.height,s];l.ring({center:h,radius:c,tube:m,broad:3.2*m,angle:t.angle,velocity:[
+t.vx,t.vy],omega:t.omega,plain:o.speed?null:re(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*d[w]);l.ball(p(c-m),.125*
+c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,d,c-m,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,re(f?a.airborne:a.gravity_center),
+r)}drawForces(e,t,s,o){if(t.mode==="H"||!(t.normal_force>0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,s+.2*i],l=m=>E(.55*
+i*Math.abs(m)/a,0,3.2*i),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),i,re(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
+i,re(o.friction_force))}linesOf(e,t,s){let o=this.lines.get(e);if(o?.dark===t.dark)return o;let i=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,m=(g,b)=>this.
+space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,d,p]=[re(s.gravity_center),re(s.airborne),re(t.ink)],f={dark:t.dark,load:m(i,()=>p),
+center:m(e.eccentricity*i,g=>c[g]===3?d:h)};return this.lines.set(e,f),f}drawTraces(e,t,s,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
+2,e.length),m={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var uc=["hoop","mode","time","angle","v","R θ̇","gap"],qn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new zn(this.plane,this.onview);
+this.deep=null;this.outputs=uc.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
+v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${Ft.filter((o,i)=>i%15===0).join(",")})`}),u("span",{},"0"),u("span",
 {},"rim speed"),this.fastest);let s=(o,i)=>u("span",{},u("i",{class:"dot",style:`background:${o}`}),i);this.order=u("span",{hidden:!0},"A in front, B behind"),this.
 element=u("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,u("dl",{class:"readout","aria-hidden":"true"},this.outputs.
 flatMap(({name:o,value:i})=>[o,i])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),
 s(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:o,inks:i}){let{options:a}=this;this.legend.
-hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Un(
+hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new On(
 this.space,this.onview),this.deep.draw(e,s.time,a,o,i,s.playing)):this.flat.draw(e,s.time,a,o,i),this.read(e,t,s.time)}sharp(e,t){let{look:s,inks:o}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,s,o,!1,t),this.space}read(e,t,s){let o=e[t],i=o.at(s),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[i.mode]),
-be(`${i.t.toFixed(3)} s`),G(i.angle),q(M(i.vx,3),"m/s"),q(M(i.omega*o.radius,3),"m/s"),i.height>0?Re(i.height):"0"];for(let[c,d]of a.entries()){let{value:h}=this.
-outputs[c];h.textContent!==d&&(h.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[i.
+de(`${i.t.toFixed(3)} s`),$(i.angle),I(M(i.vx,3),"m/s"),I(M(i.omega*o.radius,3),"m/s"),i.height>0?Ae(i.height):"0"];for(let[c,m]of a.entries()){let{value:h}=this.
+outputs[c];h.textContent!==m&&(h.textContent=m)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[i.
 mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.three=!1,t(),s}}view(){let{options:e,
 flat:t,deep:s}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:s?.from()}}restore({options:e,zoom:t,pan:s,from:o}){if(e){let{three:i,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,s),o&&this.deep?.look(o)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Vn=class{constructor(e){this.clock=e;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"story-list"});
+options,a)}this.flat.look(t,s),o&&this.deep?.look(o)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Fn=class{constructor(e){this.clock=e;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"story-list"});
 this.heading=u("h2",{},"What happens");this.signature=u("span",{});this.compared=u("span",{});this.fingerprint=u("p",{class:"hint fingerprint"},this.signature,this.
 compared);this.live=u("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=u("section",{class:"story","aria-label":"The motion in words"},this.
-heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,s,o){this.film=e[t],R(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"\
+heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,s,o){this.film=e[t],P(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"\
 What happens"),this.summary.replaceChildren(...e.flatMap((i,a)=>[e.length>1?u("b",{},`${"AB"[a]}: `):"",i.summary,i.status==="event_limit"||i.shortened?" (not a\
-ll events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,R(this.doubt,this.film.doubt),this.items=this.film.story.map(i=>u("li",{},
+ll events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=this.film.story.map(i=>u("li",{},
 u("button",{type:"button",onclick:()=>this.clock.seek(i.t)},u("i",{class:"dot",style:`background:${s.modes[i.mode]}`,"aria-hidden":"true"}),u("span",{class:"whe\
 n"},`${M(i.t,4)} s`),u("span",{},i.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(...o.flatMap(({same:i,text:a})=>[
 " ",u("span",{class:i?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.
-signature.replaceChildren(...ku(e)))}say(e){R(this.live,e)}announce(e){this.say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let i=0;i<
+signature.replaceChildren(...dc(e)))}say(e){P(this.live,e)}announce(e){this.say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let i=0;i<
 t.length&&t[i].t<=e+1e-9;i++)s=i;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
 current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let o=this.items[s];if(o){let i=o.offsetTop-this.list.
-offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function ku(n){
+offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function dc(n){
 if(!n)return[u("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=u("code",{},document.createTextNode(n)),t=u("butt\
-on",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(n),R(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u(
-"span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Jn=class{constructor(){this.
-list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){R(this.heading,t?`What\
- theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:o})=>[u("dt",{},s),u("dd",{},o)]))}};var Pr="hophoop-theme",_u=["gravity_center","airborne","normal_force","friction_force"],Yn=class{constructor(e,t,s,o){this.root=e;this.colors=t;this.hosted=s;this.
+on",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(n),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u(
+"span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Hn=class{constructor(){this.
+list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What\
+ theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:o})=>[u("dt",{},s),u("dd",{},o)]))}};var Ya="hophoop-theme",mc=["gravity_center","airborne","normal_force","friction_force"],jn=class{constructor(e,t,s,o){this.root=e;this.colors=t;this.hosted=s;this.
 changed=o;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=Qs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?fe(Pr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Qs(this.root),this.inks={...this.colors};for(let e of _u)
-this.inks[e]=xt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&ge(Pr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Zn=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
+this.mark(),this.look=cs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ce(Ya):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=cs(this.root),this.inks={...this.colors};for(let e of mc)
+this.inks[e]=ut(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&ue(Ya,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Bn=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
 u("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
 addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("pointerleave",()=>this.
 tip.hidden=!0),this.pinched=oe(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
-clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Je(this.window,e)}zoom(e,t){let[s,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
-max((o-s)*e,i),r=(t-s)/(o-s);this.window=a<this.clock.duration?Je([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
-let[e,t]=this.ends(),{time:s,duration:o}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=Je(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,o])}timeAt(e){let t=this.
+clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:je(this.window,e)}zoom(e,t){let[s,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
+max((o-s)*e,i),r=(t-s)/(o-s);this.window=a<this.clock.duration?je([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
+let[e,t]=this.ends(),{time:s,duration:o}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=je(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,o])}timeAt(e){let t=this.
 canvas.getBoundingClientRect(),[s,o]=this.ends();return s+E((e.clientX-t.left)/t.width,0,1)*(o-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let s=o=>!this.pinched()&&this.clock.seek(this.timeAt(o));s(e),J(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),o=s?`${x(Se[s.kind]??s.kind)} · ${M(s.t,5)} s · ${M(s.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=o,this.
+let t=this.timeAt(e),s=this.nearest(t,8),o=s?`${x(ke[s.kind]??s.kind)} · ${M(s.t,5)} s · ${M(s.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=o,this.
 tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${E(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,o]=this.ends(),i=t*(o-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=i&&
 (!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:o,width:i,height:a}=K(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/
-(l-r)*i;o.clearRect(0,0,i,a);let d=15,h=(a-15)/e.length-d;e.forEach((b,w)=>{let y=d+w*(d+h);for(let{mode:v,from:_,wide:T}of wa(b.phases,c,i)){let L=s.modes[v];o.
+(l-r)*i;o.clearRect(0,0,i,a);let m=15,h=(a-15)/e.length-m;e.forEach((b,w)=>{let y=m+w*(m+h);for(let{mode:v,from:_,wide:T}of Di(b.phases,c,i)){let L=s.modes[v];o.
 fillStyle=L,o.fillRect(_,y,T,h-2),this.named(o,x(s.mode_names[v]),_,T,y,h-2,L,t)}b.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(b.duration),0),y,i,h-2)),
-this.marks(o,b,c,y,i,t),e.length>1&&(o.fillStyle=pe(w,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[w],i-1,y-4))});let m=V(l-r,i/60);o.
-fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=ae(r,l,i/60);for(let b of p){let w=c(b);o.textAlign=w<14?"left":w>i-14?"right":"center",o.fillText(se(b,m)+(b===
-p[0]?" s":""),w,a-3)}let f=E(c(this.clock.time),6,i-6),g=E(c(this.clock.time),1,i-1);o.fillStyle=t.ink,o.fillRect(g-1,d-4,2,a-d-9),o.beginPath(),o.moveTo(f-6,d-
-10),o.lineTo(f+6,d-10),o.lineTo(g,d-1),o.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:o,playing:i}=this.clock,r=e.map((l,c)=>{let d=x(t.mode_names[l.at(s).
-mode]);return e.length>1?`${"AB"[c]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",o.toFixed(3)),this.element.setAttribute(
+this.marks(o,b,c,y,i,t),e.length>1&&(o.fillStyle=he(w,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[w],i-1,y-4))});let d=V(l-r,i/60);o.
+fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=ae(r,l,i/60);for(let b of p){let w=c(b);o.textAlign=w<14?"left":w>i-14?"right":"center",o.fillText(se(b,d)+(b===
+p[0]?" s":""),w,a-3)}let f=E(c(this.clock.time),6,i-6),g=E(c(this.clock.time),1,i-1);o.fillStyle=t.ink,o.fillRect(g-1,m-4,2,a-m-9),o.beginPath(),o.moveTo(f-6,m-
+10),o.lineTo(f+6,m-10),o.lineTo(g,m-1),o.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:o,playing:i}=this.clock,r=e.map((l,c)=>{let m=x(t.mode_names[l.at(s).
+mode]);return e.length>1?`${"AB"[c]} ${m}`:m}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",o.toFixed(3)),this.element.setAttribute(
 "aria-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:M(s,4),what:j(r)})))}named(e,t,s,o,i,a,r,l){e.font=`11\
-px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Ii(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*o,i+.5*a+1),e.textBaseline=
+px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Vo(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*o,i+.5*a+1),e.textBaseline=
 "alphabetic")}marks(e,t,s,o,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,
-x:s(c)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,o,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of ba(
-r))e.fillText(l,E(c,6,i-6),o-4)}};var Eu=1/60,Mu=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Su={three:"In space"},Ie=(n,e,t)=>u(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},n),Cr=(n,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${n} `),e),Qn=class{constructor(e,t,s,o,i){this.
-clock=e;this.films=t;this.say=o;this.tell=i;this.titled="";this.playButton=Ie(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
-speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},St.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
-value="1",this.switches=new Map(Mu.map(([a,r,l])=>{let c=`${a==="three"?Su.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>s(
-a)},r)]})),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},Ie(Y("start"),"To the start (Home)",()=>e.seek(0)),Ie(Y("previous"),"Previous even\
-t (Shift ←)",()=>this.jump(-1)),Ie(Y("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,Ie(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ie(
-Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},Ie(Cr("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),
-Ie(Cr("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,u("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){
-let{clock:t,playButton:s}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let o=t.playing?"Pause (space)":"Play (space)";this.titled!==
-o&&(this.titled=o,s.replaceChildren(Y(t.playing?"pause":"play")),nt(s,"title",o),nt(s,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Eu*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
-flatMap((d,h)=>d.events.map(m=>({event:m,lane:h}))).filter(({event:d})=>!t||(t==="impact"?d.kind===t:da(d))).sort((d,h)=>d.event.t-h.event.t),o=this.clock.time,
-i=e>0?s.find(({event:d})=>d.t>o+1e-9):s.findLast(({event:d})=>d.t<o-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(Se[a.kind]??a.kind);this.
-tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:M(a.t,4)})}`))}};var ht=class{constructor(e,t,s,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
-this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,Ba(e,o);let{colors:r}=s;this.known=s.presets,this.sameness=new qn(
-s.presets),this.address=o?new en(this):null,this.clock=new nn,this.motions=new Pn(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.
-announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Cn,this.theme=new Yn(e,
-r,o,()=>this.show()),this.stage=new Kn(r,()=>{this.request(),this.address?.soon()}),this.transport=new Qn(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Zn(this.clock),this.story=new Vn(this.clock),this.theory=new Jn,this.plots=new On(this.clock,r),this.phase=
-new Dn(t,this.clock,r),this.map=new An(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new an(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new Hn(this),this.singleKeys=new Sn(o),this.help=qa(s.version,r,this.singleKeys.element),
-this.hoops=new Mn(l=>this.motions.choose(l)),this.header=new En(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
-compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=$a(this,i),this.extras=new _n(this),this.later=ne(
-()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=Ha(
-this,o),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),
-this.sameness.expect(this.films(),t.fingerprints??[]),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),
-this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.
-sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){
-this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.
-header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(e=this.sameness.expected(this.films())){
-let{clock:t,stage:s,map:o,extras:i}=this,{on:a,path:r}=i.more;return this.motions.link(Qi({time:t.time,...s.view(),more:a?r:void 0,map:o.shown(),fingerprints:e}))}restore({
-time:e,map:t,options:s,more:o,...i}){s?.three&&this.toggle("three"),this.stage.restore({options:s,...i}),t&&this.map.restore(t),o&&this.extras.more.turn(!0,o),e&&
-this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.header.presets.value=t?.key??"",R(this.hoops.text,t?.text??"")}async take(e){
-this.taken=e;try{let t=await this.backend.film({query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){
-this.failed(t)}}travel(e){return this.motions.travel(e)}show(e=null){let{motions:t,clock:s}=this,o=this.films();if(!o.length)return;let i=o.length>1;this.theme.
-read(),s.duration=Math.max(...o.map(a=>a.duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.
-show(o.length,t.active),this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(
-()=>this.latencies.push(performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){
-this.surrounding=!1;let e=this.films(),{active:t}=this.motions,{look:s,colors:o}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,o,
-this.sameness.of(e[t])),this.drawTime(),this.map.mark(this.film(),s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.
-films(),this.motions.active,this.clock,this.theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.
-colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(
-this.frame))}frame(e){this.requested=!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:
-0),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.
-film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{this.theory.draw(await this.backend.theory(e,t),this.motions.name()),await this.
-phase.fetch(e,t)}catch(s){let{name:o,message:i}=s;o!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")
-t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var Tu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function It(n){let e=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),t=new Uint8Array(e.buffer,
+x:s(c)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,o,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Ni(
+r))e.fillText(l,E(c,6,i-6),o-4)}};var pc=1/60,fc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],gc={three:"In space"},Ce=(n,e,t)=>u(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},n),Za=(n,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${n} `),e),$n=class{constructor(e,t,s,o,i){this.
+clock=e;this.films=t;this.say=o;this.tell=i;this.titled="";this.playButton=Ce(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
+speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},gt.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
+value="1",this.switches=new Map(fc.map(([a,r,l])=>{let c=`${a==="three"?gc.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>s(
+a)},r)]})),this.row=u("div",{class:"buttons switches"},[...this.switches.values()]),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},Ce(Y("sta\
+rt"),"To the start (Home)",()=>e.seek(0)),Ce(Y("previous"),"Previous event (Shift ←)",()=>this.jump(-1)),Ce(Y("back"),"One frame back (←)",()=>this.nudge(-1)),
+this.playButton,Ce(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ce(Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},Ce(Za(
+"▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ce(Za("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,this.
+row)}show(e){let{clock:t,playButton:s}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let o=t.playing?"Pause (space)":"Play (spac\
+e)";this.titled!==o&&(this.titled=o,s.replaceChildren(Y(t.playing?"pause":"play")),Ze(s,"title",o),Ze(s,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.
+speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*pc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
+!1;let s=this.films().flatMap((m,h)=>m.events.map(d=>({event:d,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:Li(m))).sort((m,h)=>m.event.t-h.event.
+t),o=this.clock.time,i=e>0?s.find(({event:m})=>m.t>o+1e-9):s.findLast(({event:m})=>m.t<o-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has\
+ no flight.":"This motion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(ke[a.
+kind]??a.kind);this.tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:$(a.angle),time:M(a.t,4)})}`))}};var it=class{constructor(e,t,s,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
+this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,ia(e,o);let{colors:r}=s;this.known=s.presets,this.sameness=new Ln(
+s.presets),this.clock=new Gt,this.motions=new xn(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.announce(this.films()),noted:l=>this.
+noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.address=o?new $t(this.motions,()=>this.link()):null,this.notice=new kn,
+this.theme=new jn(e,r,o,()=>this.show()),this.stage=new qn(r,()=>{this.request(),this.address?.soon()}),this.transport=new $n(this.clock,()=>this.films(),l=>this.
+toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Bn(this.clock),this.story=new Fn(this.clock),this.theory=new Hn,this.plots=new An(this.clock,
+r),this.phase=new Tn(t,this.clock,r),this.map=new wn(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.
+soon()}),this.controls=new Vt(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new Pn(this),this.singleKeys=new gn(o),this.help=ta(s.version,r,this.singleKeys.
+element),this.hoops=new fn(l=>this.motions.choose(l)),this.header=new pn(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.
+travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.extras=new mn(this),this.sticky=aa(this,i),o&&!location.
+search&&!location.hash&&this.extras.visit.offer(),this.later=ne(()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.
+request(),this.clock.playing||this.address?.soon()}),this.deaf=sa(this,o),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(
+e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),this.sameness.expect(this.films(),t.fingerprints??[]),this.restore(t),this.begin()}begin(){this.
+show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),
+this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.
+film(e)}films(){return this.motions.films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(
+e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.
+film().query)}link(e=this.sameness.expected(this.films())){let{clock:t,stage:s,map:o,extras:i}=this,{on:a,path:r}=i.more;return this.motions.link(ui({time:t.time,
+...s.view(),more:a?r:void 0,map:o.shown(),fingerprints:e}))}restore({time:e,map:t,options:s,more:o,...i}){s?.three&&this.toggle("three"),this.stage.restore({options:s,
+...i}),t&&this.map.restore(t),o&&this.extras.more.turn(!0,o),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.
+header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==
+e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}async load(e){try{let t=await this.backend.call("f\
+ilm",{query:e});this.clock.play(!1),this.clock.time=0,this.motions.replace(t)}catch(t){this.notice.fail(t)}}mark(e,t){this.root.classList.toggle(e,t)}marked(e){
+return this.root.classList.contains(e)}travel(e){return this.motions.travel(e)}show(e=null){let{motions:t,clock:s}=this,o=this.films();if(!o.length)return;let i=o.
+length>1;this.theme.read(),s.duration=Math.max(...o.map(a=>a.duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(
+t.history,i),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(
+()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),
+0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),{active:t}=this.motions,{look:s,colors:o}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),
+this.story.draw(e,t,o,this.sameness.of(e[t])),this.drawTime(),this.map.mark(this.film(),s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){
+this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.
+theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||
+(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,
+this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){
+let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},
+t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(s){let{name:o,message:i}=s;o!=="AbortError"&&this.theory.draw([{label:"\
+–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
+this.transport.show(t),this.address?.soon(),this.request()}};var bc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function at(n){let e=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+s))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let d=l.reduce((h,m)=>h*m,1);i[a]=new Tu[r](t.buffer,t.byteOffset+4+s+c,d)}return{header:o,arrays:i}}var Au=4,Lu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Xn=class{constructor(e){this.base=e}async motion(e,t){
-let s={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(e),signal:t};return It(await(await this.answered(new URL("lab/motion",this.
-base),s)).arrayBuffer())}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}async answered(e,t){for(let s=Au;;s--){
-let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Lu)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>
-0)||s<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
-t?.signal?.throwIfAborted()}}},Ru=2e4,Pu=3e5,es=class{constructor(e){this.model=e;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(
-2);this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(s.timer),
-this.waiting.delete(e.number),e.error?s.reject(new Error(e.error)):s.resolve(It(t[0])))}ask(e,t,s){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(
-()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e==="file"?Pu:Ru);this.waiting.set(o,{resolve:i,reject:a,
-timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,
-number:o,call:e,body:t})})}motion(e,t){return this.ask("motion",e,t)}async file(e,t){let{arrays:s}=await this.ask("file",{query:t,name:e});return new Blob([s.content])}async derivatives(){
-return(await this.ask("derivatives",{})).arrays.content}close(){this.model.off("msg:custom",this.listen)}};var Ro=class extends Error{},Po=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
+4,4+s))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,d)=>h*d,1);i[a]=new bc[r](t.buffer,t.byteOffset+4+s+c,m)}return{header:o,arrays:i}}var $s=class extends Error{},Ws=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:o}=this.waiting;this.waiting=null,t.error?o(new Error(
 t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let o=new Promise((i,a)=>{this.waiting=
-{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),o}},ct=class{constructor(e,t,s,o){this.start=e;this.compiled=t;this.
+{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),o}},rt=class{constructor(e,t,s,o){this.start=e;this.compiled=t;this.
 size=s;this.limit=o;this.idle=[];this.hired=0;this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new Po(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,o=[]){
-s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Ro(`This takes longer than ${this.
+resolve(new Ws(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,o=[]){
+s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new $s(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,o)}finally{clearTimeout(r),s?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var ts=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var Wn=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
-o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Cu=150,zu=240,Nu=6e3,[Tw,zr,Nr]=[0,1,2],Iu={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var wc=150,yc=240,vc=6e3,[a0,Xa,Qa]=[0,1,2],xc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Co(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
-min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Cu),zu),Nu),c=k.events.length,d=new Set;for(let b=0;b<=l&&i>0;b++)d.add(b===l?r:a+b*((r-a)/l));let h=new Set;
-for(let b=0;b<o;b++){let w=Math.min(s[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)d.add(b);let m=Float64Array.from(d).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),f=n.states(e,m,!1),g=n.states(e,p,!0);return Du(m,f,p,g)}function Du(n,e,t,s){let o=n.length+t.length,i=k.samples.length,a=new Float64Array(o),r=new Float64Array(
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Gs(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
+min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*wc),yc),vc),c=k.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+for(let b=0;b<o;b++){let w=Math.min(s[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)m.add(b);let d=Float64Array.from(m).sort(),p=Float64Array.from(h).filter(b=>b>
+0).sort(),f=n.states(e,d,!1),g=n.states(e,p,!0);return kc(d,f,p,g)}function kc(n,e,t,s){let o=n.length+t.length,i=k.samples.length,a=new Float64Array(o),r=new Float64Array(
 o*i),l=0,c=0;for(let h=0;h<n.length;h++)c<t.length&&t[c]<=n[h]&&(a[l]=t[c],r.set(s.subarray(c*i,(c+1)*i),l*i),l++,c++),a[l]=n[h],r.set(e.subarray(h*i,(h+1)*i),l*
-i),l++;let d={t:a};for(let[h,m]of Object.entries(Iu)){let p=new Float64Array(o).fill(-0);for(let f of m)for(let g=0;g<o;g++)p[g]+=r[g*i+as[f]];d[h]=p}return d.mode=
-Ou(r,o,d.omega),d}function Ou(n,e,t){let s=k.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
-Math.sign(t[a])||i;let r=n[a*s+as.mode],l=r===zr?-1:r===Nr?1:0;o[a]=l===0?r:l*i<0?zr:Nr}return o}var qu=n=>n/2**32|0,Fu=n=>n>>>0;function Ir(n,e,t,s){let o=qu(t),i=Fu(t);n.setUint32(e,s?i:o,s),n.setUint32(e+4,s?o:i,s)}function Dr(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var zo=n=>n?
-`"${n}" `:"";function Hu(n,e=""){if(typeof n!="number")throw new TypeError(zo(e)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
-zo(e)+"expected integer >= 0, got "+n);return n}function No(n,e,t=""){if(Dr(n)&&(e===void 0||n.length===e))return n;e!==void 0&&Hu(e,"length");let s=Dr(n),o=e!==void 0?` of length ${e}`:"",i=s?`length=${n.length}`:
-`type=${typeof n}`,a=zo(t)+"expected Uint8Array"+o+", got "+i;throw s?new RangeError(a):new TypeError(a)}var ju=(n,e)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof n)},Or=(n,e)=>{
-ju(n,e);let t=Object.getPrototypeOf(n);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
-`"${e}.__proto__" is not allowed`)};function Io(n,e=!0){if(n.destroyed)throw new Error("hash was destroyed");if(e&&n.finished)throw new Error("digest() was alre\
-ady called")}function qr(n,e){No(n,void 0,"output");let t=e.outputLen;if(!(n.length>=t))throw new RangeError('"output" expected length >= '+t)}function Do(...n){for(let e=0;e<n.length;e++)n[e].fill(0)}function ns(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function le(n,e){return n<<32-e|
-n>>>e}function Bu(n,e,t="opts"){return Or(n,"defaults"),e!==void 0&&Or(e,t),Object.assign(Object.create(null),n,e)}function Fr(n,e={}){if(typeof n!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof n);e=Bu({},e,"info");let t=(o,i)=>n(i).update(o).digest(),s=n(void 0);return t.outputLen=s.outputLen,t.blockLen=
-s.blockLen,t.canXOF=s.canXOF,t.create=o=>n(o),Object.assign(t,e),Object.freeze(t)}var Hr=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function jr(n,e,t){return n&e^~n&t}function Br(n,e,t){return n&e^n&t^e&t}var ss=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,s,o){
-this.blockLen=e,this.outputLen=t,this.padOffset=s,this.isLE=o,this.buffer=new Uint8Array(e),this.view=ns(this.buffer)}update(e){Io(this),No(e);let{view:t,buffer:s,
-blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=ns(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}s.set(r===
+i),l++;let m={t:a};for(let[h,d]of Object.entries(xc)){let p=new Float64Array(o).fill(-0);for(let f of d)for(let g=0;g<o;g++)p[g]+=r[g*i+ys[f]];m[h]=p}return m.mode=
+_c(r,o,m.omega),m}function _c(n,e,t){let s=k.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
+Math.sign(t[a])||i;let r=n[a*s+ys.mode],l=r===Xa?-1:r===Qa?1:0;o[a]=l===0?r:l*i<0?Xa:Qa}return o}var Ec=n=>n/2**32|0,Mc=n=>n>>>0;function er(n,e,t,s){let o=Ec(t),i=Mc(t);n.setUint32(e,s?i:o,s),n.setUint32(e+4,s?o:i,s)}function tr(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var Us=n=>n?
+`"${n}" `:"";function Sc(n,e=""){if(typeof n!="number")throw new TypeError(Us(e)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
+Us(e)+"expected integer >= 0, got "+n);return n}function Ks(n,e,t=""){if(tr(n)&&(e===void 0||n.length===e))return n;e!==void 0&&Sc(e,"length");let s=tr(n),o=e!==void 0?` of length ${e}`:"",i=s?`length=${n.length}`:
+`type=${typeof n}`,a=Us(t)+"expected Uint8Array"+o+", got "+i;throw s?new RangeError(a):new TypeError(a)}var Tc=(n,e)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof n)},nr=(n,e)=>{
+Tc(n,e);let t=Object.getPrototypeOf(n);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
+`"${e}.__proto__" is not allowed`)};function Vs(n,e=!0){if(n.destroyed)throw new Error("hash was destroyed");if(e&&n.finished)throw new Error("digest() was alre\
+ady called")}function sr(n,e){Ks(n,void 0,"output");let t=e.outputLen;if(!(n.length>=t))throw new RangeError('"output" expected length >= '+t)}function Js(...n){for(let e=0;e<n.length;e++)n[e].fill(0)}function Gn(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function le(n,e){return n<<32-e|
+n>>>e}function Ac(n,e,t="opts"){return nr(n,"defaults"),e!==void 0&&nr(e,t),Object.assign(Object.create(null),n,e)}function or(n,e={}){if(typeof n!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof n);e=Ac({},e,"info");let t=(o,i)=>n(i).update(o).digest(),s=n(void 0);return t.outputLen=s.outputLen,t.blockLen=
+s.blockLen,t.canXOF=s.canXOF,t.create=o=>n(o),Object.assign(t,e),Object.freeze(t)}var ir=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function ar(n,e,t){return n&e^~n&t}function rr(n,e,t){return n&e^n&t^e&t}var Un=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,s,o){
+this.blockLen=e,this.outputLen=t,this.padOffset=s,this.isLE=o,this.buffer=new Uint8Array(e),this.view=Gn(this.buffer)}update(e){Vs(this),Ks(e);let{view:t,buffer:s,
+blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=Gn(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}s.set(r===
 0&&l===i?e:e.subarray(r,r+l),this.pos),this.pos+=l,r+=l,this.pos===o&&(this.process(t,0),this.pos=0,a=!0)}return this.length+=e.length,a&&this.roundClean(),this}digestInto(e){
-Io(this),qr(e,this),this.finished=!0;let{buffer:t,view:s,blockLen:o,isLE:i}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>o-a&&(this.process(s,0),t.fill(
-0)),Ir(s,o-8,this.length*8,i),this.process(s,0),this.roundClean();let r=e===t?s:ns(e),l=this.outputLen,c=l/4,d=this.get();if(l%4||c>d.length)throw new Error("in\
-valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,d[h],i)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let s=e.slice(0,t);return this.destroy(),
+Vs(this),sr(e,this),this.finished=!0;let{buffer:t,view:s,blockLen:o,isLE:i}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>o-a&&(this.process(s,0),t.fill(
+0)),er(s,o-8,this.length*8,i),this.process(s,0),this.roundClean();let r=e===t?s:Gn(e),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
+valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,m[h],i)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let s=e.slice(0,t);return this.destroy(),
 s}_cloneIntoMeta(e){let{buffer:t,length:s,finished:o,destroyed:i,pos:a}=this;return e.destroyed=i,e.finished=o,e.length=s,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
-_cloneInto()}},$r=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var $u=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},lr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Lc=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
-2361852424,2428436474,2756734187,3204031479,3329325298]),De=new Uint32Array(64),Oo=class extends ss{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
+2361852424,2428436474,2756734187,3204031479,3329325298]),ze=new Uint32Array(64),Ys=class extends Un{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
 8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:s,D:o,E:i,F:a,G:r,H:l}=this;
 return[e,t,s,o,i,a,r,l]}set(e,t,s,o,i,a,r,l){this.A=e|0,this.B=t|0,this.C=s|0,this.D=o|0,this.E=i|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
-constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)De[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let m=De[h-15],p=De[h-
-2],f=le(m,7)^le(m,18)^m>>>3,g=le(p,17)^le(p,19)^p>>>10;De[h]=g+De[h-7]+f+De[h-16]|0}let{A:s,B:o,C:i,D:a,E:r,F:l,G:c,H:d}=this;for(let h=0;h<64;h++){let m=le(r,6)^
-le(r,11)^le(r,25),p=d+m+jr(r,l,c)+$u[h]+De[h]|0,g=(le(s,2)^le(s,13)^le(s,22))+Br(s,o,i)|0;d=c,c=l,l=r,r=a+p|0,a=i,i=o,o=s,s=p+g|0}s=s+this.A|0,o=o+this.B|0,i=i+
-this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,d=d+this.H|0,this.set(s,o,i,a,r,l,c,d)}roundClean(){Do(De)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),Do(this.buffer)}},qo=class extends Oo{constructor(){super(32,$r)}};var Wr=Fr(()=>new qo,Hr(1));var Gr=["t","x","height","angle","vx","vy","omega","slip"],Wu=16,Gu=0x7ff8000000000000n;function Ur(n,e){let t=new TextEncoder,s=Wr.create(),o=new DataView(new ArrayBuffer(
-8*Gr.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;s.update(t.encode(k.kinds[n[l+B.kind]])),Gr.forEach((c,d)=>{let h=n[l+B[c]];
-Number.isNaN(h)?o.setBigUint64(8*d,Gu,!0):o.setFloat64(8*d,h+0,!0)}),s.update(i)}return Array.from(s.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,Wu)}function Kr(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=Uu(n.subarray(o*k.keys,(o+1)*k.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
-get(i);a===void 0&&(a=t.size,t.set(i,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function Uu(n){let e="";for(let t of n){let s=t;for(let o=0;o<k.letters_a_key&&
-s;o++){let i=Number(s&7n);s>>=3n,i&&(e+=i===k.more?"+":k.letters[i-1])}}return e}var Ku=256,Vu=2048,Ju=4096,Yu=2e5,Zu=k.statuses.indexOf("buffer"),Qu=new Set(k.passing),Fo=n=>Number.isFinite(n)?n:null,os=class{constructor(e){this.exports=new WebAssembly.
-Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new ts(this.exports),this.mostEvents=Ku,this.mostSegments=Vu,this.mostRows=Ju}call(e,...t){let s=this.
+constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)ze[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=ze[h-15],p=ze[h-
+2],f=le(d,7)^le(d,18)^d>>>3,g=le(p,17)^le(p,19)^p>>>10;ze[h]=g+ze[h-7]+f+ze[h-16]|0}let{A:s,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let d=le(r,6)^
+le(r,11)^le(r,25),p=m+d+ar(r,l,c)+Lc[h]+ze[h]|0,g=(le(s,2)^le(s,13)^le(s,22))+rr(s,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=s,s=p+g|0}s=s+this.A|0,o=o+this.B|0,i=i+
+this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(s,o,i,a,r,l,c,m)}roundClean(){Js(ze)}destroy(){this.destroyed=!0,this.set(0,0,
+0,0,0,0,0,0),Js(this.buffer)}},Zs=class extends Ys{constructor(){super(32,lr)}};var hr=or(()=>new Zs,ir(1));var cr=["t","x","height","angle","vx","vy","omega","slip"],Rc=16,Pc=0x7ff8000000000000n;function ur(n,e){let t=new TextEncoder,s=hr.create(),o=new DataView(new ArrayBuffer(
+8*cr.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;s.update(t.encode(k.kinds[n[l+B.kind]])),cr.forEach((c,m)=>{let h=n[l+B[c]];
+Number.isNaN(h)?o.setBigUint64(8*m,Pc,!0):o.setFloat64(8*m,h+0,!0)}),s.update(i)}return Array.from(s.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,Rc)}function dr(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=Cc(n.subarray(o*k.keys,(o+1)*k.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
+get(i);a===void 0&&(a=t.size,t.set(i,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function Cc(n){let e="";for(let t of n){let s=t;for(let o=0;o<k.letters_a_key&&
+s;o++){let i=Number(s&7n);s>>=3n,i&&(e+=i===k.more?"+":k.letters[i-1])}}return e}var zc=256,Nc=2048,Dc=4096,Ic=2e5,Oc=k.statuses.indexOf("buffer"),qc=new Set(k.passing),Xs=n=>Number.isFinite(n)?n:null,Kn=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Wn(this.exports),this.mostEvents=zc,this.mostSegments=Nc,this.mostRows=Dc}call(e,...t){let s=this.
 exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=k.events.length;for(;;){let o=t.room("table",8*s*this.
 mostEvents),i=t.room("heads",8*k.heads.length);e.contact?this.computeCompliant(e,e.contact,o,i):this.computeRigid(e,o,i);let a=t.floats(i,k.heads.length).slice(),
-r=a[he.events];if(a[he.status]===Zu)this.makeRoom(e,a[he.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(o,r*s).slice();
-return{given:e,head:a,rows:l,count:r,duration:a[he.duration],segments:a[he.segments]}}}}computeRigid(e,t,s){let{memory:o}=this,i=o.put("cell",Fe(e)),a=o.room("e\
+r=a[pe.events];if(a[pe.status]===Oc)this.makeRoom(e,a[pe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(o,r*s).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[pe.duration],segments:a[pe.segments]}}}}computeRigid(e,t,s){let{memory:o}=this,i=o.put("cell",Oe(e)),a=o.room("e\
 vents",k.event_bytes*this.mostEvents),r=o.room("segments",k.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,r,this.mostSegments,t,s)}computeCompliant(e,t,s,o){
-let{memory:i}=this,a=i.put("cell",Fe(e)),r=i.put("contact",qt(t)),l=i.room("events",k.event_bytes*this.mostEvents),c=i.room("rows",k.compliant_segment_bytes*this.
-mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Yu,c,this.mostRows,s,o)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return Vr(
-this.compute(e))}film(e){let t=this.compute(e);return{motion:Vr(t),columns:Co(this,t)}}columns(e,t){return Co(this,this.compute(e),t)}samples(e,t){let s=this.states(
+let{memory:i}=this,a=i.put("cell",Oe(e)),r=i.put("contact",Qt(t)),l=i.room("events",k.event_bytes*this.mostEvents),c=i.room("rows",k.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Ic,c,this.mostRows,s,o)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return mr(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:mr(t),columns:Gs(this,t)}}columns(e,t){return Gs(this,this.compute(e),t)}samples(e,t){let s=this.states(
 this.compute(e),t,!1),o=k.samples.length;return Object.fromEntries(k.samples.map((i,a)=>[i,Float64Array.from(t,(r,l)=>s[l*o+a])]))}states(e,t,s){return this.rows(
 "samples",k.samples.length,e,t,s)}margins(e,t,s=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let o=k.margins.length,i=this.rows(
 "margins",o,this.compute(e),t,s);return Object.fromEntries(k.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>i[c*o+r])]))}rows(e,t,s,o,i){let{memory:a}=this,r=o.
-length*t,l=a.put("times",o),c=a.room("states",8*Math.max(r,1)),d=a.room("cell",8),h=[s.segments,l,o.length,Number(i),c];return s.given.contact?this.call("compli\
-ant_samples",d,a.room("contact",8),a.room("rows",8),...h):this.call(e,d,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:s}=this,o=this.
+length*t,l=a.put("times",o),c=a.room("states",8*Math.max(r,1)),m=a.room("cell",8),h=[s.segments,l,o.length,Number(i),c];return s.given.contact?this.call("compli\
+ant_samples",m,a.room("contact",8),a.room("rows",8),...h):this.call(e,m,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:s}=this,o=this.
 compute(e),i=s.put("rates",t),a=this.side(o,i,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(o,i,-1):a;return{count:o.count,larger:a,smaller:c}}side({
-count:e,segments:t,head:s},o,i){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[d,h,m]=["cell","events","segments"].map(b=>a.
-room(b,8)),p=s[he.doubt_from];this.call("changes",d,o,1,i,h,e,m,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(f,0)],
-sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,s=t.put("cell",Fe(e)),o=t.room("answers",8*k.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresho\
-lds",s,i?e.vx:Number.NaN,o);let a=t.floats(o,k.thresholds.length),r=c=>{let d=a[k.thresholds.indexOf(c)];return Number.isNaN(d)?null:d},l=["jam_angle","jam_angl\
+count:e,segments:t,head:s},o,i){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[m,h,d]=["cell","events","segments"].map(b=>a.
+room(b,8)),p=s[pe.doubt_from];this.call("changes",m,o,1,i,h,e,d,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(f,0)],
+sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,s=t.put("cell",Oe(e)),o=t.room("answers",8*k.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresho\
+lds",s,i?e.vx:Number.NaN,o);let a=t.floats(o,k.thresholds.length),r=c=>{let m=a[k.thresholds.indexOf(c)];return Number.isNaN(m)?null:m},l=["jam_angle","jam_angl\
 e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
 _speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
 "stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,o,i],a,r){let{memory:l}=this,
-c=l.put("cell",Fe(e)),d=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,s,o,i,a,r,d,h);let{buffer:m}=this.exports.memory;return{modes:new Uint8Array(
-m,d,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,h,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*k.numbers.
-length),l=i.room("words",4*e*k.words.length),c=i.room("keys",8*e*k.keys),{angle:d,stop:h,timed:m}=k.spans[o],p=k.wanted[s];this.call("map_cells",a,e,d??Number.NaN,
-h,m,p,r,l,c);let{buffer:f}=this.exports.memory;if(s==="sequence")return Kr(new BigUint64Array(f,c,e*k.keys),e);let g=new Float64Array(e);if(s in rs){let b=new Int32Array(
-f,l,e*k.words.length);for(let w=0;w<e;w++)g[w]=b[w*k.words.length+rs[s]]}else{let b=i.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*k.numbers.length+
-Jo[s]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
-let t=this.memory.put("cell",Fe(e)),s=this.memory.put("contact",qt(e.contact)),o=this.memory.room("answers",8*k.thresholds.length);this.call("refused",t,s,+!e.contact,
-o);let[i,a]=this.memory.floats(o,2);return[i,a]}combine(e,t){let{memory:s}=this,o=s.put("parts",t.flatMap(Xu)),i=s.room("answers",8*k.thresholds.length),a=s.room(
+c=l.put("cell",Oe(e)),m=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,s,o,i,a,r,m,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
+d,m,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*k.numbers.
+length),l=i.room("words",4*e*k.words.length),c=i.room("keys",8*e*k.keys),{angle:m,stop:h,timed:d}=k.spans[o],p=k.wanted[s];this.call("map_cells",a,e,m??Number.NaN,
+h,d,p,r,l,c);let{buffer:f}=this.exports.memory;if(s==="sequence")return dr(new BigUint64Array(f,c,e*k.keys),e);let g=new Float64Array(e);if(s in vs){let b=new Int32Array(
+f,l,e*k.words.length);for(let w=0;w<e;w++)g[w]=b[w*k.words.length+vs[s]]}else{let b=i.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*k.numbers.length+
+Ai[s]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
+let t=this.memory.put("cell",Oe(e)),s=this.memory.put("contact",Qt(e.contact)),o=this.memory.room("answers",8*k.thresholds.length);this.call("refused",t,s,+!e.contact,
+o);let[i,a]=this.memory.floats(o,2);return[i,a]}combine(e,t){let{memory:s}=this,o=s.put("parts",t.flatMap(Fc)),i=s.room("answers",8*k.thresholds.length),a=s.room(
 "reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,i,a);let[r,l,c]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(a,t.
-length)]}}chosen(e){let t=this.memory.put("cell",Fe(e)),s=this.memory.put("contact",qt(e.contact)),o=this.memory.room("answers",8*k.thresholds.length);this.call(
-"compliance",t,s,o);let i=this.memory.floats(o,k.chosen.length);return Object.fromEntries(k.chosen.map((a,r)=>[a,i[r]]))}};function Xu(n){let e=n.shape==="rod"?
+length)]}}chosen(e){let t=this.memory.put("cell",Oe(e)),s=this.memory.put("contact",Qt(e.contact)),o=this.memory.room("answers",8*k.thresholds.length);this.call(
+"compliance",t,s,o);let i=this.memory.floats(o,k.chosen.length);return Object.fromEntries(k.chosen.map((a,r)=>[a,i[r]]))}};function Fc(n){let e=n.shape==="rod"?
 `${n.direction}_rod`:n.shape,t=k.shapes.indexOf(e);return n.shape==="ring"?[t,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[t,n.mass,n.radius,0,n.at]:
-n.shape==="rod"?[t,n.mass,n.length,0,n.at]:[t,n.mass,0,0,n.at]}var ed=["friction","impact_normal","impact_tangential","rolling_resistance"],td=["kinetic","poten\
-tial",...ed,"residual"],Jr=["x","height","angle","vx","vy","omega"];function Vr({given:n,head:e,rows:t,count:s,duration:o}){let i=k.events.length,a=Array.from({
-length:s},(d,h)=>nd(t.subarray(h*i,(h+1)*i))),r=a[s-1],l=Object.fromEntries([...td,...n.contact?["spring","damping"]:[]].map(d=>[d,e[he[d]]])),c=Fo(e[he.doubt_from]);
-return{status:k.statuses[e[he.status]],sequence:sd(a),fingerprint:c===null?Ur(t,s):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Jr.map(
-d=>[d,r[d]]))},energy:l,doubt:c}}function nd(n){let e=k.kinds[n[B.kind]],t=n[B.from_mode],s={t:n[B.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[n[B.to_mode]]};
-for(let o of Jr)s[o]=Fo(n[B[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,Fo(n[B[`before_${o}`]])])),s.impulse={normal:n[B.impulse_normal],
-tangential:n[B.impulse_tangential]},n[B.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[B.gain]),n[B.stable]>=0&&(s.stable=n[B.stable]===1),s}function sd(n){
-let e=n.filter((s,o)=>o===n.length-1||!Qu.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Ho=1e4,od="The part of the page that computes this could not be loaded; choose it again when there is a network.",jo=256;function Yr(n){let e=URL.createObjectURL(
-new Blob([n],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function Zr(n){let e=await fetch(n);if(!e.ok)throw new Error(`The kernel i\
+n.shape==="rod"?[t,n.mass,n.length,0,n.at]:[t,n.mass,0,0,n.at]}var Hc=["friction","impact_normal","impact_tangential","rolling_resistance"],jc=["kinetic","poten\
+tial",...Hc,"residual"],pr=["x","height","angle","vx","vy","omega"];function mr({given:n,head:e,rows:t,count:s,duration:o}){let i=k.events.length,a=Array.from({
+length:s},(m,h)=>Bc(t.subarray(h*i,(h+1)*i))),r=a[s-1],l=Object.fromEntries([...jc,...n.contact?["spring","damping"]:[]].map(m=>[m,e[pe[m]]])),c=Xs(e[pe.doubt_from]);
+return{status:k.statuses[e[pe.status]],sequence:$c(a),fingerprint:c===null?ur(t,s):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(pr.map(
+m=>[m,r[m]]))},energy:l,doubt:c}}function Bc(n){let e=k.kinds[n[B.kind]],t=n[B.from_mode],s={t:n[B.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[n[B.to_mode]]};
+for(let o of pr)s[o]=Xs(n[B[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,Xs(n[B[`before_${o}`]])])),s.impulse={normal:n[B.impulse_normal],
+tangential:n[B.impulse_tangential]},n[B.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[B.gain]),n[B.stable]>=0&&(s.stable=n[B.stable]===1),s}function $c(n){
+let e=n.filter((s,o)=>o===n.length-1||!qc.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Qs=1e4,Wc="The part of the page that computes this could not be loaded; choose it again when there is a network.",eo=256;function fr(n){let e=URL.createObjectURL(
+new Blob([n],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function gr(n){let e=await fetch(n);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${n.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
-arrayBuffer())}async function Qr(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var Dt=class n{constructor(e,t,s){this.start=t;this.derivatives=s;this.rates=null;this.mechanics=new os(e),this.motions=new ct(t,e,2,Ho);let o=navigator.hardwareConcurrency||
-2;this.maps=new ct(t,e,Math.max(1,Math.min(o-1,8)),Ho)}static async load(e){let t=await Zr(new URL(`hophoop.wasm?${k.module}`,e)),s=()=>Zr(new URL(`hophoop-deri\
+arrayBuffer())}async function br(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
+var At=class n{constructor(e,t,s){this.start=t;this.derivatives=s;this.rates=null;this.mechanics=new Kn(e),this.motions=new rt(t,e,2,Qs);let o=navigator.hardwareConcurrency||
+2;this.maps=new rt(t,e,Math.max(1,Math.min(o-1,8)),Qs)}static async load(e){let t=await gr(new URL(`hophoop.wasm?${k.module}`,e)),s=()=>gr(new URL(`hophoop-deri\
 vatives.wasm?${k.derivatives}`,e)),o=new URL(`kernel.js?${k.module}`,e);return o.origin===globalThis.location?.origin?new n(t,()=>new Worker(o,{type:"module"}),
-s):new n(t,Yr(await(await fetch(o)).text()),s)}static async unpack(e,t,s){return new n(await Qr(e),Yr(t),async()=>Qr(await s()))}motion(e,t){return this.motions.
+s):new n(t,fr(await(await fetch(o)).text()),s)}static async unpack(e,t,s){return new n(await br(e),fr(t),async()=>br(await s()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.motions.
-ask("samples",[e,t],s)}async changes(e,t,s){return this.rates??=this.derivatives().then(i=>new ct(this.start,i,1,Ho)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(od)})).ask("changes",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,o,i){return this.motions.ask("regions",[e,
-t,s,o],i)}async map({count:e,rows:t},s,o,i){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let m=Math.min(jo,e-h),p=new Float64Array(
-a*m);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+m),b*m);let f=await this.maps.ask("map",[{count:m,rows:p},s,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
-b)||l.push(b),l.indexOf(b)));for(let b=0;b<m;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},d=Array.from({length:Math.ceil(e/jo)},(h,m)=>m*jo);return await Promise.
-all(d.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var id=360,ad=240,Bo={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},rd=["motion.nc","motion.mp4","mo\
-tion.gif"],is=class{constructor(e,t,{base:s=null,python:o=null}={}){this.kernel=e;this.mechanics=t;this.undecided=new Set;this.base=s,this.python=o,this.shares=
-s!==null,this.files=[...Object.keys(Bo),...o?rd:[]]}async film(e,t){t?.throwIfAborted();let s=me(e,this.mechanics),o=Z(je(s)),{motion:i,columns:a}=this.kernel.film?
-await this.kernel.film(o,t):{motion:await this.kernel.motion(o,t),columns:await this.kernel.columns(o,t)},{doubt:r}=i;if(r!==null&&this.python){let d=Qe(s),h=await this.
-python.motion({query:d},t);return this.undecided.add(d),this.shown(h,s)}let l=await this.turning(o,i,t),c=Kt(s,i,l,this.mechanics);return{header:r===null?c:{...c,
-doubt:vs(r)},arrays:a}}shown({header:e,arrays:t},s=bt(e.query,this.mechanics)){return{header:Kt(s,e,i=>e.turning[i],this.mechanics),arrays:t}}async samples(e,t,s){
-let o=me({scenario:e},this.mechanics),i=Qe(o);return this.python&&this.undecided.has(i)?(await this.python.motion({query:i,window:t},s)).arrays:this.kernel.columns(
-Z(je(o)),s,t)}async turning(e,{events:t},s){let o=Is(t);if(!o.length)return()=>0;let i=Float64Array.from(o,r=>Ds(t,r)),{omega:a}=await this.kernel.samples(e,i,s);
-return r=>a[o.indexOf(r)]}code(e){let t=me({scenario:e},this.mechanics);return{python:Ps(t),toml:Wt(t)}}async theory(e,t){t?.throwIfAborted();let s=me({scenario:e},
-this.mechanics);return Us(s,await this.kernel.thresholds(Z(s),t))}async regions(e,t,s){s?.throwIfAborted();let o=Z(me({scenario:e},this.mechanics));return this.
-kernel.regions(o,t,id,ad,s)}async changes(e,t,s){if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let o=je(me({scenario:e},this.mechanics)),
-i=Z(o);if(i.contact)throw new N($("compliant_changes"));let a=$s(o,t);if(!a)return null;let{rates:r,smaller:l,larger:c}=a,d=await this.kernel.changes(i,r,s);return{
-count:d.count,smaller:l?d.smaller:null,larger:c?d.larger:null}}async map(e,t){t?.throwIfAborted();let{checked:s,x:o,y:i,what:a}=Ws(e,this.mechanics),r=xs(s,{x:o,
-y:i,what:a}),l=await As(r,{x:o,y:i},this.mechanics,t);return Rs({x:o,y:i,what:a},await this.kernel.map(l,a,Ls(a),t))}async file(e,t){if(!(e in Bo)){if(this.python)
-return this.python.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Bo[e]})}async fileText(e,t){let s=me(
-{query:t},this.mechanics);if(e==="motion.toml")return Wt(s);let o=je(s),i=Z(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.python)return(await this.python.
-file(e,t)).text();if(e==="motion.json")return Hs(o,a);let r=js(a.duration);return Bs(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?
-`?${e}`:"",this.base)}${t}`}};async function Xr(n,e){let t=await n.catch(s=>{throw typeof WebAssembly=="object"&&!(s instanceof WebAssembly.CompileError)?s:new Error("This needs a browser th\
-at runs WebAssembly.")});return new is(t,t.mechanics,e)}function $o(n,e,t){return Xr(Dt.load(n),{base:t,python:e&&new Xn(e)})}function el(n,e){let t=Dt.unpack(n.
-get("module"),n.get("worker"),()=>e.derivatives());return Xr(t,{python:e})}function tl(n){navigator.serviceWorker?.register(n).catch(()=>{})}var ld=new URL("./",import.meta.url);async function hd(n){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s;try{s=await $o(ld,t?null:e,e)}catch(r){R(n,r.message);return}t&&tl(t.getAttribute("content")??"");let o=new ht(n,s,S.setup,{hosted:!0});Object.assign(globalThis,
-{hophoopLab:o});let i=new URLSearchParams(location.hash.slice(1)).get("with"),a=Xi(location.hash);try{await o.open([location.search.slice(1),...i===null?[]:[i]],
-a)}catch(r){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(r)}}async function my(n,e,t,s){let o=await $o(e,null,new URL("../",e)),i=new ht(n,o,
-S.setup,{panels:s});return await i.open([t]),i}async function cd({model:n,el:e}){let t=document.createElement("div");e.append(t);let s=new es(n),o;try{o=await el(
-n,s)}catch(l){return R(t,l.message),()=>s.close()}let i=()=>o.shown(It(n.get("film"))),a=new ht(t,o,S.setup,{panels:n.get("panels"),onmotion:l=>{n.get("query")!==
-l&&(n.set("query",l),n.save_changes())}});a.motions.set([i()]),a.begin();let r=()=>a.motions.replace(i());return n.on("change:film",r),()=>{n.off("change:film",
-r),s.close(),a.close()}}var nl=document.getElementById("hophoop-lab");nl&&hd(nl);var py={render:cd};export{Hh as adopt,Le as current,py as default,ao as languageMenu,my as mount,Qt as repeat,x as t,tt as untranslated};
+ask("samples",[e,t],s)}async changes(e,t,s){return this.rates??=this.derivatives().then(i=>new rt(this.start,i,1,Qs)),(await this.rates.catch(()=>{throw this.rates=
+null,new Error(Wc)})).ask("changes",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,o,i){return this.motions.ask("regions",[e,
+t,s,o],i)}async map({count:e,rows:t},s,o,i){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(eo,e-h),p=new Float64Array(
+a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let f=await this.maps.ask("map",[{count:d,rows:p},s,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
+b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/eo)},(h,d)=>d*eo);return await Promise.
+all(m.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Gc=4,Uc="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Vn=class{constructor(e){this.base=e;this.shares=
+!0}async call(e,t,s){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},i=await this.answered(new URL(`lab/${e}`,
+this.base),o);return at(await i.arrayBuffer())}async answered(e,t){for(let s=Gc;;s--){let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Uc)});
+if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||s<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The\
+ server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(
+`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},Kc=2e4,Vc=3e5,Jn=class{constructor(e){this.model=e;this.
+shares=!1;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){
+let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(s.timer),this.waiting.delete(e.number),e.error?s.reject(new Error(e.error)):s.resolve(at(
+t[0])))}call(e,t,s){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answ\
+er; run the cell again."))},e==="file"?Vc:Kc);this.waiting.set(o,{resolve:i,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
+o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("fi\
+le",{query:t,name:e});return new Blob([s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Jc,families:Yc,massless:Zc,hops:Xc,rolls:Qc,other:eu}=S.classes,{sequence:tu}=S.words,wr="sequence",nu=n=>[...n].reduce((e,t)=>(131*e+t.charCodeAt(0))%
+997,0)/997;function yr(n,e){if(e!==wr)return Jc[e]?.[n]??eu;let t=/[SK]/.exec(n)?.[0]??"R",s=[n.startsWith("R")&&"rolls",/[SK]/.test(n)&&"slips"].filter(Boolean).
+join(", "),o=n.endsWith("H")?Xc:Yc[t+n.slice(-1)]??Qc,i=n.includes("M")?Zc[s]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
+min(n.length-1,9)/9,c=.2*nu(n),m=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*m)*(1-h)).toString(
+16).padStart(2,"0")}).join("")}`}function vr(n,e){return e!==wr?n.replaceAll("_"," "):[...n].map(t=>tu[t]).join(" → ")}function X({duration:n,hoop:e,plane:t,start:s,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:d,height:p,angle:f,vx:g,
+vy:b,omega:w,slip:y}=be(s,i),{max_events:v,model:_,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
+angle:f,vx:g,vy:b,omega:w,slip:y,rolling:s.speed!==null,duration:n,max_events:v,contact:_==="rigid"?null:T}}function be({x:n,height:e,angle:t,speed:s,vx:o,vy:i,
+omega:a},r){let l=s===null?Number(a):s/r;return{x:n,height:e,angle:t,vx:o,vy:i,omega:l,slip:s===null?o-r*l:0}}var su=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,ou=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function Ee(n){return Number.isNaN(n)?"nan":String(n).replace("Infi\
+nity","inf")}var to=n=>Ee(n).replace(/^-?\d+$/,"$&.0");function Me(n,e=6){if(!Number.isFinite(n))return Ee(n);let t=n!==0&&Math.abs(n)<1e-4,[s,...o]=(t?n.toExponential(
+e-1):n.toPrecision(e)).split("e");return[s.includes(".")?s.replace(/\.?0+$/,""):s,...o].join("e")}var no=(n,e)=>Number.isFinite(n)?n.toFixed(e):Ee(n),iu={g:(n,e)=>Me(
+n,e||6),e:(n,e)=>n.toExponential(e),f:no};function q(n,e){return n.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,o,i,a)=>{let r=e[s];return a?iu[a](r,Number(
+i)):o?so(r):String(r)})}function so(n){return typeof n=="number"?Ee(n):typeof n=="string"?Yn(`'${n}'`):n==null?"None":Yn(JSON.stringify(n))}var xr=n=>n.replace(
+/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Yn(n){let e=[...n];return e.length<=60?n:`${e.slice(0,57).join("")}...`}function kr(n){
+if(su.test(n))return Number(n);let[,e,t]=ou.exec(n)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:_r,scenario:Er}=S,au=2,N=class extends Error{constructor(e){super(xr(e)),this.name="InputError"}},te=class extends N{},z=(n,e={})=>q(_r[n],e),we=n=>n!==
+null&&typeof n=="object"&&!Array.isArray(n),We=(n,e,t,s)=>z("finding",{path:n||_r.whole_scenario,shown:so(e),allowed:z(t,s)});function io(n,e,t,s){let{fields:o,
+place:i}=Er.models[n],a=we(e)?ao(i,e,Object.keys(o)):We(t,e,"table");if(a&&s.push(a),a)return null;let r=s.length,l={};for(let[c,m]of Object.entries(o))Object.hasOwn(
+e,c)?l[c]=ro(m,e[c],`${t}.${c}`,s):m.required?s.push(z("missing",{path:`${t}.${c}`})):l[c]=yt(m.default);return s.length===r?{values:l,given:new Set(Object.keys(
+e))}:null}function ao(n,e,t){let s=Object.keys(e).find(r=>!t.includes(r));if(s===void 0)return null;let[o]=[...t].sort((r,l)=>oo(s,r)-oo(s,l)),a=oo(s,o)<=au?z("\
+did_you_mean",{close:o}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${n}${Yn(s)}`,hint:a})}function oo(n,e){let t=Array.from({length:e.length+
+1},(s,o)=>o);for(let[s,o]of[...n].entries()){let i=[s+1];for(let a=0;a<e.length;a++)i.push(Math.min(i[a]+1,t[a+1]+1,t[a]+ +(o!==e[a])));t=i}return t[e.length]}function ro(n,e,t,s){
+if(e===null&&n.nullable)return null;if(n.kind==="parts")return hu(e,t,s);let o=n.kind==="friction"&&e==="inf"?1/0:e,i=lu(n,o);return i&&s.push(We(t,e,...i)),typeof o==
+"number"?o+0:o}var ru={greater_than:(n,e)=>n>e,greater_than_equal:(n,e)=>n>=e,less_than_equal:(n,e)=>n<=e};function lu(n,e){let{kind:t,options:s,limits:o=[],range:i}=n;
+if(t==="word")return s.includes(e)?null:["literal_error",n];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
+!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=o.find(([r,l])=>!ru[r](e,l));return a?[a[0],{limit:a[1]}]:
+i&&!lo(i,e)?["range",i]:null}var lo=({least:n,most:e,also:t=[]},s)=>n<=s&&s<=e||t.some(o=>yt(o)===s);function hu(n,e,t){if(!Array.isArray(n))t.push(We(e,n,"list"));else
+return n.map((s,o)=>cu(s,`${e}.${o}`,t))}function cu(n,e,t){let s=ho(n,"shape",Er.parts,e,t),o=s&&io(s,n,e,t);if(!o)return null;let{inner_radius:i,outer_radius:a}=o.
+values;return i>a&&t.push(z("ring_radii",{inner:i,outer:a})),o.values}function ho(n,e,t,s,o,i){let a=we(n)&&Object.hasOwn(n,e)?n[e]:i;if(!we(n))o.push(We(s,n,"t\
+able"));else if(a===void 0)o.push(z("missing",{path:`${s}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
+'`).join(" or ");o.push(We(`${s}.${e}`,a,"literal_error",{expected:r}))}}return null}function co(n){let e=n.length-1;return e?z(e===1?"other_problem":"other_pro\
+blems",{first:n[0].replace(/\.$/,""),count:e}):n[0]}var Sr=new Map(Object.entries(S.scenario.ends));function mo(n){let[e,...t]=n.split(".");return[e,t.join(".")]}function Lt(n){for(let e of n){let t=(Sr.get(e)??[]).
+map(o=>`${mo(e)[0]}.${o}`),s=n.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));if(s!==void 0)return[e,s]}return null}function Mr(n){let[e,t]=mo(n);return(e==="\
+start"?10:0)+(t===""?0:n==="contact.model"||n==="hoop.parts"?1:2)}function Tr(n,e,t,s){let o=[...t.keys()],i=Lt(o);if(i){let[r,l]=i;throw new N(z("two_ways",{one:r,
+other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>Mr(l)-Mr(c))){let l=structuredClone(t.get(r)),[c,m]=mo(r);if(m==="")
+uo(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||uo(e,c,{});let h=e[c];if(!we(h))throw new N(z("no_section_parts",{path:r,section:c}));
+let d=Sr.get(r)??[];if(!a.has(c)&&d.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?s(c,t.get(c)):n[c],f=uu(p,r,()=>s("hoop",e.hoop));for(let[g,b]of Object.
+entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of d)delete h[p];du(h,m.split("."),l,r)}}return e}var uo=(n,e,t)=>Object.defineProperty(n,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0});function uu(n,e,t){let{mass:s,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=n;if(e==="hoop.load_fraction")return{mass:s};
+if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:s,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
+mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=be(n,t().radius);return{height:l,vx:c,vy:m,omega:h}}function du(n,e,t,s){
+let o=n;for(let[i,a]of e.entries()){let r=i===e.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(a)&&Number(a)<o.length)&&!(we(o)&&(r||Object.hasOwn(o,a))))throw new N(
+z("not_there",{path:s,step:a}));r?uo(o,a,t):o=o[a]}}var{lab:mu,limits:Q}=S,{allowed:Ar,events:pu,flight_turns:fu,quantities:gu}=S.map,bu=1e-300,G=(n,e={})=>q(mu[n],e),po=n=>G("doubt",{time:Me(n,4)});function Ge(n){
+let{duration:e,hoop:t,contact:s}=n;if(e>Q.duration)throw new te(G("too_long",{duration:e,most:Q.duration}));let o=t.parts?.length??0;if(o>Q.parts)throw new te(G(
+"too_many_parts",{parts:o,most:Q.parts}));let i=Cr(Pr(n));if(i>Q.turns)throw new te(G("too_many_turns",{duration:e,turns:i,most:Q.turns}));if(s.model==="complia\
+nt"){let a=wu(n,i);if(a>Q.steps)throw new te(G("too_stiff",{steps:a,most:Q.steps}))}return s.max_events<=Q.events?n:{...n,contact:{...s,max_events:Q.events}}}function Pr({
+duration:n,hoop:{radius:e},plane:{gravity:t,slope:s},start:o}){let{height:i,vx:a,vy:r,omega:l}=be(o,e);return{duration:n,radius:e,gravity:t,slope:s,height:i,vx:a,
+vy:r,omega:l}}function Cr({duration:n,radius:e,gravity:t,slope:s,height:o,vx:i,vy:a,omega:r}){return(2*(Math.abs(i)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+o)))+
+.5*t*Math.min(Math.abs(s),1)*n)*n/(2*Math.PI*e)}function wu({duration:n,hoop:{radius:e,mass:t},plane:{gravity:s},contact:{stiffness:o}},i){let r=10/Math.sqrt(e/
+(s>0?s:1))+(o===null?0:Math.sqrt(o/t));return 10*n*r+40*i}function fo(n,{x:e,y:t,what:s}){if(n.contact.model!=="rigid")throw new N(G("rigid_maps"));let{contact:o,
+...i}=Ge(n),a={...i,contact:{...o,max_events:Math.min(o.max_events,pu)}};yu(a,e,t,gu[s].span);let r=Lt([t.path,e.path]);if(r)throw new N(G("two_axes",{one:r[0],
+other:r[1]}));return a}function yu(n,e,t,s){let o=Pr(n),i=s==="first_revolution",a=Rt(e).filter(h=>Rr(e.path,h)),r=Rt(t).filter(h=>Rr(t.path,h)),[l,c]=[0,0];for(let h of r)
+for(let d of a){let p=Lr(Lr(o,t.path,h),e.path,d),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+bu),fu):Cr(p);l+=g,c=Math.max(c,g)}if(!i&&c>Q.turns)throw new te(
+G("cell_turns",{turns:c,most:Q.turns}));if(l<=Q.map_turns)return;let m=a.length*r.length;throw new te(G("map_turns",{cells:m,turns:l,most:Q.map_turns}))}function Lr(n,e,t){
+if(e==="start.speed")return{...n,vx:t,vy:0,omega:0};let s=e.slice(e.lastIndexOf(".")+1);return s in n&&s!=="height"?{...n,[s]:t}:n}var Rt=({from:n,to:e,cells:t})=>Array.
+from({length:t},(s,o)=>n+(o+.5)*((e-n)/t));function Rr(n,e){return!Ar[n]||lo(Ar[n],e)}var vu=1e3;function zr(n){let e=n.replace(/^\?/,"");if(e.split("&").length>vu)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
+for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),c=t;for(let m of r)if(c.has(m)||c.set(m,new Map),c=c.get(m),!(c instanceof Map))throw new N(
+z("value_above",{path:i,above:i.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:i}));c.set(l,kr(a)??a)}let s=t.get("hoop"),o=s instanceof
+Map&&s.get("parts");return o instanceof Map&&s.set("parts",xu(o)),go(t)}function xu(n){let e=Array.from({length:n.size},(s,o)=>String(o)),t=[...n.keys()].find(s=>!e.
+includes(s));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(s=>n.get(s))}function go(n){return Array.isArray(n)?n.map(go):n instanceof
+Map?Object.fromEntries([...n].map(([e,t])=>[e,go(t)])):n}function bo(n,e=""){return typeof n=="string"?`${e}=${n}`:typeof n=="number"?`${e}=${Ee(n).replace("e+",
+"e")}`:Object.entries(n).map(([t,s])=>bo(s,e?`${e}.${t}`:t)).join("&")}var{scenario:wo}=S,ku=wo.rules,_u=["load_fraction","eccentricity","inertia_ratio"],Nr=["mu_static","mu_kinetic"],Eu=["height","vx","vy","omega"],Dr={mass:1,inertia_ratio:1,
+contact:null};function Xn(n,e,t){let[s,o]=t.refused(n),i=ku[s];if(!i)return null;let a=Object.entries(i.values).map(([r,l])=>{let[c,m]=l.split(".");return[r,e[c][m]]});
+return z(i.sentence,{...i.known,...Object.fromEntries(a),[i.number]:o})}function Zn(n,e,t,s){let o=s.find(i=>t.has(i));return o?z("together",{section:n,other:o,
+way:e}):null}var Ir={hoop:Mu,plane:Su,start:Tu,contact:Au};function Mu(n,e,t){let s=_u.filter(o=>e.has(o)&&n[o]!==null);if(n.parts){let o=n.parts.length?Zn("hoo\
+p","parts",e,[...s,"mass"]):z("no_parts");if(o)return o;let{radius:i,parts:a}=n,{reaches:r,...l}=t.combine(i,a),c=r.findIndex(m=>m>i*(1+wo.touch));if(c>=0)return z(
+"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:i});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let o=Zn("hoop","load_fraction",e,
+s.slice(+(n.load_fraction!==null)));if(o)return o;n.load_fraction??=wo.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,n.inertia_ratio=t.
+ideal(n.load_fraction)}else if(s.length===1){let o=s[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:o,given:s[0]})}return Xn(
+{...Dr,...n,ideal:n.load_fraction!==null},{hoop:n},t)}function Su(n,e,t){if(n.apart=Nr.some(s=>e.has(s)),n.mu!==null){let s=Zn("plane","mu",e,Nr);if(s)return s;
+n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return Xn({...Dr,...n},{plane:n},t)}function Tu(n,e){return n.speed===null?n.omega===
+null?z("no_omega"):null:(n.vx=n.speed,n.omega=null,Zn("start","speed",e,Eu))}function Au({damping:n=null,restitution:e=null}){return n!==null&&e!==null?z("toget\
+her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:ye}=S,Or=ye.left_out,qr={rigid:"Rigid",compliant:"Compliant"};function Ct(n,e){let{fields:t,place:s}=ye.models.Scenario,o=we(n)?ao(s,n,Object.keys(
+t)):We("",n,"table");if(o)throw new N(o);let i=[],a=Object.keys(t).map(c=>{let m=Object.hasOwn(n,c)?n[c]:ye.default[c];return[c,vo(c,m,e,i)]}),r=Object.fromEntries(
+a),l=i.length?co(i):Xn(X(r),r,e);if(l)throw new N(l);return r}function vo(n,e,t,s){if(n==="duration")return ro(ye.models.Scenario.fields[n],e,n,s);let[o]=n==="c\
+ontact"?[ho(e,"model",qr,n,s,"rigid")]:ye.sections[n],i=o&&io(o,e,n,s),a=i&&Ir[n](i.values,i.given,t);return a&&s.push(a),i?.values}var xo=(n,e)=>Ct(zr(n),e),es=(n,e,t)=>Ct(
+Fr(n,e,t),t);function Fr(n,e,t){return Tr(n,Ne(n),e,(s,o)=>{let i=[],a=vo(s,o,t,i);if(i.length)throw new N(co(i));return a})}function Hr(n,e,t){let s=[];try{let o=Fr(
+n,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vo(r,o[r],t,s)]);return s.length?null:Object.fromEntries(a)}catch(o){if(o instanceof N)return null;
+throw o}}var Pt=(n,e)=>Object.fromEntries(e.filter(t=>n[t]!==null).map(t=>[t,n[t]===1/0?"inf":n[t]])),yo=n=>Object.keys(ye.models[n].fields);function Ne({duration:n,
+hoop:e,plane:t,start:s,contact:o}){let i=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in Or&&t[l]===Or[l],r=["x","height","angle","vx","vy","omega"];return{
+duration:n,hoop:Lu(e),plane:Pt(t,yo("Plane").filter(l=>!i.includes(l)&&!a(l))),start:Pt(s,s.speed===null?r:["x","angle","speed"]),contact:Pt(o,yo(qr[o.model]))}}
+function Lu(n){if(n.parts){let t=n.parts.map(s=>Pt(s,yo(ye.parts[s.shape])));return{radius:n.radius,parts:t}}let e=n.load_fraction===null?["eccentricity","inert\
+ia_ratio"]:["load_fraction"];return Pt(n,["radius","mass",...e])}function ko(n,e){if(n==="hoop"||n==="plane")return ye.default[n];let{fields:t}=ye.models[n==="s\
+tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([s,o])=>[s,o.default??void 0]))}function zt(n){let e={};for(let[
+t,s]of Object.entries(Ne(n))){if(Qn(s,ye.default[t]))continue;let o=we(s)?ko(t,s.model):{},i=Object.entries(s).filter(([a,r])=>a==="model"||!Qn(o[a],r));e[t]=we(
+s)&&i.length?Object.fromEntries(i):s}return bo(e)}var Qn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var Ru=8,{quantities:jr}=S.map;async function _o(n,{x:e,y:t},s,o){let[i,a]=[Rt(e),Rt(t)],r=(...f)=>Hr(n,new Map(f),s),l=Pu(n,e.path,t.path),c=l&&i.map(f=>r([e.path,
+f])),m=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,d=new Float64Array(vt.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
+g===0&&performance.now()-p>Ru&&(await new Promise(_=>setTimeout(_)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=m?m[b]:
+w;if(!w||!y)continue;let v=X({...n,...w,...y});for(let _=0;_<vt.length;_++)d[_*h+f]=vt[_](v)}return{count:h,rows:d}}function Pu({start:n},e,t){let s=[e,t].map(i=>i.
+split(".")[0]);if(s[0]===s[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.includes("hoop")&&o&&n.speed!==null)}var Eo=n=>jr[n].
+span;function Mo({x:n,y:e,what:t},s){let{label:o,unit:i,words:a}=jr[t],{values:r,names:l}=Cu(s,i===""?a:null),c=m=>({name:m,text:vr(m,t),color:yr(m,t)});return{
+header:{x:n,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function Cu({values:n,sequences:e},t){if(!t)return{values:n,names:[]};let s=e?
+[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,o=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(n,a=>a>=0?o?.[a]??a:Number.NaN),names:s}}var{scenario:Nt}=S,zu=30,Gr={};for(let{fields:n}of Object.values(Nt.models))Object.assign(Gr,n);function Ur(n,e){return typeof e=="string"?JSON.stringify(e):Gr[n]?.
+kind==="whole"?String(e):to(e)}function Br(n,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${$r(l,c)}`);return[`${e} = [`,...t.map(r=>`\
+  { ${a(r).join(", ")} },`),"]"].join(`
+`)}let s=`${e} = ${$r(e,t)}`,i=(Nt.sections[n]??["Scenario"]).map(a=>Nt.models[a].fields).find(a=>e in a)[e].unit;return i===""||i==="1"?s:`${s.padEnd(zu)} # ${i}`}
+var $r=(n,e)=>e==="inf"?"inf":Ur(n,e);function ts(n){let{duration:e,...t}=Ne(n),s=[Br("","duration",e)];for(let[o,i]of Object.entries(t))s.push("",`[${o}]`,...Object.
+entries(i).map(([a,r])=>Br(o,a,r)));return`${s.join(`
+`)}
+`}var Nu={hoop:"Hoop",plane:"Plane",start:"Start"},Du=["load_fraction","mu"];function So(n){let{duration:e,contact:t,...s}=Ne(n),o=Object.entries(s).map(([i,a])=>Wr(
+i,a));return Qn(t,Nt.default.contact)||o.push(`contact=${Wr("contact",t)}`),o.splice(3,0,`duration=${to(e)}`),`import hophoop as hh
+
+motion = hh.simulate(
+${o.map(i=>`    ${i},
+`).join("")})
+print(motion.sequence, motion.status)
+for event in motion.events:
+    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
+`}function Wr(n,{parts:e,...t}){let s=n==="start"&&"speed"in t,o=s?"Start.rolling":Nu[n]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:ko(n,t.model),
+a=Object.entries(t).filter(([l,c])=>Du.includes(l)||i[l]!==c),r=e?[`parts=[${e.map(Iu).join(", ")}]`]:[];return`hh.${o}(${[...a.map(Kr),...r].join(", ")})`}var Iu=({
+shape:n,...e})=>`hh.${Nt.parts[n]}(${Object.entries(e).map(Kr).join(", ")})`,Kr=([n,e])=>`${n}=${e==="inf"?'float("inf")':Ur(n,e)}`;var{letters:Jr,modes:Ao,verbs:Lo,events:Ou,statuses:qu,story:Ue,summary:lt}=S.words,Fu=400,[,To,Vr,Hu,ju]=Ao,Bu="⁰¹²³⁴⁵⁶⁷⁸⁹";function Yr(n,e){let{
+omega:t,to:s}=n[e];return t===0&&(s==="S"||s==="K")&&e+1<n.length}var Ro=n=>[...n.keys()].filter(e=>Yr(n,e)),Po=(n,e)=>.5*(n[e].t+n[e+1].t);function Co(n,e=Fu){
+let t=[],s=0,o=Xr(n.events);for(let[i,a]of n.events.entries()){let r=o.get(i);if(r===0)continue;let l=r===void 0?Wu(n,i,a):q(Ue.more_bounces,{count:r});if(l){if(t.
+length>=e){s++;continue}t.push({t:a.t,event:i,mode:Jr[Ao.indexOf(ns(n,i))],text:l})}}return s&&t.push({...t[t.length-1],text:q(Ue.left_out,{count:s})}),t}var Zr=n=>n.
+kind==="impact"&&n.to==="H"&&n.collision!==!1;function Xr(n,e=3,t=6){let s=new Map,o=[];for(let i=0;i<=n.length;i++){let a=n[i];if(a&&(Zr(a)||o.length&&a.kind===
+"apex")){o.push(i);continue}let r=o.filter(l=>n[l].kind==="impact");if(r.length>=t){for(let l of o.slice(o.indexOf(r[e])))s.set(l,0);s.set(r[e],r.length-e)}o=[]}
+return s}function zo(n,e=6){let t=[],s=0,o=Xr(n.events,1);for(let[l,c]of n.events.entries()){let m=o.get(l);if(m!==void 0){m&&t.push(q(lt.more_bounces,{count:m}));
+continue}if(c.kind==="start"||!t.length){t.push(Lo[ns(n,l)]);continue}let h=$u(n,l,c);h&&(s++,s<=e&&t.push(q(lt.change,{phrase:h,where:Ve(c.angle)})))}let i=s>e?
+q(lt.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:qu[n.status]};return q(lt.
+sentence,r).trim()}function $u(n,e,t){if(t.collision===!1)return lt.without_collision;if(Zr(t))return lt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+Qr(t))return Lo[ns(n,e)];let{verb:s,summed_up:o}=Ou[t.kind];return o?s:""}function Wu(n,e,t){let s=ns(n,e),o={where:Ve(t.angle),verb:Lo[s],kind:t.kind.replaceAll(
+"_"," ")},i=Gu(n.events,e,s,o);return q(Ue[i]??Ue.other,o)}function Gu(n,e,t,s){let o=n[e],{kind:i}=o;return i==="start"&&(s.speed=Ke(o.vx),s.started=q(t===Hu?Ue.
+started_flight:t===ju?Ue.started_skim:Ue.started,s)),i==="slip_start"&&t===To?"slip_start_spin":i==="takeoff"?Uu(n,e,s):i==="impact"?(s.speed=Ke(o.before.vy===null?
+null:Math.abs(o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&Qr(o)?"turn_in_slip":(i==="apex"&&(s.gap=el(o.
+height)),i==="kane_gain"&&(s.gain=Ke(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function Uu(n,e,t){let{t:s}=n[e],o=0;for(let i=e;i<n.length;i++)if(o=
+Math.max(o,n[i].height),!(i===e||n[i].kind!=="impact")){for(let a=i+1;a<n.length&&n[a].t<=n[i].t;a++)o=Math.max(o,n[a].height);if(!o)break;return t.top=el(o),t.
+time=Ke(n[i].t-s),"takeoff_and_landing"}return"takeoff"}function ns(n,e){let t=n.events[e];return Ku(t.to,Yr(n.events,e)?n.omega(e):t.omega)}function Ku(n,e){return n===
+"S"?e>0?To:Vr:n==="K"?e<0?To:Vr:Ao[Jr.indexOf(n)]}var Qr=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),Ve=n=>`${no(n*(180/Math.PI),1)}°`.replaceAll("-","−");function el(n){
+return n>=.995?`${Ke(n)} m`:n>=.00995?`${Ke(n*100)} cm`:`${Ke(n*1e3)} mm`}function Ke(n){if(n===null||Number.isNaN(n))return"?";let[e,t]=Me(n,3).split("e"),s=t===
+void 0?"":`·10${Vu(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var Vu=n=>[...String(n)].map(e=>e==="-"?"⁻":Bu[Number(e)]).join("");var tl=2e3;function ss(n,{status:e,sequence:t,fingerprint:s,events:o,final:i,energy:a}){let{schema:r,setup:l}=S,c=Ne(n);return{schema:r,version:l.version,scenario:c,
+status:e,sequence:t,fingerprint:s,events:o,final:i,energy:a}}function No(n,e,t,s){let o={events:e.events,status:e.status,omega:t};return{...ss(n,e),events:e.events.
+slice(0,tl),query:zt(n),duration:e.duration,values:Ju(n),automatic:Yu(n,s),massless:n.hoop.inertia_ratio===0,summary:zo(o),story:Co(o),ending:S.words.statuses[e.
+status],shortened:e.events.length>tl}}function Ju({hoop:n,plane:e,start:t}){let s={hoop:n,plane:e,start:{...be(t,n.radius),speed:t.speed}},o=S.shown.map(i=>{let[
+a,r]=i.split("."),l=s[a][r];return[i,l===1/0?"inf":l]});return Object.fromEntries(o)}function Yu(n,e){if(n.contact.model==="rigid")return{};let{stiffness:t,slip_speed:s}=e.
+chosen(X(n)),{restitution:o}=n.plane;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o}}var{rate:Zu,variables:Do}=S.table,{letters:Xu}=S.words,Io=(n,e)=>JSON.stringify(ss(n,e),null,1);function Oo(n){let e=Math.min(Math.max(Math.floor(n*Zu)+1,2),S.limits.
+samples),t=n/(e-1);return Float64Array.from({length:e},(s,o)=>o===e-1?n:o*t)}function qo(n,e){let t=Object.keys(Do),s=t.map(l=>Do[l]==="1"?l:`${l} [${Do[l]}]`),
+{kinetic:o,potential:i}=e,a={...e,total:Float64Array.from(o,(l,c)=>l+i[c])},r=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let m=t.map(h=>h==="mode"?Xu[a.
+mode[l]]:Ee(a[h][l]));r.push([Ee(c),...m].join(","))}return`${r.join(`\r
+`)}\r
+`}var Qu=["hoop.eccentricity","plane.slope"],ed={...Object.fromEntries(Object.entries(S.map.rates).map(([n,e])=>[n,()=>({[e]:1})])),"hoop.radius":td,"hoop.mass":({
+hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
+null||n===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:n})=>n.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:n})=>n.mu_kinetic===
+1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:n})=>n.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:n,start:e})=>e.speed===null?
+null:{omega:1/n.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:n})=>({omega:1,slip:-n.radius})};function td({hoop:{radius:n,parts:e,eccentricity:t,inertia_ratio:s},
+start:{speed:o,omega:i}}){let a={radius:1};return o===null?a.slip=-(i||0):a.omega=-o/(n*n),e?{...a,eccentricity:-t/n,inertia_ratio:-2*s/n}:a}function Fo(n,e){let t=ed[e]?.(
+n),{smaller:s,larger:o}=nd(n,e);if(!t||!(s||o))return null;let i=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))i[Si[a]]=r;return{rates:i,smaller:s,
+larger:o}}function nd(n,e){let{mu_static:t,mu_kinetic:s}=n.plane,o=sd(n,e),{least:i,most:a,also:r=[]}=S.map.allowed[e],l=t!==s,c=n.hoop.inertia_ratio===0&&Qu.includes(
+e);return{smaller:!c&&o>Math.min(i,...r.map(yt))&&(l||e!=="plane.mu_static"),larger:!c&&o<a&&(l||e!=="plane.mu_kinetic")}}function sd(n,e){return e==="start.ome\
+ga"?be(n.start,n.hoop.radius).omega:e.split(".").reduce((t,s)=>t[s],n)}var{limits:os}=S;function Dt({scenario:n,query:e,changes:t=[]},s){let i=n!==void 0&&e===void 0?Ct(n,s):xo(e??"",s),a=new Map;for(let[r,l]of t)Lt([...a.keys(),r])&&
+(i=es(i,a,s),a=new Map),a.set(r,l);return a.size?es(i,a,s):i}function Ho({scenario:n,query:e,changes:t=[],...s},o){if(t.length>os.changes)throw new te(G("too_ma\
+ny_changes",{pairs:t.length,most:os.changes}));let{x:i,y:a}=s;if(i&&i.path===a.path)throw new N(G("equal_axes",{path:i.path}));let r=i?i.cells*a.cells:0;if(r>os.
+cells)throw new te(G("too_many_cells",{cells:r,most:os.cells}));return{...s,checked:Dt({scenario:n,query:e,changes:t},o)}}var{theory:U}=S.words;function Bo({hoop:n,plane:e},t){let s=[],o=(r,l,c,m)=>{l!==null&&s.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:m(l)})},
+i=()=>o("painleve",t.painleve_friction,"1",r=>id(r,t,e));if(e.gravity<=0)return i(),s;if(n.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
+U.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>q(r,{where:Ve(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:m,
+any_speed:h}=U;o("first_slip",t.first_slip_speed,"m/s",d=>jo(d,r,m)),o("first_hop",t.first_hop_speed,"m/s",d=>jo(d,l,m)),o("immediate_hop",t.immediate_hop_speed,
+"m/s",d=>jo(d,c,h))}else s.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});o("needed_friction",t.needed_friction,"1",r=>od(r,e)),i();
+let a=t.jam_angles.map(Ve).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>q(U.jam_at,{places:a})),n.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>q(
+U.rest_at,{where:Ve(r)})),s}function jo(n,e,t){return n<S.words.least_speed?q(t,{would:e}):Number.isFinite(n)?q(U.above,{would:e,speed:Me(n,4)}):U.no_speed}function od(n,{
+mu_static:e}){return Number.isFinite(n)?q(n<=e?U.friction_enough:U.friction_short,{mu:Me(n,3)}):U.no_friction}function id(n,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return U.never;let s=n<=t?U.paradox_here:U.paradox_not_here;return q(s,{mu:Me(n,3),where:Ve(e)})}var rd=360,ld=240,$o={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},hd=["motion.nc","motion.mp4","mo\
+tion.gif"],It=class{constructor(e,t,{base:s=null,server:o=null}={}){this.kernel=e;this.mechanics=t;this.base=s,this.server=o,this.shares=s!==null,this.files=[...Object.
+keys($o),...o?hd:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let{checked:o,...i}=Ho(t,this.mechanics);if(e==="film")
+return this.film(o,s);if(e==="samples"){let a=X(Ge(o)),{window:r}=i;return{header:{window:r},arrays:await this.kernel.columns(a,s,r)}}if(e==="code")return{header:{
+python:So(o),toml:ts(o)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(X(o),s);return{header:{thresholds:Bo(o,a)},arrays:{}}}if(e==="regions"){
+let{window:a}=i,r=X(o),l=await this.kernel.regions(r,a,rd,ld,s);return{header:{window:a},arrays:l}}if(e==="map")return this.map(o,i,s);throw new TypeError(`The \
+page does not answer ${e}.`)}async film(e,t){let s=X(Ge(e)),{motion:o,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,
+t),columns:await this.kernel.columns(s,t)},{doubt:a}=o;if(a!==null&&this.server)return this.server.call("film",{query:zt(e)},t);let r=await this.turning(s,o,t),
+l=No(e,o,r,this.mechanics);return{header:a===null?l:{...l,doubt:po(a)},arrays:i}}async turning(e,{events:t},s){let o=Ro(t);if(!o.length)return()=>0;let i=Float64Array.
+from(o,r=>Po(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[o.indexOf(r)]}async changes(e,t,s){if(!this.kernel.changes)throw new TypeError("This k\
+ernel has no derivatives.");let o=Ge(Dt({scenario:e},this.mechanics)),i=X(o);if(i.contact)throw new N(G("compliant_changes"));let a=Fo(o,t);if(!a)return null;let{
+rates:r,smaller:l,larger:c}=a,m=await this.kernel.changes(i,r,s);return{count:m.count,smaller:l?m.smaller:null,larger:c?m.larger:null}}async map(e,{x:t,y:s,what:o},i){
+let a=Eo(o),r=fo(e,{x:t,y:s,what:o}),l=await _o(r,{x:t,y:s},this.mechanics,i);return Mo({x:t,y:s,what:o},await this.kernel.map(l,o,a,i))}async file(e,t){if(!(e in
+$o)){if(this.server)return this.server.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:$o[e]})}async fileText(e,t){
+let s=Dt({query:t},this.mechanics);if(e==="motion.toml")return ts(s);let o=Ge(s),i=X(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.server)return(await this.
+server.file(e,t)).text();if(e==="motion.json")return Io(o,a);let r=Oo(a.duration);return qo(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(
+e?`?${e}`:"",this.base)}${t}`}};async function Wo(n,e,t){let s=e&&new Vn(e);try{let o=await At.load(n);return new It(o,o.mechanics,{base:t,server:s})}catch(o){if(s)return s;throw o}}function nl(n){
+navigator.serviceWorker?.register(n).catch(()=>{})}async function sl(n){let e=new Jn(n);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,s=await At.
+unpack(n.get("module"),n.get("worker"),t);return new It(s,s.mechanics,{server:e})}catch{return e}}var cd=new URL("./",import.meta.url);async function ud(n){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,o;try{s=await Wo(cd,t?null:e,e),o=(await s.call("setup",{})).header}catch(l){n.textContent=l.message;return}t&&nl(t.getAttribute("content")??"");let i=new it(
+n,s,o,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=di(location.hash);try{await i.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function by(n,e,t,s){let o=await Wo(
+e,null,new URL("../",e)),{header:i}=await o.call("setup",{}),a=new it(n,o,i,{panels:s});return await a.open([t]),a}async function dd({model:n,el:e}){let t=document.
+createElement("div");e.append(t);let s=await sl(n),o=new it(t,s,n.get("setup"),{panels:n.get("panels"),onmotion:a=>{n.get("query")!==a&&(n.set("query",a),n.save_changes())}});
+o.motions.set([at(n.get("film"))]),o.begin();let i=()=>o.motions.replace(at(n.get("film")));return n.on("change:film",i),()=>{n.off("change:film",i),s.close?.(),
+o.close()}}var ol=document.getElementById("hophoop-lab");ol&&ud(ol);var wy={render:dd};export{Tl as adopt,Te as current,wy as default,ws as languageMenu,by as mount,jt as repeat,x as t,Ye as untranslated};
