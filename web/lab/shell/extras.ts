@@ -44,11 +44,12 @@ export class Extras {
     this.teach = teachDialog(load, () => this.visit.start());
     this.tools = this.makeTools();
     this.menu = this.makeMenu();
-    this.languages = languageMenu(() => {
+    const changed = () => {
       this.spoken();
       repeat(lab.root);
       lab.show();
-    });
+    };
+    this.languages = languageMenu(changed, (error) => lab.notice.fail(error));
     this.spoken();
   }
 

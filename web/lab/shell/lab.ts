@@ -251,7 +251,7 @@ export class Lab {
   /** Show the motion of a link from its start, at rest. */
   async load(query: string) {
     try {
-      const reply = await this.backend.call("film", { query });
+      const reply = await this.backend.film({ query });
       this.clock.play(false);
       this.clock.time = 0;
       this.motions.replace(reply);
