@@ -25,8 +25,9 @@ ALIKE = re.compile(r"\S*( \S*){0,2}$|[{}\w\s.=():]*$")
 
 SOURCES = {
     path: path.read_text(encoding="utf-8")
-    for path in sorted(WEB.rglob("*"))
-    if path.suffix in (".js", ".ts", ".html") and "node_modules" not in path.parts and not path.name.endswith(".d.ts")
+    for folder in ("kernel", "lab", "model", "pages", "site")
+    for path in sorted((WEB / folder).rglob("*"))
+    if path.suffix in (".ts", ".html")
 }
 # the second form is within a template
 LITERALS = {
