@@ -110,3 +110,27 @@ def test_the_command_says_what_it_wrote(tmp_path: Path) -> None:
     done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "lab")])
     assert done.exit_code == 0
     assert "python -m http.server" in done.output
+
+
+def test_previews_of_links_have_a_picture(tmp_path: Path) -> None:
+    content = re.compile(r'property="og:(title|description|image)" content="([^"]+)"')
+    for url, place in (
+        (None, "static/preview.png"),
+        ("https://hoop.example/lab/", "https://hoop.example/lab/static/preview.png"),
+    ):
+        done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path), *(["--url", url] if url else [])])
+        assert done.exit_code == 0, done.output
+        found = dict(content.findall((tmp_path / "index.html").read_text(encoding="utf-8")))
+        assert found["image"] == place
+        assert found["title"] == "The hopping hoop"
+        assert "hops" in found["description"]
+    picture = (tmp_path / "static" / "preview.png").read_bytes()
+    assert len(picture) < 50_000
+    assert picture[:8] == b"\x89PNG\r\n\x1a\n"
+    assert (int.from_bytes(picture[16:20]), int.from_bytes(picture[20:24])) == (1200, 630)
+    for wrong in ("hoop.example", 'https://hoop.example/"><script>', "javascript:alert(1)"):
+        done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path), "--url", wrong])
+        assert done.exit_code == 2
+        assert "--url" in done.output
+    done = CliRunner().invoke(app, ["lab", "--url", "https://hoop.example"])
+    assert done.exit_code == 2

@@ -28,17 +28,25 @@ def lab(
             metavar="URL", help="With --export: address of this documentation, for teachers; a URL or a path like ../."
         ),
     ] = None,
+    url: Annotated[
+        str | None,
+        typer.Option(
+            metavar="URL", help="With --export: address at which the folder will be, for pictures in previews of links."
+        ),
+    ] = None,
 ) -> None:
     """Play with the hoop in a browser."""
     if export is not None:
         from hophoop.lab.site import export as site
 
-        typer.echo(site.summary(export, site.export(export, docs or "")))
+        typer.echo(site.summary(export, site.export(export, docs or "", url or "")))
         return
     from hophoop.scenario import InputError, Scenario
 
     if docs is not None:
         raise InputError("--docs needs --export: it is a link in the exported pages.")
+    if url is not None:
+        raise InputError("--url needs --export: it is the address of the exported pages.")
     found = fit_of_file(file)
     if found is None:
         if film is not None:

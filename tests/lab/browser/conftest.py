@@ -13,6 +13,8 @@ from slow_page import delaying
 
 DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
 SLOWER = 8
+# As for those who have asked for everything before: the simple view, and what opens it, have tests of their own.
+EVERYTHING = "try { localStorage['hophoop-view'] ??= 'everything'; } catch { /* no storage */ }"
 
 
 @pytest.fixture(scope="session")
@@ -68,7 +70,7 @@ def visit(browser, address, request):
     def trouble(kind, text):
         troubles.append(f"{kind}: {text}")
 
-    def open_page(query="", ready=True, expected=(), script="", **options):
+    def open_page(query="", ready=True, expected=(), script="", simple=False, **options):
         options.setdefault("viewport", {"width": 1440, "height": 900})
         context = browser.new_context(**options)
         contexts.append(context)
@@ -78,6 +80,8 @@ def visit(browser, address, request):
             context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
         if seed:
             page.add_init_script(delaying(int(seed)))
+        if not simple:
+            page.add_init_script(EVERYTHING)
         if script:
             page.add_init_script(script)
         page.on("pageerror", lambda error: trouble("page", error))

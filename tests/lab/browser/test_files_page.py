@@ -17,9 +17,9 @@ def test_it_is_kept(visit, tmp_path):
             page.get_by_role("button", name=item).click()
         return download.value.path().read_bytes()
 
-    assert hh.Scenario.loads(kept("Scenario (TOML)").decode()) == hh.Scenario(start=hh.Start.rolling(2.5))
-    assert kept("Picture (PNG)")[:8] == b"\x89PNG\r\n\x1a\n"
-    assert kept("States (CSV)").startswith(b"t [s],")
+    assert hh.Scenario.loads(kept("Save the scenario (TOML)").decode()) == hh.Scenario(start=hh.Start.rolling(2.5))
+    assert kept("Save a picture (PNG)")[:8] == b"\x89PNG\r\n\x1a\n"
+    assert kept("Save the states (CSV)").startswith(b"t [s],")
     page.keyboard.press("p")
     page.locator(".code-dialog[open]").wait_for()
     assert "hh.Start.rolling(speed=2.5)" in page.locator(".code-dialog pre").first.inner_text()
@@ -45,7 +45,7 @@ def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
         page.keyboard.press("3")
     page.locator(".menu summary").click()
     with page.expect_download() as download:
-        page.get_by_role("button", name="Record a film in the browser (WebM)").click()
+        page.get_by_role("button", name="Record one run as a film (WebM)").click()
     size, shown = decoded(download.value.path().read_bytes(), "film.webm", tmp_path)
     box = page.locator(".stage").bounding_box()
     assert size == pytest.approx((box["width"], box["height"]), abs=2)
@@ -59,7 +59,7 @@ def test_a_film_is_made_by_the_server(visit, tmp_path):
     page = visit("?duration=0.4")
     page.locator(".menu summary").click()
     with page.expect_download(timeout=120_000) as download:
-        page.get_by_role("button", name="Film (MP4)").click()
+        page.get_by_role("button", name="Save a film (MP4)").click()
     size, shown = decoded(download.value.path().read_bytes(), "film.mp4", tmp_path)
     assert size == (960, 540)
     assert len(shown) in (10, 11)  # 25 a second

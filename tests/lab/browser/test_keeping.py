@@ -22,7 +22,7 @@ def address(site_address):
 
 def kept(page, name, path):
     """What an item of the menu saves."""
-    page.locator(".menu summary", has_text="Save").click()
+    page.locator(".menu summary", has_text="Share").click()
     with page.expect_download() as download:
         page.get_by_role("button", name=name).click()
     download.value.save_as(path)
@@ -46,7 +46,7 @@ def difference(one, other):
 def test_a_picture_has_more_pixels_than_the_screen(visit, tmp_path):
     page = visit(TWO)
     wait_for(page, "!lab.surrounding && lab.films().length === 2")
-    picture = Image.open(kept(page, "Picture (PNG)", tmp_path / "hoop.png"))
+    picture = Image.open(kept(page, "Save a picture (PNG)", tmp_path / "hoop.png"))
     screen = on_screen(page)
     assert picture.width == 3840
     assert picture.height / picture.width == pytest.approx(screen.height / screen.width, abs=3e-3)
@@ -62,19 +62,19 @@ def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(vis
     wait_for(page, "!lab.surrounding && lab.stage.options.three")
     assert page.evaluate("hophoopLab.link()").endswith("&from=-0.5,0.31,6")
     before = page.evaluate("hophoopLab.stage.canvas().width")
-    picture = Image.open(kept(page, "Picture (PNG)", tmp_path / "space.png"))
+    picture = Image.open(kept(page, "Save a picture (PNG)", tmp_path / "space.png"))
     assert picture.width == 3840
     assert difference(picture, on_screen(page)) < 4.0
     assert page.evaluate("hophoopLab.stage.canvas().width") == before
-    page.locator(".menu summary", has_text="Save").click()
-    page.get_by_role("button", name="Picture (SVG)").click()
-    page.wait_for_selector("text=A picture in space has no lines to keep")
+    page.locator(".menu summary", has_text="Share").click()
+    page.get_by_role("button", name="Save a picture (SVG)").click()
+    page.wait_for_selector("text=SVG works in 2D only")
 
 
 def test_a_picture_of_lines_is_what_the_screen_shows(visit, browser, tmp_path):
     page = visit(TWO)
     wait_for(page, "!lab.surrounding && lab.films().length === 2")
-    path = kept(page, "Picture (SVG)", tmp_path / "hoop.svg")
+    path = kept(page, "Save a picture (SVG)", tmp_path / "hoop.svg")
     root = ElementTree.parse(path).getroot()
     words = "".join(root.itertext())
     assert "A: " in words
@@ -93,7 +93,7 @@ def test_a_film_of_two_hoops_is_recorded_in_the_browser(visit, tmp_path):
 
     page = visit(TWO, viewport={"width": 1000, "height": 700})
     wait_for(page, "!lab.surrounding && lab.films().length === 2")
-    film = kept(page, "Record a film", tmp_path / "hoop.webm")
+    film = kept(page, "Record one run as a film", tmp_path / "hoop.webm")
     pictures = decoded(film)[0].astype(float)
     height = pictures.shape[1]
     assert len(pictures) >= 5

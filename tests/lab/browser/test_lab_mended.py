@@ -176,7 +176,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
     assert page.evaluate("document.activeElement.textContent") == "Skip to the player"
     page.keyboard.press("Enter")
     assert page.evaluate("document.activeElement.className") == "timeline"
-    page.locator(".menu summary", has_text="Save").click()
+    page.locator(".menu summary", has_text="Share").click()
     page.keyboard.press("Escape")
     assert page.locator(".menu[open]").count() == 0
     page.keyboard.press("?")

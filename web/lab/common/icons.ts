@@ -23,7 +23,7 @@ export function icon(name: keyof typeof ICONS) {
   const picture = document.createElementNS(space, "svg");
   picture.setAttribute("viewBox", "0 0 17 17");
   picture.setAttribute("aria-hidden", "true");
-  picture.setAttribute("class", "icon");
+  picture.setAttribute("class", `icon icon-${name}`);
   const path = document.createElementNS(space, "path");
   path.setAttribute("d", ICONS[name]);
   picture.append(path);

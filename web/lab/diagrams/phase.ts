@@ -270,16 +270,29 @@ export class PhasePlane {
     context.setLineDash([]);
   }
 
+  spot({ angle, omega }: Pose) {
+    const turn = 2 * Math.PI;
+    return [this.x(angle - Math.floor(angle / turn) * turn), this.y(omega)];
+  }
+
   cursor(time: number) {
     if (!this.films || !this.box) return;
     const { context, width, height } = fitted(this.over, this.look.px);
     context.clearRect(0, 0, width, height);
+    const { pointed } = this.clock;
+    if (pointed !== null) {
+      const [x, y] = this.spot(this.films[this.active].at(pointed));
+      context.strokeStyle = this.look.ink;
+      context.lineWidth = 1.5;
+      for (const radius of [6, 10]) {
+        context.beginPath();
+        context.arc(x, y, radius, 0, 2 * Math.PI);
+        context.stroke();
+      }
+    }
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
-      const turn = 2 * Math.PI;
-      const th = pose.angle - Math.floor(pose.angle / turn) * turn;
-      const x = this.x(th);
-      const y = this.y(pose.omega);
+      const [x, y] = this.spot(pose);
       if (!(x >= LEFT && x <= LEFT + this.box.width && y >= TOP && y <= TOP + this.box.height)) return;
       context.beginPath();
       context.arc(x, y, lane ? 4 : 5.5, 0, 2 * Math.PI);

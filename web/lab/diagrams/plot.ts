@@ -268,6 +268,13 @@ export class Plot {
         context.fill();
       });
     });
+    const { pointed } = this.shared.clock;
+    if (pointed !== null && this.shared.axis === "time") {
+      context.strokeStyle = this.look.ink;
+      context.setLineDash([4, 3]);
+      context.strokeRect(this.x(pointed), TOP, 0, this.box.height);
+      context.setLineDash([]);
+    }
     if (this.picked) {
       const [a, b] = this.picked;
       context.fillStyle = faded("#0072B2", 0.2);

@@ -15,6 +15,8 @@ export class Clock {
   loop = !calm();
   /** Whether it goes back to the start after this run, and stays there. */
   once = false;
+  /** A time that is pointed at, without going there. */
+  pointed: number | null = null;
   last: number | null = null;
   listeners: Set<any> = new Set();
 
@@ -33,6 +35,11 @@ export class Clock {
 
   seek(time: number) {
     this.time = clamp(time, 0, this.duration);
+    this.changed();
+  }
+
+  point(time: number | null) {
+    this.pointed = time;
     this.changed();
   }
 

@@ -32,6 +32,8 @@ export class Grips {
 
   places: Map<Grip, HTMLElement>;
   tip: HTMLOutputElement;
+  /** What a first visitor is told. */
+  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "Drag the load");
   element: HTMLDivElement;
   settle: () => void;
 
@@ -43,6 +45,7 @@ export class Grips {
       { class: "grips", role: "group", "aria-label": "The hoop in your hand" },
       [...this.places.values()],
       this.tip,
+      this.hint,
     );
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
@@ -96,6 +99,10 @@ export class Grips {
       place.style.transform = `translate(${x - size / 2}px, ${view.top + y - size / 2}px)`;
       place.style.width = place.style.height = `${size}px`;
       place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
+    }
+    if (!this.hint.hidden) {
+      const [x, y] = spots[2][1];
+      this.hint.style.transform = `translate(${clamp(x, 70, view.width - 70)}px, ${view.top + Math.max(y - SMALL, 18)}px) translate(-50%, -50%)`;
     }
     if (!lab.clock.playing) this.tell(film);
   }

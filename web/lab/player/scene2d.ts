@@ -171,6 +171,46 @@ export class Scene {
     context.fillText(letter, x - 14, y + 20);
   }
 
+  /** Where the hoop is at another moment; at the edge of the picture, in which direction and how far. */
+  ghost(pose: Pose) {
+    const { context, film, look, width, scale } = this;
+    const R = film.radius;
+    const [x, y] = this.point(pose.x, R + pose.height);
+    const radius = R * scale;
+    context.strokeStyle = context.fillStyle = look.ink;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    if (x > -0.5 * radius && x < width + 0.5 * radius) {
+      const load = this.point(pose.x + R * Math.sin(pose.angle), R + pose.height + R * Math.cos(pose.angle));
+      context.setLineDash([6, 5]);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+      context.moveTo(x, y);
+      context.lineTo(...load);
+      context.stroke();
+      context.setLineDash([]);
+      context.beginPath();
+      context.arc(...load, clamp(0.1 * radius, 4, 16), 0, 2 * Math.PI);
+      context.fillStyle = look.paper;
+      context.fill();
+      context.stroke();
+      return;
+    }
+    const way = x < 0 ? -1 : 1;
+    const tip = way < 0 ? 6 : width - 6;
+    const high = clamp(y, 24, this.height - 24);
+    context.moveTo(tip, high);
+    context.lineTo(tip - 14 * way, high - 9);
+    context.lineTo(tip - 14 * way, high + 9);
+    context.fill();
+    context.font = `600 ${12 * look.px}px ${look.font}`;
+    context.textAlign = way < 0 ? "left" : "right";
+    context.lineWidth = 3;
+    context.strokeStyle = look.paper;
+    const far = `${show(pose.x - this.focus[0], 3)} m`;
+    context.strokeText(far, tip - 20 * way, high + 4 * look.px);
+    context.fillText(far, tip - 20 * way, high + 4 * look.px);
+  }
+
   hoop() {
     const { film, pose, context, look, colors, scale } = this;
     const R = film.radius;

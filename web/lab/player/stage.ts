@@ -77,7 +77,10 @@ export class Stage {
     this.fastest.textContent = `≥ ${show(Math.max(...films.map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
       this.deep?.draw(films, clock.time, options, look, inks, clock.playing);
-    } else this.flat.draw(films, clock.time, options, look, inks);
+    } else {
+      this.flat.pointed = clock.pointed === null ? null : { time: clock.pointed, lane: active };
+      this.flat.draw(films, clock.time, options, look, inks);
+    }
     this.read(films, active, clock.time);
   }
 

@@ -18,6 +18,9 @@ export class Stage2D {
   over: (scene: Scene, lane: number) => void;
   pinched: () => boolean;
 
+  /** A moment of one hoop that is pointed at. */
+  pointed: { time: number; lane: number } | null = null;
+
   constructor(
     public canvas: HTMLCanvasElement,
     readonly onview: () => void,
@@ -103,6 +106,7 @@ export class Stage2D {
       scene.top = i * each;
       scene.scale = this.fixed ?? scene.scale;
       scene.draw();
+      if (this.pointed?.lane === i) scene.ghost(film.at(this.pointed.time));
       this.over(scene, i);
       if (films.length > 1) {
         scene.mark("AB"[i], hoopInk(i, look.dark));

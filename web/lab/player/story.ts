@@ -8,6 +8,7 @@ export class Story {
   film: Film;
   items: HTMLElement[];
   current: number;
+  listed: Film | null = null;
   /** the fingerprint that is shown. */
   signed: string | null | undefined;
 
@@ -54,13 +55,32 @@ export class Story {
     );
     this.doubt.hidden = !this.film.doubt;
     say(this.doubt, this.film.doubt);
+    if (this.listed !== this.film) this.fill(colors);
+    this.sign();
+    this.compared.replaceChildren(
+      ...comparisons.flatMap(({ same, text }) => [" ", h("span", { class: same ? "same" : "differs" }, text)]),
+    );
+    this.cursor(this.clock.time);
+  }
+
+  /** The list; it stays as it is while the motion is the same, with what has the focus in it. */
+  fill(colors: Colors) {
+    this.listed = this.film;
+    this.current = -1;
     this.items = this.film.story.map((sentence) =>
       h(
         "li",
         {},
         h(
           "button",
-          { type: "button", onclick: () => this.clock.seek(sentence.t) },
+          {
+            type: "button",
+            onclick: () => this.clock.seek(sentence.t),
+            onpointerenter: () => this.clock.point(sentence.t),
+            onpointerleave: () => this.clock.point(null),
+            onfocus: () => this.clock.point(sentence.t),
+            onblur: () => this.clock.point(null),
+          },
           h("i", { class: "dot", style: `background:${colors.modes[sentence.mode]}`, "aria-hidden": "true" }),
           h("span", { class: "when" }, `${show(sentence.t, 4)} s`),
           h("span", {}, sentence.text),
@@ -68,12 +88,7 @@ export class Story {
       ),
     );
     this.list.replaceChildren(...this.items);
-    this.sign();
-    this.compared.replaceChildren(
-      ...comparisons.flatMap(({ same, text }) => [" ", h("span", { class: same ? "same" : "differs" }, text)]),
-    );
-    this.current = -1;
-    this.cursor(this.clock.time);
+    this.clock.pointed = null; // what was pointed at is gone
   }
 
   /** The fingerprint; its button stays, with what it has said, until the motion is another. */

@@ -158,6 +158,19 @@ export class Timeline {
       context.textAlign = x < 14 ? "left" : x > width - 14 ? "right" : "center";
       context.fillText(tickText(t, step) + (t === all[0] ? " s" : ""), x, height - 3);
     }
+    const { pointed } = this.clock;
+    if (pointed !== null && pointed >= begin && pointed <= end) {
+      const at = clamp(place(pointed), 2, width - 2);
+      context.lineWidth = 2;
+      for (const [color, wide] of [
+        [look.paper, 5],
+        [look.ink, 1],
+      ] as const) {
+        context.fillStyle = color;
+        context.fillRect(at - 0.5 * wide, above - 4, wide, height - above - 9);
+        context.fillRect(at - 5 - 0.5 * wide, above - 4, 10 + wide, wide);
+      }
+    }
     const x = clamp(place(this.clock.time), 6, width - 6);
     const now = clamp(place(this.clock.time), 1, width - 1);
     context.fillStyle = look.ink;

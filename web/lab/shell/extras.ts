@@ -15,6 +15,8 @@ import { Visit } from "../teach/visit.ts";
 import { current, repeat, t } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
+const LONG = 60; // letters of a motion's name
+
 export class Extras {
   grips: Grips;
   sound = new Sound();
@@ -111,6 +113,7 @@ export class Extras {
         item("Table of the motion", () => this.table.open(true)),
         item("Presentation", () => this.present.turn(true)),
         item("For teachers", () => this.teach.showModal()),
+        item("About hophoop", () => this.lab.about.showModal()),
       ),
     );
     menu.addEventListener("keydown", (event) => {
@@ -126,7 +129,25 @@ export class Extras {
     this.lab.root.lang = current();
     if (!this.lab.hosted) return;
     document.documentElement.lang = current();
-    document.title = t("hophoop lab: play with the hopping hoop");
+    this.titled();
+  }
+
+  /** The title of the page names what is shown, unless a visitor still guesses what that is. */
+  titled() {
+    const { lab } = this;
+    if (!lab.hosted) return;
+    const names = this.visit.guessing ? [] : lab.motions.films().map((film) => this.nameOf(film));
+    const said = [...new Set(names)].join(" | ");
+    document.title = said ? `${said} – hophoop` : t("hophoop lab: play with the hopping hoop");
+  }
+
+  nameOf({ query, summary }: Film) {
+    const example = this.lab.known.find((one) => one.query === query);
+    if (example) return t(example.title);
+    const [sentence] = summary.split(/(?<=[.。])(?!\d)/u);
+    return sentence.length <= LONG
+      ? sentence.replace(/[.。]$/u, "")
+      : `${sentence.slice(0, LONG).replace(/[,，][^,，]*$/u, "")} …`;
   }
 
   /** Another picture is on the screen. */
@@ -147,6 +168,7 @@ export class Extras {
     this.more.changed();
     this.challenges.changed();
     this.visit.changed();
+    this.titled();
   }
 
   close() {

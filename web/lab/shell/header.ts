@@ -1,4 +1,4 @@
-// The head of the page: motions to start from, steps back and forth, a second hoop, keeping, dark or light, help.
+// The head of the page: examples, steps back and forth, a second hoop, all or little, sharing, dark or light, help.
 
 import { h } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
@@ -25,15 +25,15 @@ export class Header {
   right: HTMLDivElement;
   element: HTMLElement;
 
-  /** `keep`: the menu of what can be kept. */
-  constructor(presets: Preset[], keep: HTMLElement, actions: Actions) {
+  /** `share`: the menu of what can be shared and saved; `view`: what switches to everything and back. */
+  constructor(presets: Preset[], share: HTMLElement, view: HTMLElement, actions: Actions) {
     const groups: Map<string, Preset[]> = new Map();
     for (const preset of presets) groups.set(preset.group, [...(groups.get(preset.group) ?? []), preset]);
     this.presets = h(
       "select",
       {
         class: "presets",
-        "aria-label": "Motions to start from",
+        "aria-label": "Examples",
         onchange: () => {
           const preset = presets.find(({ key }) => key === this.presets.value);
           this.fresh = preset !== undefined;
@@ -46,7 +46,7 @@ export class Header {
           this.fresh = false;
         },
       },
-      h("option", { value: "" }, "Motions to start from …"),
+      h("option", { value: "" }, "Examples …"),
       [...groups].map(([group, list]) =>
         h(
           "optgroup",
@@ -59,10 +59,11 @@ export class Header {
     this.redo = button(icon("redo"), "Redo (y)", actions.redo);
     const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
     this.compare = button(words, "Compare two hoops", actions.compare);
+    this.compare.classList.add("full");
     this.right = h(
       "div",
       { class: "buttons right" },
-      keep,
+      share,
       button(icon("theme"), "Dark or light (d)", actions.theme),
       button("?", "Keys and help (?)", actions.help),
     );
@@ -76,7 +77,7 @@ export class Header {
         h("span", {}, "hophoop", h("span", { class: "long" }, " lab")),
       ),
       this.presets,
-      h("div", { class: "buttons" }, this.undo, this.redo, this.compare),
+      h("div", { class: "buttons" }, this.undo, this.redo, this.compare, view),
       this.right,
     );
   }

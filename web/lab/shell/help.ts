@@ -53,8 +53,39 @@ const table = (title: string, rows: string[][], mark: (letter: string) => HTMLEl
     ),
   );
 
+/** Where the documentation is, if the page was told. */
+export const docs = () => document.querySelector<HTMLMetaElement>("meta[name=hophoop-docs]")?.content;
+
+/** `hosted`: whether the lab owns the page, with its files beside the script. */
+export function aboutDialog(version: string, hosted: boolean) {
+  const base = docs();
+  const link = (href: string, words: string) => h("a", { href, target: "_blank", rel: "noopener" }, words);
+  const row = (name: string, ...words: (Node | string)[]) => [h("dt", {}, name), h("dd", {}, words)];
+  const licences =
+    hosted && link(new URL("licences.txt", import.meta.url).href, "Licences of all that the page contains");
+  const dialog = h(
+    "dialog",
+    { class: "about", "aria-label": "About hophoop" },
+    h("h2", {}, "About hophoop"),
+    h("p", {}, "hophoop computes exactly how a hoop with a load on its rim rolls, slips, hops and lands."),
+    h(
+      "dl",
+      {},
+      row("Version", document.createTextNode(version)),
+      row("Licence", "MIT", ...(licences ? [". ", licences] : [])),
+      row(
+        "Documentation",
+        base ? link(base, "The documentation") : "docs/index.md in the source; this page: docs/lab.md",
+      ),
+      row("Commands", h("code", {}, document.createTextNode("hophoop --help"))),
+    ),
+    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close"),
+  );
+  return dialog;
+}
+
 /** `keys`: what switches single keys off. */
-export function helpDialog(version: string, colors: Colors, keys: HTMLElement) {
+export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLElement) {
   const dialog = h(
     "dialog",
     { class: "help", "aria-label": "Keys and help" },
@@ -69,7 +100,7 @@ export function helpDialog(version: string, colors: Colors, keys: HTMLElement) {
     table("Marks on the bar of time", MARKED),
     table("Keys", KEYS),
     keys,
-    h("p", { class: "hint" }, `hophoop ${version}`),
+    h("button", { type: "button", class: "link", onclick: () => about.showModal() }, "About hophoop"),
     h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close"),
   );
   return dialog;

@@ -6,7 +6,9 @@ import { Controls } from "../controls/controls.ts";
 import { once, say } from "../common/dom.ts";
 import { Extras } from "./extras.ts";
 import { Header } from "./header.ts";
-import { helpDialog } from "./help.ts";
+import { aboutDialog, helpDialog } from "./help.ts";
+import { Opening } from "./opening.ts";
+import { View } from "./view.ts";
 import { Hoops } from "../player/hoops.ts";
 import { listen, SingleKeys } from "./keys.ts";
 import { layOut, prepareRoot } from "./page.ts";
@@ -64,6 +66,9 @@ export class Lab {
   help: HTMLDialogElement;
   hoops: Hoops;
   header: Header;
+  view: View;
+  about: HTMLDialogElement;
+  opening: Opening;
   sticky: { edge: HTMLElement; close: () => void } | null;
   extras: Extras;
   later: () => void;
@@ -123,9 +128,11 @@ export class Lab {
     );
     this.share = new Share(this);
     this.singleKeys = new SingleKeys(hosted);
-    this.help = helpDialog(setup.version, colors, this.singleKeys.element);
+    this.about = aboutDialog(setup.version, hosted);
+    this.help = helpDialog(this.about, colors, this.singleKeys.element);
+    this.view = new View(root, hosted, () => this.show());
     this.hoops = new Hoops((lane) => this.motions.choose(lane));
-    this.header = new Header(setup.presets, this.share.menu, {
+    this.header = new Header(setup.presets, this.share.menu, this.view.button, {
       take: (preset) => this.take(preset),
       undo: () => this.travel(-1),
       redo: () => this.travel(1),
@@ -134,6 +141,7 @@ export class Lab {
       help: () => this.help.showModal(),
     });
     this.extras = new Extras(this);
+    this.opening = new Opening(this.clock, this.extras.grips.hint);
     this.sticky = layOut(this, panels);
     if (hosted && !location.search && !location.hash) this.extras.visit.offer();
     this.later = once(() => this.fetchTheory(), 120);
@@ -151,8 +159,12 @@ export class Lab {
     await this.motions.load(queries);
     this.clock.duration = Math.max(...this.films().map((film) => film.duration));
     this.sameness.expect(this.films(), shown.fingerprints ?? []);
+    this.view.open(this.films(), shown);
     this.restore(shown);
     this.begin();
+    // who has chosen to see everything knows the page
+    if (this.hosted && shown.time === undefined && !this.view.everything)
+      this.opening.begin(this.stage.element.parentElement as HTMLElement);
   }
 
   // The motions are there.
@@ -167,6 +179,7 @@ export class Lab {
     this.clock.playing = false;
     this.asked?.abort();
     this.extras.close();
+    this.opening.end();
     this.map.close();
     this.theme.close();
     this.address?.close();
@@ -289,6 +302,7 @@ export class Lab {
     this.hoops.show(films.length, motions.active);
     this.drawStage();
     this.controls.show(this.film(), this.motions.waiting());
+    this.view.show(films);
     this.showPreset();
     if (since !== null) {
       requestAnimationFrame(() => setTimeout(() => this.latencies.push(performance.now() - since), 0));

@@ -30,6 +30,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     lab.hoops.element,
     notice.message,
     lab.controls.element,
+    lab.view.more,
   );
   transport.row.append(extras.more.switch);
   transport.row.before(extras.tools);
@@ -66,6 +67,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     notice.toast,
     lab.share.dialog,
     lab.help,
+    lab.about,
     extras.teach,
   );
   // a menu closes where one presses elsewhere

@@ -1,4 +1,4 @@
-// Keep and share: link, downloads, picture, film recorded here, and the Python that makes the same motion.
+// Share and save: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
 import { h, saveBlob, say } from "../common/dom.ts";
 import { record } from "../player/recording.ts";
@@ -9,11 +9,11 @@ import type { Lab } from "./lab.ts";
 type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link">;
 
 const FILES = [
-  ["motion.toml", "Scenario (TOML)"],
-  ["motion.csv", "States (CSV)"],
-  ["motion.nc", "Motion (netCDF)"],
-  ["motion.json", "Events (JSON)"],
-  ["motion.mp4", "Film (MP4)"],
+  ["motion.toml", "Save the scenario (TOML)"],
+  ["motion.csv", "Save the states (CSV)"],
+  ["motion.nc", "Save the motion (netCDF)"],
+  ["motion.json", "Save the events (JSON)"],
+  ["motion.mp4", "Save a film (MP4)"],
 ];
 
 export class Share {
@@ -24,18 +24,23 @@ export class Share {
     this.menu = h(
       "details",
       { class: "menu" },
-      h("summary", { class: "button" }, "Keep"),
+      h(
+        "summary",
+        { class: "button" },
+        h("span", { class: "long" }, "Share and save"),
+        h("span", { class: "short" }, "Share"),
+      ),
       h(
         "div",
         { class: "menu-body" },
-        lab.backend.shares && this.item("Copy the link", () => this.copyLink()),
+        lab.backend.shares && this.item("Copy a link to this motion", () => this.copyLink()),
         FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
           this.item(label, () => this.download(name)),
         ),
-        this.item("Picture (PNG)", () => this.picture("png", png)),
-        this.item("Picture (SVG)", () => this.picture("svg", svg)),
-        this.item("Record a film here (WebM)", () => this.record()),
-        this.item("Show me the Python", () => this.code()),
+        this.item("Save a picture (PNG)", () => this.picture("png", png)),
+        this.item("Save a picture (SVG)", () => this.picture("svg", svg)),
+        this.item("Record one run as a film (WebM)", () => this.record()),
+        this.item("Show the Python code", () => this.code()),
       ),
     );
     this.dialog = h("dialog", { class: "code-dialog", "aria-label": "The same motion in Python" });

@@ -1,6 +1,7 @@
 // For teachers: a lesson in brief, what students often think, and a worksheet to print, each with the motions it needs.
 
 import { h } from "../common/dom.ts";
+import { docs } from "../shell/help.ts";
 
 const SHEET = "hoop.radius=0.4&duration=1.5&start.speed=";
 
@@ -40,9 +41,6 @@ const TASKS = [
 ];
 
 const SPEEDS = ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"];
-
-/** Where the documentation stands beside the page, if it does. */
-const docs = () => (document.querySelector("meta[name=hophoop-docs]") as HTMLMetaElement | null)?.content;
 
 export function teachDialog(load: (query: string) => void, visit: () => void) {
   const go = (query: string) => {

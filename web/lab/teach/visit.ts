@@ -11,7 +11,10 @@ import type { Guess } from "./predict.ts";
 const KEY = "hophoop-visit";
 
 /** What a visit plays, and what it says. */
-type Guided = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "films" | "show" | "changed" | "mark">;
+type Guided = Pick<
+  Lab,
+  "stage" | "clock" | "motions" | "backend" | "notice" | "films" | "show" | "changed" | "mark" | "opening"
+>;
 
 export class Visit {
   step: Step | null = null;
@@ -92,6 +95,7 @@ export class Visit {
   async go(number: number) {
     const step = STEPS[number];
     const asked = ++this.asked;
+    this.lab.opening.end();
     const { lab } = this;
     lab.clock.play(false);
     lab.clock.time = 0;

@@ -30,6 +30,7 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
         ".js": SCRIPT,
         ".css": "text/css; charset=utf-8",
         ".svg": "image/svg+xml",
+        ".png": "image/png",
         ".txt": "text/plain; charset=utf-8",
         ".json": "application/json",
     }

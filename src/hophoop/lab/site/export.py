@@ -31,6 +31,7 @@ STATIC = (
     "lab.css",
     "embed.css",
     "icon.svg",
+    "preview.png",
     "licences.txt",
 )
 # Files renamed because pages and embedding sites use their names; the others keep their names.
@@ -69,13 +70,15 @@ def packed_module(name: str = MODULE) -> bytes:
     return gzip.compress((files("hophoop.lab.wasm") / name).read_bytes(), 9, mtime=0)
 
 
-def site_files(docs: str = "") -> dict[str, bytes]:
+def site_files(docs: str = "", url: str = "") -> dict[str, bytes]:
     """Return the site's files by their path.
 
     Parameters
     ----------
     docs : str, default ''
         Location of the documentation, for teachers: an address, or a path relative to the site; none by default.
+    url : str, default ''
+        Address of the site, which previews of links need for their picture; none by default.
 
     Returns
     -------
@@ -91,6 +94,7 @@ def site_files(docs: str = "") -> dict[str, bytes]:
     for name in PAGES:
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
         page = page.replace(b"{module}", built()["module"].encode())  # the hash with which the script requests it
+        page = page.replace(b'="og:image" content="', b'="og:image" content="' + _address_of(url))
         made[NAMES.get(name, name)] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
@@ -114,6 +118,13 @@ def _place_of(docs: str) -> bytes:
     return f'<meta name="hophoop-docs" content="{html.escape(docs.rstrip("/"))}/">\n'.encode()
 
 
+def _address_of(url: str) -> bytes:
+    """Return the address of the site as it is written in HTML, with a slash at the end."""
+    if not re.fullmatch(r"https?://[^\s\"<>]+", url or "http://none"):
+        raise InputError.of_field("--url", url, "an address of http or https")
+    return f"{html.escape(url.rstrip('/'))}/".encode() if url else b""
+
+
 def _manifest() -> dict[str, object]:
     return {
         "name": "hophoop lab",
@@ -127,7 +138,7 @@ def _manifest() -> dict[str, object]:
     }
 
 
-def export(folder: Path, docs: str = "") -> list[Path]:
+def export(folder: Path, docs: str = "", url: str = "") -> list[Path]:
     """Write the lab as a folder of files.
 
     Parameters
@@ -136,6 +147,8 @@ def export(folder: Path, docs: str = "") -> list[Path]:
         A new or empty folder, or one with an earlier export.
     docs : str, default ''
         Location of the documentation, for teachers: an address, or a path relative to the folder; none by default.
+    url : str, default ''
+        Address at which the folder will be, which previews of links need for their picture; none by default.
 
     Returns
     -------
@@ -148,7 +161,7 @@ def export(folder: Path, docs: str = "") -> list[Path]:
     OSError
         If the files cannot be written.
     """
-    made = site_files(docs)
+    made = site_files(docs, url)
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--export {folder} must be a folder.")
     if folder.is_dir() and any(folder.iterdir()) and not (folder / "service-worker.js").is_file():

@@ -1,14 +1,14 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 100f025fa8c3223e3fafc9c1bbaea4ad */
-var al=Object.create;var Ko=Object.defineProperty;var rl=Object.getOwnPropertyDescriptor;var ll=Object.getOwnPropertyNames;var hl=Object.getPrototypeOf,cl=Object.prototype.hasOwnProperty;var ul=(n,e)=>()=>{try{return e||n((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var dl=(n,e,t,s)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of ll(e))!cl.call(n,o)&&o!==t&&Ko(n,o,{get:()=>e[o],enumerable:!(s=rl(e,o))||s.enumerable});
-return n};var ml=(n,e,t)=>(t=n!=null?al(hl(n)):{},dl(e||!n||!n.__esModule?Ko(t,"default",{value:n,enumerable:!0}):t,n));var Pa=ul(Rn=>{"use strict";Object.defineProperty(Rn,"__esModule",{value:!0});function Aa(n){return!n||typeof n=="string"?n:n+""}var Ns=class{async svg2canvas(e,t,s){
-let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=s,i.getContext(
-"2d").drawImage(o,0,0),i}toDataURL(e,t,s,o,i,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 83086bfea222a827c95ec03ec1807015 */
+var ml=Object.create;var Yo=Object.defineProperty;var pl=Object.getOwnPropertyDescriptor;var fl=Object.getOwnPropertyNames;var gl=Object.getPrototypeOf,bl=Object.prototype.hasOwnProperty;var wl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var yl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of fl(e))!bl.call(s,o)&&o!==t&&Yo(s,o,{get:()=>e[o],enumerable:!(n=pl(e,o))||n.enumerable});
+return s};var vl=(s,e,t)=>(t=s!=null?ml(gl(s)):{},yl(e||!s||!s.__esModule?Yo(t,"default",{value:s,enumerable:!0}):t,s));var qa=wl(zn=>{"use strict";Object.defineProperty(zn,"__esModule",{value:!0});function Da(s){return!s||typeof s=="string"?s:s+""}var Is=class{async svg2canvas(e,t,n){
+let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=n,i.getContext(
+"2d").drawImage(o,0,0),i}toDataURL(e,t,n,o,i,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var m="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
 r);if(o==="image/svg+xml"||!o)return a.async?Promise.resolve(m):m;if(o==="image/jpeg"||o==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
-st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(m,t,s),d=h.toDataURL(o,i);return h.remove(),d})()}throw new Error(
-"svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,s,o,i,a,r,l){if(l||(l={}),!l.async)throw new Error(
-"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,s,"image/svg+xml");return(async()=>{let m=await this.svg2canvas(c,t,s),
-d=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),d})()}},La=new Ns;var Ra=(function(){var n,e,t,s,o;function i(h,d){var p=Object.keys(d),f;for(f=0;f<
+st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(m,t,n),d=h.toDataURL(o,i);return h.remove(),d})()}throw new Error(
+"svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,o,i,a,r,l){if(l||(l={}),!l.async)throw new Error(
+"svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let m=await this.svg2canvas(c,t,n),
+d=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),d})()}},Oa=new Is;var Ia=(function(){var s,e,t,n,o;function i(h,d){var p=Object.keys(d),f;for(f=0;f<
 p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),d[p[f]]);return h}function a(h){var d,p,f;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
 return p}function r(h,d){var p,f,g={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],d),g[f]="&#"+b+";";return g["\\xa0"]="&#\
@@ -27,15 +27,15 @@ uArr,8ei,rArr,8ej,dArr,8ek,hArr,8g0,forall,8g2,part,8g3,exist,8g5,empty,8g7,nabl
 prop,8gu,infin,8h0,ang,8h7,and,8h8,or,8h9,cap,8ha,cup,8hb,int,8hk,there4,8hs,sim,8i5,cong,8i8,asymp,8j0,ne,8j1,equiv,8j4,le,8j5,ge,8k2,sub,8k3,sup,8k4,nsub,8k6,\
 sube,8k7,supe,8kl,oplus,8kn,otimes,8l5,perp,8m5,sdot,8o8,lceil,8o9,rceil,8oa,lfloor,8ob,rfloor,8p9,lang,8pa,rang,9ea,loz,9j0,spades,9j3,clubs,9j5,hearts,9j6,dia\
 ms,ai,OElig,aj,oelig,b0,Scaron,b1,scaron,bo,Yuml,m6,circ,ms,tilde,802,ensp,803,emsp,809,thinsp,80c,zwnj,80d,zwj,80e,lrm,80f,rlm,80j,ndash,80k,mdash,80o,lsquo,80\
-p,rsquo,80q,sbquo,80s,ldquo,80t,rdquo,80u,bdquo,810,dagger,811,Dagger,81g,permil,81p,lsaquo,81q,rsaquo,85c,euro",32),n={strokeStyle:{svgAttr:"stroke",canvas:"#0\
+p,rsquo,80q,sbquo,80s,ldquo,80t,rdquo,80u,bdquo,810,dagger,811,Dagger,81g,permil,81p,lsaquo,81q,rsaquo,85c,euro",32),s={strokeStyle:{svgAttr:"stroke",canvas:"#0\
 00000",svg:"none",apply:"stroke"},fillStyle:{svgAttr:"fill",canvas:"#000000",svg:null,apply:"fill"},lineCap:{svgAttr:"stroke-linecap",canvas:"butt",svg:"butt",apply:"\
 stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"stroke"},miterLimit:{svgAttr:"stroke-miterlimit",canvas:10,svg:4,apply:"stroke"},
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
 abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
-var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Aa(d).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-g=f.exec(d),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Aa(d)),this.
-__root.appendChild(p)},s=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
+var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Da(d).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+g=f.exec(d),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Da(d)),this.
+__root.appendChild(p)},n=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
 width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
 p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
 __document.createElement("canvas"),this.__ctx=this.__canvas.getContext("2d")),this.__setDefaultStyles(),this.__styleStack=[this.__getStyleState()],this.__groupStack=
@@ -46,13 +46,13 @@ __root.appendChild(this.__defs),this.__currentElement=this.__document.createElem
 this.resetTransform(),this.__options=p,this.__id=Math.random().toString(16).substring(2,8),this.__debug("new",h)},e.prototype.__debug=function(...h){this.__options.
 debug&&console.debug(`svgcanvas#${this.__id}:`,...h)},e.prototype.__createElement=function(h,d,p){typeof d>"u"&&(d={});var f=this.__document.createElementNS("ht\
 tp://www.w3.org/2000/svg",h),g=Object.keys(d),b,w;for(p&&(f.setAttribute("fill","none"),f.setAttribute("stroke","none")),b=0;b<g.length;b++)w=g[b],f.setAttribute(
-w,d[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(n),d,p;for(d=0;d<h.length;d++)p=h[d],this[p]=n[p].canvas},e.prototype.__applyStyleState=
-function(h){var d=Object.keys(h),p,f;for(p=0;p<d.length;p++)f=d[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,d={},p=Object.keys(n),f;for(h=0;h<
+w,d[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(s),d,p;for(d=0;d<h.length;d++)p=h[d],this[p]=s[p].canvas},e.prototype.__applyStyleState=
+function(h){var d=Object.keys(h),p,f;for(p=0;p<d.length;p++)f=d[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,d={},p=Object.keys(s),f;for(h=0;h<
 p.length;h++)f=p[h],d[f]=this[f];return d},e.prototype.__applyTransformation=function(h,d){let{a:p,b:f,c:g,d:b,e:w,f:y}=d||this.getTransform();h.setAttribute("t\
 ransform",`matrix(${p} ${f} ${g} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var d=this.__currentElement,p=this.__currentElementsToStyle;
-p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(n),g,b,w,y,v,_,T,L;for(g=0;g<f.length;g++)if(b=n[f[g]],
-w=this[f[g]],b.apply){if(w instanceof s){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],_=L.getAttribute("id"),this.__ids[_]=
-_,this.__defs.appendChild(L);d.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,i("url(#{id}\
+p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(s),g,b,w,y,v,k,T,L;for(g=0;g<f.length;g++)if(b=s[f[g]],
+w=this[f[g]],b.apply){if(w instanceof n){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],k=L.getAttribute("id"),this.__ids[k]=
+k,this.__defs.appendChild(L);d.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,i("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
 v=y.exec(w),d.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var R=v[4],F=this.globalAlpha;F!=null&&(R*=F),d.setAttribute(b.svgAttr+"-opac\
 ity",R)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,d.getAttribute(A))continue}else if(f[g]==="lineWidth"){var D=this.__getTransformScale();
@@ -77,21 +77,21 @@ x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,d,
  {y}",{cpx:this.__matrixTransform(h,d).x,cpy:this.__matrixTransform(h,d).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var m=function(h){
 var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(g<0)throw new Error("IndexSizeError: The radius provided ("+g+") is nega\
-tive.");if(b===h&&w===d||h===p&&d===f||g===0){this.lineTo(h,d);return}var y=m([b-h,w-d]),v=m([p-h,f-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var _=y[0]*
-v[0]+y[1]*v[1],T=Math.acos(Math.abs(_)),L=m([y[0]+v[0],y[1]+v[1]]),R=g/Math.sin(T/2),F=h+R*L[0],A=d+R*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],ie=function(Go){var Uo=Go[0],
-il=Go[1];return il>=0?Math.acos(Uo):-Math.acos(Uo)},De=ie(D),Ot=ie(H);this.lineTo(F+D[0]*g,A+D[1]*g),this.arc(F,A,g,De,Ot)}},e.prototype.stroke=function(){this.
+tive.");if(b===h&&w===d||h===p&&d===f||g===0){this.lineTo(h,d);return}var y=m([b-h,w-d]),v=m([p-h,f-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var k=y[0]*
+v[0]+y[1]*v[1],T=Math.acos(Math.abs(k)),L=m([y[0]+v[0],y[1]+v[1]]),R=g/Math.sin(T/2),F=h+R*L[0],A=d+R*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],re=function(Vo){var Jo=Vo[0],
+dl=Vo[1];return dl>=0?Math.acos(Jo):-Math.acos(Jo)},De=re(D),It=re(H);this.lineTo(F+D[0]*g,A+D[1]*g),this.arc(F,A,g,De,It)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
 h+p,d),this.lineTo(h+p,d+f),this.lineTo(h,d+f),this.lineTo(h,d),this.closePath()},e.prototype.roundRect=function(h,d,p,f,g){this.__currentElement.nodeName!=="pa\
 th"&&this.beginPath();let b,w,y,v;typeof g=="number"?(b=g,w=g,y=g,v=g):[b,w,y,v]=g,this.moveTo(h+b,d),this.arcTo(h+p,d,h+p,d+f,w),this.arcTo(h+p,d+f,h,d+f,y),this.
-arcTo(h,d+f,h,d,v),this.arcTo(h,d,h+p,d,b),this.closePath()},e.prototype.fillRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();JSON.stringify(
-[g,b,w,y,v,_])===JSON.stringify([1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:d,
+arcTo(h,d+f,h,d,v),this.arcTo(h,d,h+p,d,b),this.closePath()},e.prototype.fillRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:k}=this.getTransform();JSON.stringify(
+[g,b,w,y,v,k])===JSON.stringify([1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:d,
 width:p,height:f},!0),L=this.__closestGroupOrSvg(),L.appendChild(T),this.__currentElement=T,this.__applyTransformation(T),this.__applyStyleToCurrentElement("fil\
 l")},e.prototype.strokeRect=function(h,d,p,f){var g,b;g=this.__createElement("rect",{x:h,y:d,width:p,height:f},!0),b=this.__closestGroupOrSvg(),b.appendChild(g),
 this.__currentElement=g,this.__applyTransformation(g),this.__applyStyleToCurrentElement("stroke")},e.prototype.__clearCanvas=function(){var h=this.__root.childNodes[1];
 this.__root.removeChild(h),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
-this.__groupStack=[]},e.prototype.clearRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:_}=this.getTransform();if(JSON.stringify([g,b,w,y,v,_])===JSON.stringify([
+this.__groupStack=[]},e.prototype.clearRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:k}=this.getTransform();if(JSON.stringify([g,b,w,y,v,k])===JSON.stringify([
 1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height){this.__clearCanvas();return}var T,L=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
 y:d,width:p,height:f,fill:"#FFFFFF"},!0),this.__applyTransformation(T),L.appendChild(T)},e.prototype.createLinearGradient=function(h,d,p,f){var g=this.__createElement(
 "linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:d+"px",y2:f+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(g),new t(g,this)},
@@ -103,30 +103,30 @@ ine":c(this.textBaseline)},!0);if(y.appendChild(this.__document.createTextNode(h
 f),this.__fontHref){var v=this.__createElement("a");v.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",this.__fontHref),v.appendChild(y),y=v}w.appendChild(
 y)},e.prototype.fillText=function(h,d,p){this.__applyText(h,d,p,"fill")},e.prototype.strokeText=function(h,d,p){this.__applyText(h,d,p,"stroke")},e.prototype.measureText=
 function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,d,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
-(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=d+p*Math.sin(g),v=h+p*Math.cos(f),_=d+p*Math.sin(f),T=b?0:1,L=0,R=g-f;R<0&&(R+=2*Math.PI),b?L=R>
+(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=d+p*Math.sin(g),v=h+p*Math.cos(f),k=d+p*Math.sin(f),T=b?0:1,L=0,R=g-f;R<0&&(R+=2*Math.PI),b?L=R>
 Math.PI?0:1:L=R>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
-this.lineTo(v,_),this.__addPathCommand(i("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*F,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
+this.lineTo(v,k),this.__addPathCommand(i("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*F,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
 endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,f,g,b,w,y){if(b!==w){
-var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var _=this.__getTransformScale();p=p*_.x,f=f*_.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
+var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var k=this.__getTransformScale();p=p*k.x,f=f*k.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
 b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=d-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
 sin(w),R=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=d-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,D=0,H=w-b;H<0&&(H+=2*Math.PI),
-y?D=H>Math.PI?0:1:D=H>Math.PI?1:0;var ie=this.__transformMatrix;this.resetTransform(),this.lineTo(R,F),this.__transformMatrix=ie,this.__addPathCommand(i("A {rx}\
+y?D=H>Math.PI?0:1:D=H>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(R,F),this.__transformMatrix=re,this.__addPathCommand(i("A {rx}\
  {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:D,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
 {x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
 h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),h.setAttribute("clip-path",i("url(#{\
-id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,f,g,b,w=0,y=0,v,_,
-T,L,R,F,A,D,H,ie;if(h.length===3)p=h[1],f=h[2],v=d.width,_=d.height,g=v,b=_;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=d.width,_=d.height;else if(h.length===
-9)w=h[1],y=h[2],v=h[3],_=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
+id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,f,g,b,w=0,y=0,v,k,
+T,L,R,F,A,D,H,re;if(h.length===3)p=h[1],f=h[2],v=d.width,k=d.height,g=v,b=k;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=d.width,k=d.height;else if(h.length===
+9)w=h[1],y=h[2],v=h[3],k=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
 this.__currentElement;let De=this.getTransform().translate(p,f);if(d instanceof e){if(L=d.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(R=L.childNodes[0];R.
-childNodes.length;)ie=R.childNodes[0].getAttribute("id"),this.__ids[ie]=ie,this.__defs.appendChild(R.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
+childNodes.length;)re=R.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(R.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
 F,De),T.appendChild(F))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
-A.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||_!==d.height)&&(D=this.__document.createElement("canvas"),D.width=g,D.height=b,H=D.getContext("\
-2d"),H.drawImage(d,w,y,v,_,0,0,g,b),d=D),this.__applyTransformation(A,De),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
+A.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||k!==d.height)&&(D=this.__document.createElement("canvas"),D.width=g,D.height=b,H=D.getContext("\
+2d"),H.drawImage(d,w,y,v,k,0,0,g,b),d=D),this.__applyTransformation(A,De),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
 d.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 f=a(this.__ids),g;return p.setAttribute("id",f),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(g=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),g.setAttribute("width",h.width),g.setAttribute(
 "height",h.height),g.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",h.nodeName==="CANVAS"?h.toDataURL():h.getAttribute("src")),p.appendChild(g),this.
-__defs.appendChild(p)):h instanceof e&&(p.appendChild(h.__root.childNodes[1]),this.__defs.appendChild(p)),new s(p,this)},e.prototype.setLineDash=function(h){h&&
+__defs.appendChild(p)):h instanceof e&&(p.appendChild(h.__root.childNodes[1]),this.__defs.appendChild(p)),new n(p,this)},e.prototype.setLineDash=function(h){h&&
 h.length>0?this.lineDash=h.join(","):this.lineDash=null},e.prototype.setTransform=function(h,d,p,f,g,b){h instanceof DOMMatrix?this.__transformMatrix=new DOMMatrix(
 [h.a,h.b,h.c,h.d,h.e,h.f]):this.__transformMatrix=new DOMMatrix([h,d,p,f,g,b])},e.prototype.getTransform=function(){let{a:h,b:d,c:p,d:f,e:g,f:b}=this.__transformMatrix;
 return new DOMMatrix([h,d,p,f,g,b])},e.prototype.resetTransform=function(){this.setTransform(1,0,0,1,0,0)},e.prototype.scale=function(h,d){if(d===void 0&&(d=h),
@@ -135,23 +135,23 @@ multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));
 translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,f,g,b]));this.setTransform(
 w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,f,g){return La.getImageData(this.getSvg(),
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,f,g){return Oa.getImageData(this.getSvg(),
 this.width,this.height,h,d,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
-globalCompositeOperation=function(){},e})();function Pe(n){this.ctx=new Ra(n),this.svg=this.ctx.__root;var e=this.svg,t=this,s=document.createElement("div");s.style.
-display="inline-block",s.appendChild(e),this.wrapper=s,Object.defineProperty(this,"className",{get:function(){return s.getAttribute("class")||""},set:function(o){
-return s.setAttribute("class",o)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(o){
-Object.defineProperty(t,o,{get:function(){return e.getAttribute(o)|0},set:function(i){if(!(isNaN(i)||typeof i>"u"))return t.ctx[o]=i,e.setAttribute(o,i),s[o]=i}})}),
-["style","id"].forEach(function(o){Object.defineProperty(t,o,{get:function(){return s[o]},set:function(i){if(typeof i<"u")return s[o]=i}})}),["getBoundingClient\
-Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}Pe.prototype.getContext=function(n){if(n!=="2d")throw new Error("Unsupported type of context for SVG\
-Canvas");return this.ctx};Pe.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),e=new Blob([n],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};Pe.prototype.toDataURL=function(n,e,t){return La.toDataURL(this.svg,this.width,this.height,n,e,t)};Pe.prototype.addEventListener=
-function(){return this.svg.addEventListener.apply(this.svg,arguments)};Pe.prototype.getElement=function(){return this.wrapper};Pe.prototype.getAttribute=function(n){
-return this.wrapper.getAttribute(n)};Pe.prototype.setAttribute=function(n,e){this.wrapper.setAttribute(n,e)};Rn.Context=Ra;Rn.Element=Pe});function ve(n){let e=Number.parseInt(n.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Vo=n=>ht(n)>.2?"#111111":"#ffffff",ct=(n,e)=>`rgba(${ve(n).join(",")}\
-,${e})`,pl=n=>{let e=n/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ht(n){let[e,t,s]=ve(n).map(pl);return .2126*e+.7152*t+.0722*s}function ut(n,e){
-if(!e||!/^#[0-9a-f]{6}$/i.test(n))return n;if(ht(n)<.002)return"#eceef2";let t=n;for(let s=0;ht(t)<.2&&s<1;s+=.05)t=`#${ve(n).map(o=>Math.round(o+(255-o)*s).toString(
-16).padStart(2,"0")).join("")}`;return t}var qt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function fl(){let n=[];
-for(let e=0;e<256;e++){let t=e/255*(qt.length-1),s=Math.min(Math.floor(t),qt.length-2),o=ve(qt[s]),i=ve(qt[s+1]);n.push(o.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
-return n}var Je=fl(),Ft=Je.map(n=>`rgb(${n.join(",")})`),gl=["#123a8c","#8a6d00"],he=(n,e)=>ut(gl[n],e);var Se={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+globalCompositeOperation=function(){},e})();function Pe(s){this.ctx=new Ia(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
+display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute("class")||""},set:function(o){
+return n.setAttribute("class",o)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(o){
+Object.defineProperty(t,o,{get:function(){return e.getAttribute(o)|0},set:function(i){if(!(isNaN(i)||typeof i>"u"))return t.ctx[o]=i,e.setAttribute(o,i),n[o]=i}})}),
+["style","id"].forEach(function(o){Object.defineProperty(t,o,{get:function(){return n[o]},set:function(i){if(typeof i<"u")return n[o]=i}})}),["getBoundingClient\
+Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}Pe.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupported type of context for SVG\
+Canvas");return this.ctx};Pe.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
+utf-8"});return URL.createObjectURL(e)};Pe.prototype.toDataURL=function(s,e,t){return Oa.toDataURL(this.svg,this.width,this.height,s,e,t)};Pe.prototype.addEventListener=
+function(){return this.svg.addEventListener.apply(this.svg,arguments)};Pe.prototype.getElement=function(){return this.wrapper};Pe.prototype.getAttribute=function(s){
+return this.wrapper.getAttribute(s)};Pe.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};zn.Context=Ia;zn.Element=Pe});function ve(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Zo=s=>ht(s)>.2?"#111111":"#ffffff",ct=(s,e)=>`rgba(${ve(s).join(",")}\
+,${e})`,xl=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ht(s){let[e,t,n]=ve(s).map(xl);return .2126*e+.7152*t+.0722*n}function ut(s,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(ht(s)<.002)return"#eceef2";let t=s;for(let n=0;ht(t)<.2&&n<1;n+=.05)t=`#${ve(s).map(o=>Math.round(o+(255-o)*n).toString(
+16).padStart(2,"0")).join("")}`;return t}var qt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function kl(){let s=[];
+for(let e=0;e<256;e++){let t=e/255*(qt.length-1),n=Math.min(Math.floor(t),qt.length-2),o=ve(qt[n]),i=ve(qt[n+1]);s.push(o.map((a,r)=>Math.round(a+(i[r]-a)*(t-n))))}
+return s}var Je=kl(),Ft=Je.map(s=>`rgb(${s.join(",")})`),_l=["#123a8c","#8a6d00"],ue=(s,e)=>ut(_l[s],e);var Se={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -239,262 +239,268 @@ tons Stoßgesetz mit Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht."
 til it hops.":"Auf 10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped wit\
 h spin and restitution 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","\
 On the Moon":"Auf dem Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: All\
-es ist um den Faktor 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rü\
-ckgängig (z)","Redo (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys\
- and help (?)":"Tasten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","\
-Which hoop the controls change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Eb\
-ene",Start:"Start",Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"\
-Wo",elsewhere:"anderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem \
-Zustand","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",
-Disk:"Scheibe","Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centr\
-e":"Abstand vom Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"\
-Teil {number} entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{nam\
-e} = {value} muss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} \
-bis {most}","from {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {l\
-east} to {most}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.iner\
-tia_ratio = 0)":"für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rig\
-id“ (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht\
-. Was hier ist, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The n\
-otebook’s kernel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",
-time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front\
-, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Sp\
-uren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"\
-Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo\
- des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis\
- (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nä\
-chsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landin\
-g.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip starts":"Schlupf beginnt","slip ends":"\
-Schlupf endet","slip reverses":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge end\
-en","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming starts":"Streifen beginnt","at rest":"in\
- Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten",
-"(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie\
- zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien u\
-nd Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the dampe\
-r":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal \
-N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diag\
-ramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to \
-go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zo\
-oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} t\
-o {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"\
-{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand",
-"height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
-"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
-e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
-le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
- and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
-Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne \
-Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergröß\
-ern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das \
-Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegun\
-gen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe über\
-nimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganz\
-e Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to t\
-ake that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Absp\
-ieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechne\
-t …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this mo\
-tion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zust\
-and, obwohl diese Bewegung rollend beginnt",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)",
-"Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hi\
-er einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"D\
-er Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauer\
-t eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"\
-Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is the\
-re.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rol\
-ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hü\
-pft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of t\
-ime":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →",
-"previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"\
-Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zo\
-om back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z\
- y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the r\
-im turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reif\
-en vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts r\
-ollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne\
- Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces wit\
-hout number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Ein\
-zelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene",
-"Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll o\
-r throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, o\
-r arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow \
-motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf \
-dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
-Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count}\
- rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderu\
-ng",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","\
-Your best: {points} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose th\
-e load, where it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beg\
-innt, und die Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything i\
-s allowed; the first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mind\
-estens 5 cm hoch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 \
-m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last\
- unten, mit höchstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"\
-Nur starrer Kontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"\
-Die Stoßzahl muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"\
-Höchstens 90 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sei\
-n.","It must start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchste\
-ns 6 s.","It does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.",
-"It lands {off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction\
- must be at most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight sho\
-rt questions: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before \
-it is let go.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} v\
-on {all}","Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{p\
-oints} of 100 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{wh\
-at} mit der Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoo\
-ds Frage","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happ\
-ens when the weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J\
-. E. Littlewood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt\
- weiter.","It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"\
-Das Gewicht fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft me\
-hr.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane\
-. To hop, a hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt \
-frei, und ein Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a q\
-uarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist d\
-ie Last oben, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt\
- in der ersten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last \
-unten hat der Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that th\
-e heavy load has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kine\
-tische Energie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slip\
-s":"Warum er gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s \
-oben. Rollen braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mar\
-k.":"Wo ist die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten \
-beginnt","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share\
-} des Gewichts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction.\
- Watch the diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring \
-schneller werden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. \
-This time the hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung\
- vorbei ist.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it\
- takes off":"Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m\
-/s gleitet.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, \
-and the load pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung\
- zu schwach: Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The \
-hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und \
-er dreht sich gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids\
-: the rim slides ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounce\
-s.":"Er springt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg \
-um {height} cm; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. Wi\
-th less friction, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie s\
-ein Druck: Hier genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.",
-"More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bek\
-ommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise b\
-y {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On\
- ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so muc\
-h that it is braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den\
- Reifen auf dem Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper \
-nicht entscheiden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein \
-Reifen wird so geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht\
-.","What do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both ag\
-ree with the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, un\
-d beide Bewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yiel\
-d a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei \
-Antworten, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du b\
-ist dran","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed fr\
-om the motion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sie\
-h, wie deine Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den \
-Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count\
- the votes by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in\
- pairs: who has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which\
- speed is the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forc\
-es; stop at take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each g\
-roup takes one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What ha\
-s to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kan\
-n es sein, und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The l\
-oad pulls the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop befo\
-re the top, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where\
- it is fastest.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stä\
-rksten: Die Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring\
- can: it gets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brak\
-es.":"Reibung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach \
-vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier \
-hoop behaves otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: \
-where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Marki\
-ere die Stelle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bott\
-om?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its \
-lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Tei\
-l des Reifens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop b\
-e faster?":"Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0\
- m/s, and the speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: wh\
-at does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem W\
-inkel hüpft er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen\
- hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den B\
-oden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbei\
-tsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What stu\
-dents often think":"Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Re\
-ifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and \
-is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0\
-,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","do\
-es it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table g\
-ives numbers to every student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater tha\
-n {least}":"größer als {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {m\
-ost}":"höchstens {most}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'\
-{word}', '{word2}' or '{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the \
-rotation over R N":"Rollwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no single threshold uphill (β < 0): it depends\
- on where the hoop turns back; see the map":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'r\
-igid' for a map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor\
- höchstens {most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie s\
-agen dasselbe auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to\
- rolling resistance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{n\
-ame} = {value} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sin\
-d {word2}.","{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {l\
-imit}.":"{one} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static =\
- inf muss bei contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; as\
-k for a shorter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {\
-time} seconds.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in\
- 1 Sekunde noch einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies \
-berechnet hat, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor h\
-öchstens {most} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be\
- at most {most} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehun\
-gen, im Labor höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.p\
-arts hat {count} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration a\
-nd must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {mos\
-t}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor h\
-öchstens {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a s\
-horter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkei\
-ten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höch\
-stens {most} s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von \
-{hoop}; {hands}","After {time} s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the exact result.":"Was nach {ti\
-me} s kommt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","N\
-o fingerprint: this motion depends on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.",
-"A hash of all events: the same wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben \
-Bits rechnet, auch in Python","✓ Same bits as in Python":"✓ Dieselben Bits wie in Python","✓ Same bits as where the link was made":"✓ Dieselben Bits wie d\
-ort, wo der Link entstand","The bits differ: {own} here, {other} in Python.":"Die Bits sind verschieden: {own} hier, {other} in Python.","The bits differ: {own}\
- here, {other} where the link was made, perhaps with another version.":"Die Bits sind verschieden: {own} hier, {other} dort, wo der Link entstand, vielleicht mi\
-t einer anderen Version.","hophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"\
-Einen hüpfenden Reifen in die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the r\
-eader’s browser; nothing is sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bew\
-egung wird im Browser der Lesenden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung w\
-ählen und ihren Link hierher kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter \
-seinem Fragezeichen steht","What stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","A\
-s a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind",
-"The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping ho\
-op":"Ein hüpfender Reifen","Picture (SVG)":"Bild (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Li\
-nien, die bleiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","Wh\
-at a little more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein \
-wenig mehr","Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis änd\
-ert",event:"Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gi\
-bt es nicht.","This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this cou\
-ld not be loaded; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein \
-Netz da ist.","Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die\
- Pfeile stehen im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as lo\
-ng.":"Die Pfeile im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {rea\
-son}.":"Ab {what} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the righ\
-t":"{amount} weiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{a\
-mount} higher":"{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more \
-in the air":"{amount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {am\
-ount} earlier":"beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.",
-"Hop {number}: {list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"\
-Am Ende, nach {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only tou\
-ches zero there":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead \
-to other events":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim ha\
-s landed: with any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: wi\
-th the rim lifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und e\
-s gäbe andere Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze h\
-at","the massless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Konta\
-ktkraft verloren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen",
-"the motion has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am \
-Rand des Erlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are \
-computed: choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell.","Skip to the answer":"\
-Zur Antwort springen","Not so.":"Nein.",Pause:"Anhalten"};var wl=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
+es ist um den Faktor 2,46 langsamer.",Examples:"Beispiele","Examples …":"Beispiele …","Undo (z)":"Rückgängig (z)","Redo (y)":"Wiederholen (y)",Compare:"Ve\
+rgleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys and help (?)":"Tasten und Hilfe (?)","Keys and help":"\
+Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","Which hoop the controls change":"Welchen Reifen die Reg\
+ler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Ebene",Start:"Start",Contact:"Kontakt","Given by":"Gegebe\
+n durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"Wo",elsewhere:"anderswo","static and kinetic frictio\
+n apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem Zustand","auto {value}":"auto {value}","{name}, exac\
+t value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",Disk:"Scheibe","Point mass":"Punktmasse",Rod:"Stab",
+mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centre":"Abstand vom Mittelpunkt",length:"Länge","Add a \
+part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"Teil {number} entfernen, {what}","{name} = {value} \
+must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} muss eine Zahl sein, etwa 2,5.","{name\
+} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} bis {most}","from {least} to {most}, or inf":"von {\
+least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {least} to {most}, or inf":"0, von {least} bis {most}\
+ oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen 0 (hoop.\
+inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rigid“ (hoop.inertia_ratio = 0)","The server does \
+not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht. Was hier ist, läuft weiter; für Änderungen muss\
+ `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The notebook’s kernel does not answer; run the cell again\
+.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"\
+Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front, B behind":"A vorn, B hinten","The hoop":"Der Reife\
+n","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Spuren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"\
+Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"Kräfte","Rim speed":"Randtempo","Whole path":"G\
+anzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo des Films","To the start (Home)":"Zum Anfang (P\
+os1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis (Umschalt →)","One frame back (←)":"Ein Bi\
+ld zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nächsten Flug (h)","To the next landing (l)":"Zu\
+r nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landing.":"Diese Bewegung hat keine Landung.","{what\
+} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip starts":"Schlupf beginnt","slip ends":"Schlupf endet","slip reverses":"Schlupf kehrt \
+sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge enden","Painlevé: several solutions":"Painlevé:\
+ mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming starts":"Streifen beginnt","at rest":"in Ruhe",end:"Ende","What happens":"Was geschieh\
+t","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten","(not all events are shown)":"(nicht alle Erei\
+gnisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie zu Reifen {hoop} sagt",Velocities:"Geschwindi\
+gkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien und Verluste","energy [J]":"Energie [J]",kinetic:"\
+kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the damper":"im Dämpfer verloren","lost in impacts, norma\
+l part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal N":"Normalkraft N","friction F":"Reibungskraft F",
+"Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diagramm zeigt","Horizontal axis of the diagrams":"Waa\
+gerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to go there, two fingers zoom":"schieben, um dorthin \
+zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"klicken: dorthin gehen\
+; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} to {high}":"{name} von {low} bis {high}","Diagram: \
+{title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"Winkel inn\
+erhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand","height of the centre of gravity":"Höhe des Schw\
+erpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit","speed away from the plane":"Geschwindigkeit weg\
+ von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal force":"Normalkraft","friction force":"Reibungskraft",
+"use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenzielle Energie","total energy":"Gesamtenergie","Plane \
+of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Ebene von Winkel und Winkelgeschwind\
+igkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer Umdrehung [°]","Colours: the mode that follows c\
+ontact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne Schlupf folgt. Schraffiert: Schlupf, der auf das \
+Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click to go there; once clicked, or with\
+ Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles.",Map:"Karte",of:"von",
+Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of motions. Arrow keys move the mark,\
+ Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewegung, Plus und Minus zoomen.","Z\
+oom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Click to take that motion into the p\
+layer; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motion into the player; once clicked,\
+ or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach einem Klick oder mit Strg zoomt da\
+s Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count} motions":"{count} Bewegungen",
+"{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this motion starts otherwise":"rollender Starts, obwo\
+hl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zustand, obwohl diese Bewegung rollend beginnt","S\
+hare and save":"Teilen und speichern","Copy a link to this motion":"Link zu dieser Bewegung kopieren","Save the scenario (TOML)":"Szenario speichern (TOML)","Sa\
+ve the states (CSV)":"Zustände speichern (CSV)","Save the motion (netCDF)":"Bewegung speichern (netCDF)","Save the events (JSON)":"Ereignisse speichern (JSON)",
+"Save a film (MP4)":"Film speichern (MP4)","Save a picture (PNG)":"Bild speichern (PNG)","Record one run as a film (WebM)":"Einen Durchlauf als Film aufnehmen (\
+WebM)","Show the Python code":"Python-Code zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link ist kopiert.","The \
+link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine Weile …","Fetching\
+ {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser Browser kann die \
+Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"Der Film ist da.",
+"The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on a plane. Friction \
+can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.":"\
+Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, landet – oder tut etwa\
+s, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"Zeichen auf der Zeitlei\
+ste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previous, next event":"vorig\
+es, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos1 Ende","start, end":"A\
+nfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom back":"zoomen, zurück",
+"leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y  Strg Z","undo, redo":"r\
+ückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim turns too fast for the w\
+ay it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen vorwärts rollt)","sl\
+ip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts rollt)","the hop: from t\
+ake-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kraft berührt","take-\
+off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces without number end":"unzäh\
+lige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzelne Tasten (Buchstaben\
+, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","Tilt the plane: drag, \
+or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or throw the hoop: drag,\
+ or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or arrow keys":"Last dre\
+hen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow motion: a tenth of the \
+speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf dem ganzen Bildschirm",
+"Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",Presentation:"Vorführ\
+ung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count} rows.":"Die ersten {c\
+ount} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderung",Score:"Punkte","Be\
+gin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","Your best: {points} po\
+ints.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it start\
+s, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beginnt, und die Reibung.\
+ Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything is allowed; the first h\
+op has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mindestens 5 cm hoch sein.",
+"Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at most 1.\
+5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last unten, mit höchstens 10 \
+m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"Nur starrer Kontakt.","\
+The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"Die Stoßzahl muss 0 se\
+in.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"Höchstens 90 % der Ma\
+sse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sein.","It must start rol\
+ling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchstens 6 s.","It does not\
+ hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.","It lands {off} away \
+from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction must be at most 1.5.":"\
+Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight short questions: guess, the\
+n play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before it is let go.":"Der Reif\
+en, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} von {all}","Leave the vis\
+it":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{points} of 100 points.":"\
+{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{what} mit der Last bei {an\
+gle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoods Frage","A hoop withou\
+t mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is l\
+evel with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J. E. Littlewood fragte 1\
+953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt weiter.","It hops: the \
+hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"Das Gewicht fällt frei, \
+und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft mehr.","Littlewood said tha\
+t the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs so\
+me mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt frei, und ein Rand ohne M\
+asse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a quarter of the mass is in \
+the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist die Last oben, und der Rei\
+fen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt in der ersten Umdrehung \
+ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last unten hat der Mittelpunkt\
+ {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it\
+ is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kinetische Energie, und der l\
+eichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slips":"Warum er gleitet","A \
+harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s oben. Rollen braucht Reib\
+ung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Wo ist die Last, wen\
+n die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten beginnt","It begins to sl\
+ip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share} des Gewichts.","The lo\
+ad on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagram ‘Use \
+of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring schneller werden muss: Das\
+ braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. This time the hoop leaves \
+the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung vorbei ist.","Where is t\
+he load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it takes off":"Winkel der L\
+ast beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m/s gleitet.","A rolling \
+hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it of\
+f the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung zu schwach: Der Rand dr\
+eht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The hoop is in the air. Its \
+centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und er dreht sich gleichmäßi\
+g.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids: the rim slides ahead.":"\
+Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounces.":"Er springt wieder ab.",
+"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg um {height} cm; er landet mi\
+t der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less friction, or more re\
+stitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie sein Druck: Hier genügt sie, \
+um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.","More friction, more hop?":"M\
+ehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bekommen denselben Stoß von 3,1 \
+m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise by {low} cm, {middle} cm and {h\
+igh} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On ice nothing drives the rotati\
+on; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the way\
+ up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den Reifen auf dem Weg hinab schn\
+ell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper nicht entscheiden","A hoop is\
+ thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein Reifen wird so geworfen, dass\
+ er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht.","What do they say?":"W\
+as sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both agree with the laws.":"Beid\
+es passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, und beide Bewegungen befolg\
+en jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that deci\
+des: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei Antworten, in anderen Zus\
+tänden keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du bist dran","Take the hoop:\
+ turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"N\
+imm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sieh, wie deine Punkte aus d\
+er Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den Reifen einmal in voller G\
+eschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count the votes by quarters of\
+ the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in pairs: who has the energ\
+y when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which speed is the force of th\
+e floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forces; stop at take-off. Com\
+pare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each group takes one speed of t\
+he worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What has to brake the rotation o\
+n the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kann es sein, und was, wenn \
+es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The load pulls the hoop up at \
+the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop before the top, after slippin\
+g.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where it is fastest.":"Er hüpf\
+t unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stärksten: Die Last muss nach\
+ oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring can: it gets the energy o\
+f a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brakes.":"Reibung bremst immer\
+.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach vorn.","More friction, mor\
+e hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier hoop behaves otherwise.":"\
+Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: where is the load when the\
+ hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Markiere die Stelle und nenne e\
+inen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Der Reifen bekommt n\
+ur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its lowest point is at rest. W\
+hich part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Teil des Reifens hat dann kin\
+etische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"Wie schnell is\
+t ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0 m/s, and the speed at whi\
+ch it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: what does the hoop do in its\
+ first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem Winkel hüpft er? Fülle die \
+Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen hüpft, auf 1 cm/s genau.",
+"At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den Boden, während sein Rand glei\
+tet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbeitsblatt",Solutions:"Lösungen",
+Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What students often think":"Was Lernend\
+e oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Reifen","A thin ring of radius 0\
+.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Fricti\
+on: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0,75 kg befestigt. Der Reifen s\
+teht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","does it hop?":"hüpft er?","at w\
+hich angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"\
+Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater than {least}":"größer als {least}",
+"at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {most}":"höchstens {most}","a finit\
+e number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'{word}', '{word2}' or '{word3}'":"\
+„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the rotation over R N":"Rollwiderstand\
+: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no single threshold uphill (β < 0): it depends on where the hoop turns back; see\
+ the map":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'rigid' for a map":"für eine Karte „\
+rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor höchstens {most} sein.","{one} and \
+{other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie sagen dasselbe auf zwei Arten.","x.pa\
+th and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to rolling resistance":"durch Rollwide\
+rstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} muss zwischen -pi/2 u\
+nd pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sind {word2}.","{one} cannot be given \
+together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} darf {othe\
+r} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static = inf muss bei contact.model = 'comp\
+liant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; ask for a shorter motion or fewer cel\
+ls.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {time} seconds.":"Das Labor ist besc\
+häftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in 1 Sekunde noch einmal versuchen.",
+"The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies berechnet hat, ist beendet.","durat\
+ion = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor höchstens {most} s sein; die Bibliot\
+hek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {most} in the lab; the libr\
+ary itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehungen, im Labor höchstens {most}; die \
+Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts hat {count} Teile und darf im La\
+bor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration and must need at most {most} in the la\
+b.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {most}.","A cell of this map is about {t\
+urns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor höchstens {most}.","x and y make {co\
+unt} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x und y ergeben {\
+count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkeiten oder eine kürzere Dauer.","dur\
+ation = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höchstens {most} s sein.","A blue, B \
+ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}","After {time} \
+s the motion depends on more digits than this page computes. Run it in hophoop lab or Python for the exact result.":"Was nach {time} s kommt, hängt an mehr Stel\
+len, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.",Fingerprint:"Fingerabdruck","No fingerprint: this motion depen\
+ds on more digits than this page computes.":"Kein Fingerabdruck: Diese Bewegung hängt an mehr Stellen, als diese Seite rechnet.","A hash of all events: the sam\
+e wherever hophoop computes the same bits, also in Python":"Ein Hashwert aller Ereignisse: derselbe überall, wo hophoop dieselben Bits rechnet, auch in Python",
+"✓ Same bits as in Python":"✓ Dieselben Bits wie in Python","✓ Same bits as where the link was made":"✓ Dieselben Bits wie dort, wo der Link entstand","\
+The bits differ: {own} here, {other} in Python.":"Die Bits sind verschieden: {own} hier, {other} in Python.","The bits differ: {own} here, {other} where the lin\
+k was made, perhaps with another version.":"Die Bits sind verschieden: {own} hier, {other} dort, wo der Link entstand, vielleicht mit einer anderen Version.","h\
+ophoop lab: play with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen hüpfenden Reifen in \
+die eigene Seite setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is\
+ sent anywhere.":"Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung wird im Browser der Les\
+enden berechnet; nichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen und ihren Link hierher \
+kopieren.","Scenario: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem Fragezeichen steht","Wh\
+at stands beside the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a tag":"Als Tag","The tag":"\
+Der Tag","Copy the tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The frame":"Der Rahmen","Cop\
+y the frame":"Den Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"Ein hüpfender Reifen","\
+Save a picture (SVG)":"Bild speichern (SVG)","A picture in space has no lines to keep: take the PNG, or leave 3D.":"Ein räumliches Bild hat keine Linien, die bl\
+eiben: nimm das PNG oder verlasse 3D.","The picture is too large for this browser.":"Das Bild ist für diesen Browser zu groß.",Arrows:"Pfeile","What a little \
+more would do (a)":"Was ein wenig mehr bewirken würde (a)","What a little more would do":"Was ein wenig mehr bewirken würde","A little more":"Ein wenig mehr",
+"Do it":"Ausführen","Every event, by this step":"Jedes Ereignis, bei diesem Schritt","What changes at every event":"Was sich bei jedem Ereignis ändert",event:"\
+Ereignis",place:"Ort",height:"Höhe","load angle":"Winkel der Last","It is infinite: there is no more of it.":"Der Wert ist unendlich: Mehr davon gibt es nicht.",
+"This needs a browser that runs WebAssembly.":"Das braucht einen Browser, der WebAssembly ausführt.","The part of the page that computes this could not be load\
+ed; choose it again when there is a network.":"Der Teil der Seite, der das berechnet, konnte nicht geladen werden; wähle es noch einmal, wenn ein Netz da ist.",
+"Nothing: no event moves.":"Nichts: Kein Ereignis verschiebt sich.","The arrows are drawn in the picture in the plane: leave 3D to see them.":"Die Pfeile stehen\
+ im ebenen Bild: Verlasse 3D, um sie zu sehen.","The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.":"Die Pfei\
+le im Bild führen von dort, wo der Rand aufsetzt, dorthin, wo er es täte, {factor}-mal so lang.","From {what} at {time} s on no derivative: {reason}.":"Ab {wh\
+at} bei {time} s gibt es keine Ableitung: {reason}.","To one side only: {reason}.":"Nur nach einer Seite: {reason}.","{amount} further to the right":"{amount} w\
+eiter rechts","{amount} further to the left":"{amount} weiter links","{amount} later":"{amount} später","{amount} earlier":"{amount} früher","{amount} higher":"\
+{amount} höher","{amount} lower":"{amount} niedriger","{amount} longer":"{amount} weiter","{amount} shorter":"{amount} kürzer","{amount} more in the air":"{am\
+ount} mehr in der Luft","{amount} less in the air":"{amount} weniger in der Luft","begins {amount} later":"beginnt {amount} später","begins {amount} earlier":"\
+beginnt {amount} früher","{amount} faster":"{amount} schneller","{amount} slower":"{amount} langsamer","The hop: {list}.":"Der Sprung: {list}.","Hop {number}: \
+{list}.":"Sprung {number}: {list}.","The first event, {what}: {list}.":"Das erste Ereignis, {what}: {list}.","At the end, after {time} s: {list}.":"Am Ende, nac\
+h {time} s: {list}.","arrows: what a little more would do":"Pfeile: was ein wenig mehr bewirken würde","a quantity that sets off the event only touches zero th\
+ere":"eine Größe, die das Ereignis auslöst, berührt dort die Null nur","the motion lies on the border of two classes: the least change may lead to other eve\
+nts":"die Bewegung liegt auf der Grenze zweier Klassen: Die kleinste Änderung kann zu anderen Ereignissen führen","restitution is 0 and the rim has landed: wi\
+th any restitution it would bounce":"die Stoßzahl ist 0 und der Rand ist gelandet: Mit jeder anderen spränge er","the motion starts in contact: with the rim l\
+ifted or thrown it would bounce, and its events are others":"die Bewegung beginnt in Berührung: Mit gehobenem oder geworfenem Rand spränge er, und es gäbe ander\
+e Ereignisse","the slip runs into p_σ = 0, where the contact force has no bound":"der Schlupf läuft in p_σ = 0, wo die Kontaktkraft keine Grenze hat","the ma\
+ssless hoop (γ = 1) is a singular limit once the contact force is lost":"der masselose Reifen (γ = 1) ist ein singulärer Grenzfall, sobald die Kontaktkraft ver\
+loren ist","without friction the hoop rests on no more than a border of two classes":"ohne Reibung ruht der Reifen nur auf der Grenze zweier Klassen","the motio\
+n has no answer from there on":"die Bewegung hat von dort an keine Antwort","the parameter is at the edge of what is allowed":"der Parameter liegt am Rand des E\
+rlaubten","the derivatives of the two sides differ":"die Ableitungen der beiden Seiten sind verschieden","With a compliant contact no derivatives are computed: \
+choose the rigid contact model.":"Mit nachgiebigem Kontakt werden keine Ableitungen berechnet: Wähle das starre Kontaktmodell.","Skip to the answer":"Zur Antwo\
+rt springen","Not so.":"Nein.",Pause:"Anhalten",Share:"Teilen",Everything:"Alles","Simple view":"Einfache Ansicht","Show everything":"Alles zeigen","This motion\
+ has other settings too.":"Diese Bewegung hat noch andere Einstellungen.","Drag the load":"Zieh die Last","About hophoop":"Über hophoop","hophoop computes exac\
+tly how a hoop with a load on its rim rolls, slips, hops and lands.":"hophoop berechnet genau, wie ein Reifen mit einer Last am Rand rollt, gleitet, hüpft und l\
+andet.",Version:"Version",Licence:"Lizenz","Licences of all that the page contains":"Lizenzen von allem, was die Seite enthält",Documentation:"Dokumentation","\
+The documentation":"Die Dokumentation","docs/index.md in the source; this page: docs/lab.md":"docs/index.md im Quelltext; diese Seite: docs/lab.md",Commands:"Be\
+fehle"};var Ml=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
 gle}","patina desde {angle}","derrapa desde {angle}","vuela desde {angle}","roza el plano desde {angle}","salta a {angle}","aterriza a {angle}","rebota a {angle\
 }","desliza en sentido contrario desde {angle}","deja de deslizar de golpe a {angle}","da la vuelta a {angle}","termina de rebotar a {angle}","encuentra la para\
 doja de Painlevé a {angle}","encuentra la indeterminación de Painlevé a {angle}","se bloquea a {angle}","gana energía (Kane) a {angle}","roza desde {angle}",
@@ -540,138 +546,142 @@ ión","Ninguna fuerza de contacto es compatible con este deslizamiento. Un impac
 ige con el selector de «Plano».","Un deslizamiento rápido tras un salto: la fuerza de contacto crece sin límite en un tiempo finito, y ninguna ley dice qué si\
 gue.","Kane: energía de la nada","La ley de impacto de Newton con rozamiento crea dos julios. La de Stronge, no.","Cuesta abajo","En una pendiente de 10° el ar\
 o gana velocidad vuelta a vuelta, hasta que salta.","Rebotes sin número","Soltado con giro y restitución 0,5: infinitos rebotes en un tiempo finito.","En la L\
-una","El salto del artículo con gravedad lunar: todo es 2,46 veces más lento.","Movimientos para empezar","Movimientos para empezar…","Deshacer (z)","Rehace\
-r (y)","Comparar","Comparar dos aros","Oscuro o claro (d)","Teclas y ayuda (?)","Teclas y ayuda","laboratorio","Aprender","Idioma","Aro A","Aro B","Qué aro camb\
-ian los controles","Parámetros","Ir al reproductor","Aro","Plano","Inicio","Contacto","Dado por","fracción de carga γ","ε y κ","piezas reales","Dónde","ot\
-ro lugar","rozamiento estático y cinético por separado","Empieza","rodando","en cualquier estado","auto {value}","{name}, valor exacto en {unit}","{name}, val\
-or exacto","Anillo","Disco","Masa puntual","Varilla","masa","radio interior","radio exterior","radio","distancia al centro","longitud","Añadir una pieza","+ añ\
-adir una pieza…","Quitar la pieza {number}, {what}","{name} = {value} debe ser {rule}.","{name} = {value} debe ser un número, como 2,5.","{name} = {value} de\
-be ser un número.","de {least} a {most}","de {least} a {most}, o inf","0 o de {least} a {most}","0, de {least} a {most}, o inf","como mucho {most} en el labora\
-torio","0 para el aro sin masa (hoop.inertia_ratio = 0)","«rigid» para el aro sin masa (hoop.inertia_ratio = 0)","El servidor no responde. Lo que hay aquí sig\
-ue funcionando; para cambios hay que volver a ejecutar `hophoop lab`.","El servidor respondió {status}.","El núcleo del cuaderno no responde; vuelva a ejecutar\
- la celda.","aro","fase","tiempo","ángulo","separación","vel. de la llanta","carga","centro de gravedad","el mismo en vuelo","A delante, B detrás","El aro","\
-El aro.","Tiempo","{time} segundos, {what}","Trayectorias (t)","Fuerzas (f)","Velocidad de la llanta (c)","Todo el recorrido (w)","En el espacio (3)","Trayector\
-ias","Fuerzas","Vel. llanta","Recorrido","Reproducir (espacio)","Pausa (espacio)","Velocidad de la película","Al principio (Inicio)","Suceso anterior (Mayús ←)",
-"Suceso siguiente (Mayús →)","Un fotograma atrás (←)","Un fotograma adelante (→)","aterrizaje","Al siguiente vuelo (h)","Al siguiente aterrizaje (l)","E\
-ste movimiento no tiene vuelo.","Este movimiento no tiene aterrizaje.","{what} a {angle}, {time} s","inicio","empieza el deslizamiento","acaba el deslizamiento",
-"se invierte el deslizamiento","despegue","da la vuelta","punto más alto","acaban los rebotes","Painlevé: varias soluciones","ganancia de energía (Kane)","em\
-pieza el roce","en reposo","final","Qué ocurre","Qué le ocurre al aro {hoop}","El movimiento en palabras","(no se muestran todos los sucesos)","Qué dice la te\
-oría","Qué dice la teoría del aro {hoop}","Velocidades","velocidad [m/s]","v (centro)","Energías y pérdidas","energía [J]","cinética","potencial","total",
-"perdida por rozamiento","perdida en el amortiguador","perdida en impactos, parte normal","Fuerzas de contacto","fuerza [N]","normal N","rozamiento F","Uso del \
-rozamiento","A tu elección","Qué muestra tu diagrama","Eje horizontal de los diagramas","en función de: {quantity}","Todo el movimiento","desliza para ir ahí\
-; dos dedos amplían","clic para ir ahí, arrastrar para ampliar; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} de {low} a {high}","\
-Diagrama: {title} en {unit}.","θ mod 360°","Esc","{name} [{unit}]","ángulo dentro de una vuelta","posición del centro","separación bajo la llanta","altura \
-del centro de gravedad","velocidad del centro","velocidad de rotación","velocidad de alejamiento del plano","velocidad de deslizamiento","velocidad angular","f\
-uerza normal","fuerza de rozamiento","uso del rozamiento","energía cinética","energía potencial","energía total","Plano de θ y θ̇","Plano de ángulo y vel\
-ocidad angular con las regiones de rodadura, deslizamiento y vuelo","ángulo θ dentro de una vuelta [°]","Colores: la fase que sigue al contacto sin deslizami\
-ento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","Toca para ir ahí; dos dedos amplían.","Clic para ir ahí; tras un clic, o con Ctrl, la ru\
-eda amplía; doble clic para todo.","Mapa","de","Horizontal","Vertical","Qué muestra el mapa","Mapa de movimientos","Mapa de movimientos. Las flechas mueven la\
- marca, Intro toma el movimiento, más y menos amplían.","Ampliar el mapa","Reducir el mapa","Mapa entero","Toca para llevar ese movimiento al reproductor; dos\
- dedos amplían.","Un clic lleva ese movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","calculan\
-do {count} movimientos…","{count} movimientos","{count} movimientos, con contacto rígido","con salidas rodando, aunque este movimiento empieza de otro modo",
-"desde cualquier estado, aunque este movimiento empieza rodando","Guardar","Copiar el enlace","Escenario (TOML)","Estados (CSV)","Movimiento (netCDF)","Sucesos \
-(JSON)","Película (MP4)","Imagen (PNG)","Grabar aquí una película (WebM)","Ver el código Python","El mismo movimiento en Python","El enlace está copiado.",
-"El enlace a este movimiento","Se está haciendo la película; tarda un poco…","Obteniendo {name}…","{name} ya está.","Este navegador no puede grabar el li\
-enzo; use el MP4.","Grabando una pasada…","La película ya está.","El escenario como archivo","Copiar","Copiado","Cerrar","Un anillo con una carga en la llan\
-ta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo puede empujar: por eso desliza, salta, aterriza… o hace algo que la mecánica del \
-sólido rígido no puede decidir. Mueve un control y observa.","Fases","Marcas en la barra de tiempo","Teclas","espacio","reproducir, pausa","un fotograma","May\
-ús ← →","suceso anterior, siguiente","siguiente vuelo, aterrizaje","más lento, más rápido","Inicio Fin","principio, final","trayectorias, fuerzas, veloc\
-idad de la llanta, recorrido","en el espacio","ampliar, volver","salir de un campo, un menú o una imagen que amplía la rueda","z y  Ctrl Z","deshacer, rehacer",
-"oscuro, claro","Python","la llanta no desliza","deslizamiento: la llanta gira demasiado deprisa para lo que avanza (deslizamiento −, si el aro rueda hacia dela\
-nte)","deslizamiento: la llanta desliza hacia delante (deslizamiento +, si el aro rueda hacia delante)","el salto: del despegue al aterrizaje","una llanta sin m\
-asa que toca sin fuerza","despegue, aterrizaje","Paradoja de Painlevé: ninguna solución, varias","acaban infinitos rebotes","empieza el roce, reposo","Las tec\
-las sueltas (letras, cifras, signos) hacen lo que dice la tabla","El aro en tu mano","Inclinación del plano","Inclinar el plano: arrastrar o flechas","El aro: \
-altura y velocidad","Levantar, rodar o lanzar el aro: arrastrar o flechas","Ángulo de la carga","Girar la carga: arrastrar o flechas","separación {height}, vel\
-ocidad {speed} m/s","Repetir","Cámara lenta: una décima parte","Sonido del contacto","Presentación a pantalla completa","Visita guiada","Tabla del movimiento",
-"Tabla del movimiento, filas","Presentación","Para docentes","Tabla","Cada","Guardar como CSV","Columnas","Las primeras {count} filas.","Retos","Salir de los r\
-etos","Qué reto","Puntuación","Empezar de nuevo","Ver una de las mejores","{stars} {points} puntos. {what}","Tu mejor: {points} puntos.","El salto más alto",
-"En suelo horizontal, rodando, con 3,1 m/s como mucho: eliges la carga, dónde empieza y el rozamiento. ¿Hasta qué altura puede subir el aro en 6 s?","Aterriz\
-ar en pie","Haz que el aro aterrice con la carga arriba del todo. Todo vale; el primer salto debe tener al menos 5 cm de altura.","Saltar sin derrapar","En suel\
-o horizontal el aro empieza rodando con la carga abajo, a 10 m/s como mucho, y μ no pasa de 1,5. Antes de saltar no debe derrapar; patinar sí puede. ¿Hasta qué \
-altura salta?","Solo contacto rígido.","El plano debe ser horizontal.","Debe ser en la Tierra.","La restitución debe ser 0.","El radio debe seguir siendo 1 m,\
- sin piezas.","Como mucho el 90 % de la masa puede estar en la carga.","El aro debe darse por la fracción de carga.","Debe empezar rodando.","Como mucho 10 m/s\
-.","Como mucho 3,1 m/s.","Como mucho 6 s.","No salta.","Sube {height}.","El primer salto es demasiado bajo.","Aterriza a {off} de lo más alto.","La carga debe \
-empezar abajo.","El rozamiento debe ser como mucho 1,5.","Derrapa antes de saltar.","¿Primera vez?","Ocho preguntas cortas: adivina y luego reproduce.","Empeza\
-r la visita","Ahora no","El aro, antes de soltarlo.","Reproducir","Siguiente","Atrás","Hecho","Paso {number} de {all}","Salir de la visita","Di primero qué esp\
-eras y luego reproduce.","Tu respuesta","{points} de 100 puntos.","Tienes {sum} de {most} puntos.","{what} con la carga a {angle}","Dibuja la curva: mueve los p\
-untos arriba y abajo","La pregunta de Littlewood","Un aro sin masa lleva un peso en la llanta. Con el peso arriba recibe el menor empujón y rueda. J. E. Littlew\
-ood preguntó en 1953 qué ocurre cuando el peso está a la altura del centro.","¿Qué crees?","Sigue rodando.","Salta: el aro deja el plano.","El peso cae lib\
-remente y el aro roza el plano debajo de él.","A {angle} ya no hay fuerza de contacto.","Littlewood dijo que el aro salta. Pero la fuerza de contacto es nula, \
-no hacia arriba: el peso cae libremente y una llanta sin masa lo sigue por el plano. Para saltar, un aro necesita algo de masa en la llanta.","Un anillo con mas\
-a","Ahora un cuarto de la masa está en el anillo. De nuevo la carga está arriba y el aro recibe el menor empujón.","Dibuja la velocidad del centro del aro du\
-rante la primera vuelta.","Velocidad del centro","Con la carga abajo el centro va a {speed} m/s.","El punto más bajo de un aro que rueda está en reposo. Ahí la \
-carga no tiene energía cinética, y el anillo ligero tiene toda la que ha perdido la carga pesada: va más rápido que una piedra que cae desde la misma altura.",
-"Por qué desliza","Un empujón más fuerte: 2,8 m/s arriba. Rodar exige rozamiento, y el rozamiento tiene un límite: como mucho μ N.","¿Dónde está la carga c\
-uando el rozamiento cede por primera vez? Gira la marca.","Ángulo de la carga donde empieza a deslizar","Empieza a deslizar a {angle}. Ahí el plano soporta sol\
-o el {share} del peso.","En su camino hacia abajo la carga apenas aprieta el plano, así que N es pequeña, mientras que el anillo debe acelerarse: eso exige roza\
-miento. Mira el diagrama «Uso del rozamiento»: llega a 1.","El salto","Un poco más rápido, 3,1 m/s. Esta vez el aro deja el plano antes de acabar la primera v\
-uelta.","¿Dónde está la carga cuando el aro despega? Gira la marca.","Ángulo de la carga al despegar","Despega a {angle}, mientras su llanta desliza a {slip\
-} m/s.","A un aro que rueda el plano lo frenaría mientras sube la carga. El rozamiento es demasiado débil para eso: la llanta patina, el aro sigue girando depri\
-sa y la carga lo arranca del plano antes de llegar arriba.","El aterrizaje","El aro está en el aire. Su centro de gravedad sigue una parábola y gira de manera u\
-niforme.","¿Qué hace justo después de aterrizar?","Rueda de inmediato.","Derrapa: la llanta desliza hacia delante.","Patina: la llanta gira demasiado deprisa\
-.","Rebota.","Estuvo {time} s en el aire y subió {height} cm; aterriza con la carga a {angle}.","Un impacto no dura nada, pero su rozamiento es tan fuerte como\
- su empuje: aquí basta para detener todo deslizamiento. Con menos rozamiento, o más restitución, el aterrizaje sería otro. Pruébalo después.","¿Más rozami\
-ento, más salto?","Tres aros reciben el mismo empujón de 3,1 m/s, en planos con rozamiento 0,05, 0,2 y 1,0.","¿Cuál salta más alto?","Suben {low} cm, {midd\
-le} cm y {high} cm. (Los dos primeros son A y B.)","Sobre hielo nada impulsa el giro; con rozamiento sin fin nada desliza. El salto necesita ambas cosas: rozami\
-ento bastante para girar deprisa en la bajada, y no tanto que lo frene en la subida.","Lo que los sólidos rígidos no pueden decidir","Se lanza un aro de modo \
-que deslice deprisa sobre un plano rugoso. Las leyes del sólido rígido con rozamiento seco deben decir qué ocurre después.","¿Qué dicen?","Sale volando.",
-"Un impacto detiene el deslizamiento de golpe.","Ambas cosas cumplen las leyes.","El aro A y el aro B empiezan igual, y ambos movimientos cumplen todas las leye\
-s.","Painlevé lo descubrió en 1895. Para un sólido rígido las leyes tienen aquí dos respuestas, y en otros estados ninguna. Los cuerpos reales ceden un poco, y \
-eso decide: elige el contacto flexible en «Contacto».","Te toca a ti","Toma el aro: gira la carga, levántalo y suéltalo, dale un impulso, inclina el plano. O \
-acepta un reto y mira cómo tu puntuación se calcula del propio movimiento.","Mostrar el aro a toda velocidad, una vez, sin comentar. «Lo empujo. ¿Solo rueda?»",
-"Todos predicen dónde está la carga al despegar. Contar los votos por cuartos de vuelta.","Energía en la bajada, por parejas: ¿quién tiene la energía cuando l\
-a carga está en reposo?","Elevación arriba: ¿a qué velocidad es nula la fuerza del suelo?","La película otra vez, a cámara lenta y con fuerzas; parar al des\
-pegar. Comparar con los votos.","Cada grupo toma una velocidad de la hoja de trabajo; resultados en la pizarra.","¿Por qué? ¿Qué debe frenar el giro en la subid\
-a, qué fuerza puede tener y qué pasa si es demasiado débil?","Una frase cada uno: «El aro salta porque…»","La carga tira del aro hacia arriba en lo alto,\
- por eso salta ahí.","Solo si es muy rápido. Los más lentos saltan antes de lo alto, tras deslizar.","Salta abajo, donde es más rápido.","Ahí el suelo empu\
-ja más: hay que desviar la carga hacia arriba.","Nada puede ser más rápido que una piedra que cae.","El anillo sí: recibe la energía de una carga que ha qued\
-ado en reposo.","El rozamiento siempre frena.","Actúa contra el deslizamiento. En la subida apunta hacia delante.","Más rozamiento, más salto.","Hay un rozam\
-iento óptimo intermedio.","Un aro más pesado se comporta de otro modo.","Solo cuentan las proporciones de masa.","Antes de la película: ¿dónde está la carga c\
-uando el aro deja el suelo? Marca el lugar y da una razón.","El aro recibe solo el menor empujón y rueda. ¿Cuánta energía potencial se ha liberado cuando la ca\
-rga está abajo?","Mientras una rueda rueda, su punto más bajo está en reposo. ¿Qué parte del aro tiene entonces energía cinética y a qué velocidad va el centro\
-?","¿Qué velocidad tiene una piedra que cae desde la altura de la carga? ¿Por qué puede ser más rápido el aro?","Halla la fuerza del suelo arriba para 1,0\
- m/s y la velocidad a la que se anula.","En el laboratorio: ¿qué hace el aro en sus primeros 1,5 s y a qué ángulo salta? Completa la tabla.","Halla la menor\
- velocidad con la que el aro salta, con 1 cm/s de precisión.","A 2,2 m/s el aro deja el suelo mientras su llanta desliza. ¿Por qué le ayuda a saltar el desliza\
-miento?","Mostrar","Enseñar con el aro","Hoja de trabajo","Soluciones","Ejercicios","Una clase de 45 minutos","Minuto","Movimiento","Lo que suelen pensar los e\
-studiantes","Idea","Lo correcto","Hoja de trabajo: el aro que salta","Un anillo delgado de radio 0,40 m tiene una masa de 0,25 kg. En su llanta va fijada una ca\
-rga de 0,75 kg. El aro está sobre un suelo horizontal con la carga arriba y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m/s².","fases","¿salta?",
-"¿a qué ángulo?","Imprimir","La visita pregunta antes de mostrar; la presentación llena la pantalla; la tabla da números a cada estudiante.","inf","mayor q\
-ue {least}","como mínimo {least}","como mínimo {least} (se admite inf)","como mucho {most}","un número finito","un número entero","«{word}» o «{word2}»",
-"«{word}», «{word2}» o «{word3}»","Resistencia a la rodadura","Resistencia a la rodadura: par contra el giro, dividido por R N","Desliza, salta","cuesta a\
-rriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","«rigid» para un mapa","x.cells por y.cells = {cells} de\
-be ser como mucho {most} en el laboratorio.","{one} y {other} no pueden ser ambos ejes: dicen lo mismo de dos maneras.","x.path e y.path son ambos {path} y debe\
-n ser distintos.","perdida por resistencia a la rodadura","Resistencia a la rodadura f","{name} = {value} debe estar entre -pi/2 y pi/2 (radianes).","{word} no \
-es una clave conocida; las conocidas son {word2}.","{one} no puede darse junto con {other}.","{one} = {value} no debe superar {other} = {limit}.","plane.mu_stat\
-ic = inf debe ser finito con contact.model = 'compliant'.","hoop.parts no debe estar vacío.","Esto tarda más de {time} s; pide un movimiento más corto o menos \
-celdas.","El laboratorio está ocupado; inténtalo de nuevo en {time} segundos.","El laboratorio está ocupado; inténtalo de nuevo en 1 segundo.","El cálculo h\
-a fallado.","El proceso que calculaba esto ha terminado.","duration = {value} debe ser como mucho {most} s en el laboratorio; la biblioteca misma no tiene ese l\
-ímite.","duration = {value} s son unas {turns} vueltas a esta velocidad y radio, y en el laboratorio como mucho {most}; la biblioteca misma no tiene ese límite\
-.","hoop.parts tiene {count} piezas y debe tener como mucho {most} en el laboratorio.","contact.stiffness, contact.slip_speed y duration requieren unos {steps} \
-pasos de integración, y en el laboratorio como mucho {most}.","Una celda de este mapa son unas {turns} vueltas, y en el laboratorio como mucho {most}.","x e y \
-dan {count} celdas con unas {turns} vueltas en total, y en el laboratorio como mucho {most}; toma menos celdas, velocidades menores o una duración más corta.",
-"duration = {value} debe ser como mucho {most} s para una película del laboratorio.","A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}",
-"Lo que viene después de {time} s depende de más cifras de las que tienen los números de esta página; hophoop lab y Python toman las que hagan falta.","Huel\
-la","Sin huella: este movimiento depende de más cifras de las que calcula esta página.","Un hash de todos los sucesos: el mismo donde hophoop calcula los mism\
-os bits, también en Python","✓ Los mismos bits que en Python","✓ Los mismos bits que donde se hizo el enlace","Los bits difieren: {own} aquí, {other} en Py\
-thon.","Los bits difieren: {own} aquí, {other} donde se hizo el enlace, quizá con otra versión.","hophoop lab: juega con el aro saltarín","Pon un aro saltar\
-ín en una página tuya","Una etiqueta y un script muestran un aro vivo en un blog, una página de curso o unas diapositivas. El movimiento se calcula en el nave\
-gador de quien lee; no se envía nada a ninguna parte.","Elige un movimiento en el laboratorio y copia aquí su enlace.","Escenario: un enlace del laboratorio, \
-o lo que va tras su signo de interrogación","Lo que acompaña al reproductor","controles","diagramas","teoría","mapa","Como etiqueta","La etiqueta","Copiar la\
- etiqueta","Como marco, donde no se permiten scripts","El marco","Copiar el marco","Como código QR","Cómo se ve","Copiado.","Un aro saltarín","Imagen (SVG)",
-"Una imagen en el espacio no tiene líneas que guardar: toma el PNG o sal del 3D.","La imagen es demasiado grande para este navegador.","Flechas","Qué haría un \
-poco más (a)","Qué haría un poco más","Un poco más","Hacerlo","Cada suceso, con este paso","Qué cambia en cada suceso","suceso","lugar","altura","ángulo d\
-e la carga","Es infinito: no hay más.","Esto necesita un navegador que ejecute WebAssembly.","No se pudo cargar la parte de la página que calcula esto; elígelo\
- de nuevo cuando haya red.","Nada: ningún suceso se mueve.","Las flechas se dibujan en la imagen plana: sal de 3D para verlas.","Las flechas de la imagen van d\
-e donde toca la llanta a donde tocaría, {factor} veces más largas.","Desde {what} en {time} s no hay derivada: {reason}.","Solo hacia un lado: {reason}.","{am\
-ount} más a la derecha","{amount} más a la izquierda","{amount} más tarde","{amount} antes","{amount} más alto","{amount} más bajo","{amount} más largo","\
-{amount} más corto","{amount} más en el aire","{amount} menos en el aire","empieza {amount} más tarde","empieza {amount} antes","{amount} más rápido","{amo\
-unt} más lento","El salto: {list}.","Salto {number}: {list}.","El primer suceso, {what}: {list}.","Al final, a los {time} s: {list}.","flechas: qué haría un po\
-co más","una magnitud que provoca el suceso solo toca el cero allí","el movimiento está en la frontera de dos clases: el menor cambio puede llevar a otros suc\
-esos","la restitución es 0 y la llanta ha aterrizado: con cualquier otra rebotaría","el movimiento empieza en contacto: con la llanta levantada o lanzada rebo\
-taría, y sus sucesos son otros","el deslizamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","el aro sin masa (γ = 1) es un límite singula\
-r en cuanto se pierde la fuerza de contacto","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimiento no tiene respuesta desde allí","el\
- parámetro está en el borde de lo permitido","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de con\
-tacto rígido.","Saltar a la respuesta","No es así.","Pausa"],Jo=Object.fromEntries(Object.keys(Se).map((n,e)=>[n,wl[e]]));var yl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
+una","El salto del artículo con gravedad lunar: todo es 2,46 veces más lento.","Ejemplos","Ejemplos…","Deshacer (z)","Rehacer (y)","Comparar","Comparar dos \
+aros","Oscuro o claro (d)","Teclas y ayuda (?)","Teclas y ayuda","laboratorio","Aprender","Idioma","Aro A","Aro B","Qué aro cambian los controles","Parámetros",
+"Ir al reproductor","Aro","Plano","Inicio","Contacto","Dado por","fracción de carga γ","ε y κ","piezas reales","Dónde","otro lugar","rozamiento estático y \
+cinético por separado","Empieza","rodando","en cualquier estado","auto {value}","{name}, valor exacto en {unit}","{name}, valor exacto","Anillo","Disco","Masa \
+puntual","Varilla","masa","radio interior","radio exterior","radio","distancia al centro","longitud","Añadir una pieza","+ añadir una pieza…","Quitar la pie\
+za {number}, {what}","{name} = {value} debe ser {rule}.","{name} = {value} debe ser un número, como 2,5.","{name} = {value} debe ser un número.","de {least} a\
+ {most}","de {least} a {most}, o inf","0 o de {least} a {most}","0, de {least} a {most}, o inf","como mucho {most} en el laboratorio","0 para el aro sin masa (h\
+oop.inertia_ratio = 0)","«rigid» para el aro sin masa (hoop.inertia_ratio = 0)","El servidor no responde. Lo que hay aquí sigue funcionando; para cambios hay \
+que volver a ejecutar `hophoop lab`.","El servidor respondió {status}.","El núcleo del cuaderno no responde; vuelva a ejecutar la celda.","aro","fase","tiempo",
+"ángulo","separación","vel. de la llanta","carga","centro de gravedad","el mismo en vuelo","A delante, B detrás","El aro","El aro.","Tiempo","{time} segundos\
+, {what}","Trayectorias (t)","Fuerzas (f)","Velocidad de la llanta (c)","Todo el recorrido (w)","En el espacio (3)","Trayectorias","Fuerzas","Vel. llanta","Reco\
+rrido","Reproducir (espacio)","Pausa (espacio)","Velocidad de la película","Al principio (Inicio)","Suceso anterior (Mayús ←)","Suceso siguiente (Mayús →)",
+"Un fotograma atrás (←)","Un fotograma adelante (→)","aterrizaje","Al siguiente vuelo (h)","Al siguiente aterrizaje (l)","Este movimiento no tiene vuelo.",
+"Este movimiento no tiene aterrizaje.","{what} a {angle}, {time} s","inicio","empieza el deslizamiento","acaba el deslizamiento","se invierte el deslizamiento",
+"despegue","da la vuelta","punto más alto","acaban los rebotes","Painlevé: varias soluciones","ganancia de energía (Kane)","empieza el roce","en reposo","fin\
+al","Qué ocurre","Qué le ocurre al aro {hoop}","El movimiento en palabras","(no se muestran todos los sucesos)","Qué dice la teoría","Qué dice la teoría del\
+ aro {hoop}","Velocidades","velocidad [m/s]","v (centro)","Energías y pérdidas","energía [J]","cinética","potencial","total","perdida por rozamiento","perdi\
+da en el amortiguador","perdida en impactos, parte normal","Fuerzas de contacto","fuerza [N]","normal N","rozamiento F","Uso del rozamiento","A tu elección","Q\
+ué muestra tu diagrama","Eje horizontal de los diagramas","en función de: {quantity}","Todo el movimiento","desliza para ir ahí; dos dedos amplían","clic pa\
+ra ir ahí, arrastrar para ampliar; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} de {low} a {high}","Diagrama: {title} en {unit}.",
+"θ mod 360°","Esc","{name} [{unit}]","ángulo dentro de una vuelta","posición del centro","separación bajo la llanta","altura del centro de gravedad","veloc\
+idad del centro","velocidad de rotación","velocidad de alejamiento del plano","velocidad de deslizamiento","velocidad angular","fuerza normal","fuerza de rozam\
+iento","uso del rozamiento","energía cinética","energía potencial","energía total","Plano de θ y θ̇","Plano de ángulo y velocidad angular con las regione\
+s de rodadura, deslizamiento y vuelo","ángulo θ dentro de una vuelta [°]","Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento qu\
+e encuentra la paradoja de Painlevé.","Toca para ir ahí; dos dedos amplían.","Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para to\
+do.","Mapa","de","Horizontal","Vertical","Qué muestra el mapa","Mapa de movimientos","Mapa de movimientos. Las flechas mueven la marca, Intro toma el movimient\
+o, más y menos amplían.","Ampliar el mapa","Reducir el mapa","Mapa entero","Toca para llevar ese movimiento al reproductor; dos dedos amplían.","Un clic llev\
+a ese movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","calculando {count} movimientos…","{co\
+unt} movimientos","{count} movimientos, con contacto rígido","con salidas rodando, aunque este movimiento empieza de otro modo","desde cualquier estado, aunque\
+ este movimiento empieza rodando","Compartir y guardar","Copiar un enlace a este movimiento","Guardar el escenario (TOML)","Guardar los estados (CSV)","Guardar \
+el movimiento (netCDF)","Guardar los eventos (JSON)","Guardar una película (MP4)","Guardar una imagen (PNG)","Grabar un recorrido como película (WebM)","Mostr\
+ar el código Python","El mismo movimiento en Python","El enlace está copiado.","El enlace a este movimiento","Se está haciendo la película; tarda un poco…",
+"Obteniendo {name}…","{name} ya está.","Este navegador no puede grabar el lienzo; use el MP4.","Grabando una pasada…","La película ya está.","El escenari\
+o como archivo","Copiar","Copiado","Cerrar","Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo pu\
+ede empujar: por eso desliza, salta, aterriza… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un control y observa.","Fases","Marcas\
+ en la barra de tiempo","Teclas","espacio","reproducir, pausa","un fotograma","Mayús ← →","suceso anterior, siguiente","siguiente vuelo, aterrizaje","más l\
+ento, más rápido","Inicio Fin","principio, final","trayectorias, fuerzas, velocidad de la llanta, recorrido","en el espacio","ampliar, volver","salir de un ca\
+mpo, un menú o una imagen que amplía la rueda","z y  Ctrl Z","deshacer, rehacer","oscuro, claro","Python","la llanta no desliza","deslizamiento: la llanta gir\
+a demasiado deprisa para lo que avanza (deslizamiento −, si el aro rueda hacia delante)","deslizamiento: la llanta desliza hacia delante (deslizamiento +, si \
+el aro rueda hacia delante)","el salto: del despegue al aterrizaje","una llanta sin masa que toca sin fuerza","despegue, aterrizaje","Paradoja de Painlevé: ning\
+una solución, varias","acaban infinitos rebotes","empieza el roce, reposo","Las teclas sueltas (letras, cifras, signos) hacen lo que dice la tabla","El aro en \
+tu mano","Inclinación del plano","Inclinar el plano: arrastrar o flechas","El aro: altura y velocidad","Levantar, rodar o lanzar el aro: arrastrar o flechas","\
+Ángulo de la carga","Girar la carga: arrastrar o flechas","separación {height}, velocidad {speed} m/s","Repetir","Cámara lenta: una décima parte","Sonido de\
+l contacto","Presentación a pantalla completa","Visita guiada","Tabla del movimiento","Tabla del movimiento, filas","Presentación","Para docentes","Tabla","Ca\
+da","Guardar como CSV","Columnas","Las primeras {count} filas.","Retos","Salir de los retos","Qué reto","Puntuación","Empezar de nuevo","Ver una de las mejore\
+s","{stars} {points} puntos. {what}","Tu mejor: {points} puntos.","El salto más alto","En suelo horizontal, rodando, con 3,1 m/s como mucho: eliges la carga, d\
+ónde empieza y el rozamiento. ¿Hasta qué altura puede subir el aro en 6 s?","Aterrizar en pie","Haz que el aro aterrice con la carga arriba del todo. Todo va\
+le; el primer salto debe tener al menos 5 cm de altura.","Saltar sin derrapar","En suelo horizontal el aro empieza rodando con la carga abajo, a 10 m/s como muc\
+ho, y μ no pasa de 1,5. Antes de saltar no debe derrapar; patinar sí puede. ¿Hasta qué altura salta?","Solo contacto rígido.","El plano debe ser horizontal\
+.","Debe ser en la Tierra.","La restitución debe ser 0.","El radio debe seguir siendo 1 m, sin piezas.","Como mucho el 90 % de la masa puede estar en la carga.",
+"El aro debe darse por la fracción de carga.","Debe empezar rodando.","Como mucho 10 m/s.","Como mucho 3,1 m/s.","Como mucho 6 s.","No salta.","Sube {height}.",
+"El primer salto es demasiado bajo.","Aterriza a {off} de lo más alto.","La carga debe empezar abajo.","El rozamiento debe ser como mucho 1,5.","Derrapa antes \
+de saltar.","¿Primera vez?","Ocho preguntas cortas: adivina y luego reproduce.","Empezar la visita","Ahora no","El aro, antes de soltarlo.","Reproducir","Sigui\
+ente","Atrás","Hecho","Paso {number} de {all}","Salir de la visita","Di primero qué esperas y luego reproduce.","Tu respuesta","{points} de 100 puntos.","Tien\
+es {sum} de {most} puntos.","{what} con la carga a {angle}","Dibuja la curva: mueve los puntos arriba y abajo","La pregunta de Littlewood","Un aro sin masa llev\
+a un peso en la llanta. Con el peso arriba recibe el menor empujón y rueda. J. E. Littlewood preguntó en 1953 qué ocurre cuando el peso está a la altura del cen\
+tro.","¿Qué crees?","Sigue rodando.","Salta: el aro deja el plano.","El peso cae libremente y el aro roza el plano debajo de él.","A {angle} ya no hay fuerza\
+ de contacto.","Littlewood dijo que el aro salta. Pero la fuerza de contacto es nula, no hacia arriba: el peso cae libremente y una llanta sin masa lo sigue por\
+ el plano. Para saltar, un aro necesita algo de masa en la llanta.","Un anillo con masa","Ahora un cuarto de la masa está en el anillo. De nuevo la carga está a\
+rriba y el aro recibe el menor empujón.","Dibuja la velocidad del centro del aro durante la primera vuelta.","Velocidad del centro","Con la carga abajo el cent\
+ro va a {speed} m/s.","El punto más bajo de un aro que rueda está en reposo. Ahí la carga no tiene energía cinética, y el anillo ligero tiene toda la que ha per\
+dido la carga pesada: va más rápido que una piedra que cae desde la misma altura.","Por qué desliza","Un empujón más fuerte: 2,8 m/s arriba. Rodar exige roza\
+miento, y el rozamiento tiene un límite: como mucho μ N.","¿Dónde está la carga cuando el rozamiento cede por primera vez? Gira la marca.","Ángulo de la ca\
+rga donde empieza a deslizar","Empieza a deslizar a {angle}. Ahí el plano soporta solo el {share} del peso.","En su camino hacia abajo la carga apenas aprieta \
+el plano, así que N es pequeña, mientras que el anillo debe acelerarse: eso exige rozamiento. Mira el diagrama «Uso del rozamiento»: llega a 1.","El salto",
+"Un poco más rápido, 3,1 m/s. Esta vez el aro deja el plano antes de acabar la primera vuelta.","¿Dónde está la carga cuando el aro despega? Gira la marca.",
+"Ángulo de la carga al despegar","Despega a {angle}, mientras su llanta desliza a {slip} m/s.","A un aro que rueda el plano lo frenaría mientras sube la carga.\
+ El rozamiento es demasiado débil para eso: la llanta patina, el aro sigue girando deprisa y la carga lo arranca del plano antes de llegar arriba.","El aterriz\
+aje","El aro está en el aire. Su centro de gravedad sigue una parábola y gira de manera uniforme.","¿Qué hace justo después de aterrizar?","Rueda de inmedi\
+ato.","Derrapa: la llanta desliza hacia delante.","Patina: la llanta gira demasiado deprisa.","Rebota.","Estuvo {time} s en el aire y subió {height} cm; aterriz\
+a con la carga a {angle}.","Un impacto no dura nada, pero su rozamiento es tan fuerte como su empuje: aquí basta para detener todo deslizamiento. Con menos roza\
+miento, o más restitución, el aterrizaje sería otro. Pruébalo después.","¿Más rozamiento, más salto?","Tres aros reciben el mismo empujón de 3,1 m/s, en\
+ planos con rozamiento 0,05, 0,2 y 1,0.","¿Cuál salta más alto?","Suben {low} cm, {middle} cm y {high} cm. (Los dos primeros son A y B.)","Sobre hielo nada i\
+mpulsa el giro; con rozamiento sin fin nada desliza. El salto necesita ambas cosas: rozamiento bastante para girar deprisa en la bajada, y no tanto que lo frene\
+ en la subida.","Lo que los sólidos rígidos no pueden decidir","Se lanza un aro de modo que deslice deprisa sobre un plano rugoso. Las leyes del sólido rígido\
+ con rozamiento seco deben decir qué ocurre después.","¿Qué dicen?","Sale volando.","Un impacto detiene el deslizamiento de golpe.","Ambas cosas cumplen las\
+ leyes.","El aro A y el aro B empiezan igual, y ambos movimientos cumplen todas las leyes.","Painlevé lo descubrió en 1895. Para un sólido rígido las leyes tien\
+en aquí dos respuestas, y en otros estados ninguna. Los cuerpos reales ceden un poco, y eso decide: elige el contacto flexible en «Contacto».","Te toca a ti",
+"Toma el aro: gira la carga, levántalo y suéltalo, dale un impulso, inclina el plano. O acepta un reto y mira cómo tu puntuación se calcula del propio movimient\
+o.","Mostrar el aro a toda velocidad, una vez, sin comentar. «Lo empujo. ¿Solo rueda?»","Todos predicen dónde está la carga al despegar. Contar los votos por\
+ cuartos de vuelta.","Energía en la bajada, por parejas: ¿quién tiene la energía cuando la carga está en reposo?","Elevación arriba: ¿a qué velocidad es nu\
+la la fuerza del suelo?","La película otra vez, a cámara lenta y con fuerzas; parar al despegar. Comparar con los votos.","Cada grupo toma una velocidad de la\
+ hoja de trabajo; resultados en la pizarra.","¿Por qué? ¿Qué debe frenar el giro en la subida, qué fuerza puede tener y qué pasa si es demasiado débil?",
+"Una frase cada uno: «El aro salta porque…»","La carga tira del aro hacia arriba en lo alto, por eso salta ahí.","Solo si es muy rápido. Los más lentos sal\
+tan antes de lo alto, tras deslizar.","Salta abajo, donde es más rápido.","Ahí el suelo empuja más: hay que desviar la carga hacia arriba.","Nada puede ser \
+más rápido que una piedra que cae.","El anillo sí: recibe la energía de una carga que ha quedado en reposo.","El rozamiento siempre frena.","Actúa contra el\
+ deslizamiento. En la subida apunta hacia delante.","Más rozamiento, más salto.","Hay un rozamiento óptimo intermedio.","Un aro más pesado se comporta de otr\
+o modo.","Solo cuentan las proporciones de masa.","Antes de la película: ¿dónde está la carga cuando el aro deja el suelo? Marca el lugar y da una razón.",
+"El aro recibe solo el menor empujón y rueda. ¿Cuánta energía potencial se ha liberado cuando la carga está abajo?","Mientras una rueda rueda, su punto más\
+ bajo está en reposo. ¿Qué parte del aro tiene entonces energía cinética y a qué velocidad va el centro?","¿Qué velocidad tiene una piedra que cae desde l\
+a altura de la carga? ¿Por qué puede ser más rápido el aro?","Halla la fuerza del suelo arriba para 1,0 m/s y la velocidad a la que se anula.","En el labora\
+torio: ¿qué hace el aro en sus primeros 1,5 s y a qué ángulo salta? Completa la tabla.","Halla la menor velocidad con la que el aro salta, con 1 cm/s de pre\
+cisión.","A 2,2 m/s el aro deja el suelo mientras su llanta desliza. ¿Por qué le ayuda a saltar el deslizamiento?","Mostrar","Enseñar con el aro","Hoja de t\
+rabajo","Soluciones","Ejercicios","Una clase de 45 minutos","Minuto","Movimiento","Lo que suelen pensar los estudiantes","Idea","Lo correcto","Hoja de trabajo: \
+el aro que salta","Un anillo delgado de radio 0,40 m tiene una masa de 0,25 kg. En su llanta va fijada una carga de 0,75 kg. El aro está sobre un suelo horizont\
+al con la carga arriba y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m/s².","fases","¿salta?","¿a qué ángulo?","Imprimir","La visita pregunta \
+antes de mostrar; la presentación llena la pantalla; la tabla da números a cada estudiante.","inf","mayor que {least}","como mínimo {least}","como mínimo {le\
+ast} (se admite inf)","como mucho {most}","un número finito","un número entero","«{word}» o «{word2}»","«{word}», «{word2}» o «{word3}»","Resistenci\
+a a la rodadura","Resistencia a la rodadura: par contra el giro, dividido por R N","Desliza, salta","cuesta arriba (β < 0) no hay umbral: que deslice o salte de\
+pende de dónde da la vuelta; el mapa lo muestra","«rigid» para un mapa","x.cells por y.cells = {cells} debe ser como mucho {most} en el laboratorio.","{one} \
+y {other} no pueden ser ambos ejes: dicen lo mismo de dos maneras.","x.path e y.path son ambos {path} y deben ser distintos.","perdida por resistencia a la roda\
+dura","Resistencia a la rodadura f","{name} = {value} debe estar entre -pi/2 y pi/2 (radianes).","{word} no es una clave conocida; las conocidas son {word2}.","\
+{one} no puede darse junto con {other}.","{one} = {value} no debe superar {other} = {limit}.","plane.mu_static = inf debe ser finito con contact.model = 'compli\
+ant'.","hoop.parts no debe estar vacío.","Esto tarda más de {time} s; pide un movimiento más corto o menos celdas.","El laboratorio está ocupado; inténtalo d\
+e nuevo en {time} segundos.","El laboratorio está ocupado; inténtalo de nuevo en 1 segundo.","El cálculo ha fallado.","El proceso que calculaba esto ha termi\
+nado.","duration = {value} debe ser como mucho {most} s en el laboratorio; la biblioteca misma no tiene ese límite.","duration = {value} s son unas {turns} vue\
+ltas a esta velocidad y radio, y en el laboratorio como mucho {most}; la biblioteca misma no tiene ese límite.","hoop.parts tiene {count} piezas y debe tener c\
+omo mucho {most} en el laboratorio.","contact.stiffness, contact.slip_speed y duration requieren unos {steps} pasos de integración, y en el laboratorio como muc\
+ho {most}.","Una celda de este mapa son unas {turns} vueltas, y en el laboratorio como mucho {most}.","x e y dan {count} celdas con unas {turns} vueltas en tota\
+l, y en el laboratorio como mucho {most}; toma menos celdas, velocidades menores o una duración más corta.","duration = {value} debe ser como mucho {most} s p\
+ara una película del laboratorio.","A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}","Lo que viene después de {time} s depende de más \
+cifras de las que tienen los números de esta página; hophoop lab y Python toman las que hagan falta.","Huella","Sin huella: este movimiento depende de más cif\
+ras de las que calcula esta página.","Un hash de todos los sucesos: el mismo donde hophoop calcula los mismos bits, también en Python","✓ Los mismos bits que \
+en Python","✓ Los mismos bits que donde se hizo el enlace","Los bits difieren: {own} aquí, {other} en Python.","Los bits difieren: {own} aquí, {other} donde \
+se hizo el enlace, quizá con otra versión.","hophoop lab: juega con el aro saltarín","Pon un aro saltarín en una página tuya","Una etiqueta y un script mue\
+stran un aro vivo en un blog, una página de curso o unas diapositivas. El movimiento se calcula en el navegador de quien lee; no se envía nada a ninguna parte.",
+"Elige un movimiento en el laboratorio y copia aquí su enlace.","Escenario: un enlace del laboratorio, o lo que va tras su signo de interrogación","Lo que aco\
+mpaña al reproductor","controles","diagramas","teoría","mapa","Como etiqueta","La etiqueta","Copiar la etiqueta","Como marco, donde no se permiten scripts","E\
+l marco","Copiar el marco","Como código QR","Cómo se ve","Copiado.","Un aro saltarín","Guardar una imagen (SVG)","Una imagen en el espacio no tiene líneas qu\
+e guardar: toma el PNG o sal del 3D.","La imagen es demasiado grande para este navegador.","Flechas","Qué haría un poco más (a)","Qué haría un poco más","\
+Un poco más","Hacerlo","Cada suceso, con este paso","Qué cambia en cada suceso","suceso","lugar","altura","ángulo de la carga","Es infinito: no hay más.","E\
+sto necesita un navegador que ejecute WebAssembly.","No se pudo cargar la parte de la página que calcula esto; elígelo de nuevo cuando haya red.","Nada: ningú\
+n suceso se mueve.","Las flechas se dibujan en la imagen plana: sal de 3D para verlas.","Las flechas de la imagen van de donde toca la llanta a donde tocaría, {\
+factor} veces más largas.","Desde {what} en {time} s no hay derivada: {reason}.","Solo hacia un lado: {reason}.","{amount} más a la derecha","{amount} más a l\
+a izquierda","{amount} más tarde","{amount} antes","{amount} más alto","{amount} más bajo","{amount} más largo","{amount} más corto","{amount} más en el ai\
+re","{amount} menos en el aire","empieza {amount} más tarde","empieza {amount} antes","{amount} más rápido","{amount} más lento","El salto: {list}.","Salto \
+{number}: {list}.","El primer suceso, {what}: {list}.","Al final, a los {time} s: {list}.","flechas: qué haría un poco más","una magnitud que provoca el suce\
+so solo toca el cero allí","el movimiento está en la frontera de dos clases: el menor cambio puede llevar a otros sucesos","la restitución es 0 y la llanta ha\
+ aterrizado: con cualquier otra rebotaría","el movimiento empieza en contacto: con la llanta levantada o lanzada rebotaría, y sus sucesos son otros","el desli\
+zamiento llega a p_σ = 0, donde la fuerza de contacto no tiene límite","el aro sin masa (γ = 1) es un límite singular en cuanto se pierde la fuerza de contact\
+o","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimiento no tiene respuesta desde allí","el parámetro está en el borde de lo permitid\
+o","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de contacto rígido.","Saltar a la respuesta","No \
+es así.","Pausa","Compartir","Todo","Vista sencilla","Mostrar todo","Este movimiento tiene también otros ajustes.","Arrastra la carga","Acerca de hophoop","ho\
+phoop calcula con exactitud cómo un aro con una carga en el borde rueda, desliza, salta y cae.","Versión","Licencia","Licencias de todo lo que contiene la pág\
+ina","Documentación","La documentación","docs/index.md en el código fuente; esta página: docs/lab.md","Órdenes"],Qo=Object.fromEntries(Object.keys(Se).map(
+(s,e)=>[s,Ml[e]]));var Sl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
 rtir de {angle}","patine à partir de {angle}","dérape à partir de {angle}","vole à partir de {angle}","effleure le plan à partir de {angle}","saute à {angl\
 e}","retombe à {angle}","rebondit à {angle}","glisse dans l’autre sens à partir de {angle}","cesse brusquement de glisser à {angle}","fait demi-tour à {an\
 gle}","finit de rebondir à {angle}","rencontre le paradoxe de Painlevé à {angle}","rencontre l’indétermination de Painlevé à {angle}","se coince à {angl\
@@ -719,145 +729,148 @@ paraît plus tôt, à cos θ = v₀²/(gR).","Presque toute la masse dans la mas
 éissent tous deux aux lois. Choisissez sous « Plan ».","Un glissement rapide après un saut : la force de contact croît sans limite en un temps fini, et aucun\
 e loi ne dit la suite.","Kane : de l’énergie à partir de rien","La loi d’impact de Newton avec frottement crée deux joules. Celle de Stronge, non.","En d\
 escente","Sur une pente de 10° le cerceau prend de la vitesse tour après tour, jusqu’à ce qu’il saute.","Rebonds sans nombre","Lâché en rotation, restitu\
-tion 0,5 : une infinité de rebonds en un temps fini.","Sur la Lune","Le saut de l’article sous la pesanteur lunaire : tout est 2,46 fois plus lent.","Mouveme\
-nts de départ","Mouvements de départ…","Annuler (z)","Rétablir (y)","Comparer","Comparer deux cerceaux","Sombre ou clair (d)","Touches et aide (?)","Touche\
-s et aide","labo","Apprendre","Langue","Cerceau A","Cerceau B","Quel cerceau les réglages modifient","Paramètres","Aller au lecteur","Cerceau","Plan","Départ",
-"Contact","Donné par","part de la masselotte γ","ε et κ","pièces réelles","Où","ailleurs","frottements statique et dynamique séparés","Part","en roulan\
-t","dans un état quelconque","auto {value}","{name}, valeur exacte en {unit}","{name}, valeur exacte","Anneau","Disque","Masse ponctuelle","Tige","masse","rayo\
-n intérieur","rayon extérieur","rayon","distance au centre","longueur","Ajouter une pièce","+ ajouter une pièce…","Retirer la pièce {number}, {what}","{n\
-ame} = {value} doit être {rule}.","{name} = {value} doit être un nombre, par exemple 2,5.","{name} = {value} doit être un nombre.","de {least} à {most}","de\
- {least} à {most}, ou inf","0 ou de {least} à {most}","0, de {least} à {most}, ou inf","au plus {most} dans le labo","0 pour le cerceau sans masse (hoop.iner\
-tia_ratio = 0)","« rigid » pour le cerceau sans masse (hoop.inertia_ratio = 0)","Le serveur ne répond pas. Ce qui est là continue ; pour le modifier, relancez\
- `hophoop lab`.","Le serveur a répondu {status}.","Le noyau du notebook ne répond pas ; relancez la cellule.","cerceau","phase","temps","angle","écart","vite\
-sse de jante","masselotte","centre de gravité","le même en vol","A devant, B derrière","Le cerceau","Le cerceau.","Temps","{time} secondes, {what}","Trajecto\
-ires (t)","Forces (f)","Vitesse de la jante (c)","Tout le trajet (w)","En 3D (3)","Trajectoires","Forces","Vit. jante","Trajet entier","Lecture (espace)","Pause\
- (espace)","Vitesse du film","Au début (Début)","Événement précédent (Maj ←)","Événement suivant (Maj →)","Une image en arrière (←)","Une image e\
-n avant (→)","retombée","Au vol suivant (h)","À la retombée suivante (l)","Ce mouvement n’a pas de vol.","Ce mouvement n’a pas de retombée.","{what} à\
- {angle}, {time} s","départ","le glissement commence","le glissement cesse","le glissement s’inverse","décollage","fait demi-tour","point le plus haut","les\
- rebonds cessent","Painlevé : plusieurs solutions","gain d’énergie (Kane)","l’effleurement commence","au repos","fin","Ce qui se passe","Ce qui arrive au \
-cerceau {hoop}","Le mouvement en mots","(tous les événements ne sont pas montrés)","Ce que dit la théorie","Ce que dit la théorie du cerceau {hoop}","Vites\
-ses","vitesse [m/s]","v (centre)","Énergies et pertes","énergie [J]","cinétique","potentielle","totale","perdue par frottement","perdue dans l’amortisseur",
-"perdue dans les impacts, part normale","Forces de contact","force [N]","normale N","frottement F","Utilisation du frottement","À votre choix","Ce que montre v\
-otre diagramme","Axe horizontal des diagrammes","en fonction de : {quantity}","Tout le mouvement","glissez pour y aller ; deux doigts agrandissent","cliquez pou\
-r y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout","{name} de {low} à {high}","Diagramme : {title} en \
-{unit}.","θ mod 360°","Échap","{name} [{unit}]","angle dans un tour","position du centre","écart sous la jante","hauteur du centre de gravité","vitesse du \
-centre","vitesse de rotation","vitesse d’éloignement du plan","vitesse de glissement","vitesse angulaire","force normale","force de frottement","utilisation \
-du frottement","énergie cinétique","énergie potentielle","énergie totale","Plan de θ et θ̇","Plan de l’angle et de la vitesse angulaire avec les régions \
-de roulement, de glissement et de vol","angle θ dans un tour [°]","Couleurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontr\
-e le paradoxe de Painlevé.","Touchez pour y aller ; deux doigts agrandissent.","Cliquez pour y aller ; après un clic, ou avec Ctrl, la molette agrandit ; doubl\
-e-clic pour tout.","Carte","de","Horizontale","Verticale","Ce que montre la carte","Carte des mouvements","Carte des mouvements. Les flèches déplacent la marque\
-, Entrée prend le mouvement, plus et moins agrandissent.","Agrandir la carte","Réduire la carte","Carte entière","Touchez pour mettre ce mouvement dans le le\
-cteur ; deux doigts agrandissent.","Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-c\
-lic pour tout.","calcul de {count} mouvements…","{count} mouvements","{count} mouvements, avec contact rigide","partant en roulant, bien que ce mouvement part\
-e autrement","partant d’un état quelconque, bien que ce mouvement parte en roulant","Garder","Copier le lien","Scénario (TOML)","États (CSV)","Mouvement (n\
-etCDF)","Événements (JSON)","Film (MP4)","Image (PNG)","Enregistrer un film ici (WebM)","Montrer le Python","Le même mouvement en Python","Le lien est copié.",
-"Le lien vers ce mouvement","Le film se fait ; cela prend un moment…","Récupération de {name}…","{name} est là.","Ce navigateur ne peut pas enregistrer l\
-e canevas ; prenez le MP4.","Enregistrement d’un passage…","Le film est là.","Le scénario en fichier","Copier","Copié","Fermer","Un anneau lesté d’une ma\
-sselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que pousser : alors il glisse, saute, retombe – ou fait ce que la mécani\
-que du solide ne peut décider. Bougez un réglage et voyez.","Phases","Marques sur la barre de temps","Touches","espace","lecture, pause","une image","Maj ← →",
-"événement précédent, suivant","vol, retombée suivants","plus lent, plus vite","Début Fin","début, fin","trajectoires, forces, vitesse de la jante, traje\
-t","en 3D","agrandir, revenir","quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z","annuler, rétablir","sombre, clair","Python","la ja\
-nte ne glisse pas","glissement : la jante tourne trop vite pour son trajet (glissement −, pour un cerceau qui avance)","glissement : la jante glisse vers l’av\
-ant (glissement +, pour un cerceau qui avance)","le saut : du décollage à la retombée","une jante sans masse qui touche sans force","décollage, retombée","\
-Paradoxe de Painlevé : aucune solution, plusieurs","une infinité de rebonds s’achève","l’effleurement commence, repos","Les touches seules (lettres, chif\
-fres, signes) font ce que dit le tableau","Le cerceau dans votre main","Inclinaison du plan","Incliner le plan : tirer, ou flèches","Le cerceau : hauteur et vi\
-tesse","Lever, rouler ou lancer le cerceau : tirer, ou flèches","Angle de la masselotte","Tourner la masselotte : tirer, ou flèches","écart {height}, vitesse \
-{speed} m/s","Répéter","Ralenti : un dixième de la vitesse","Son du contact","Présentation en plein écran","Visite guidée","Tableau du mouvement","Tableau\
- du mouvement, lignes","Présentation","Pour les enseignants","Tableau","Toutes les","Enregistrer en CSV","Colonnes","Les {count} premières lignes.","Défis","\
-Quitter les défis","Quel défi","Score","Recommencer","Montrer un des meilleurs","{stars} {points} points. {what}","Votre meilleur : {points} points.","Sauter \
-le plus haut","Sur sol horizontal, en roulant, à 3,1 m/s au plus : vous choisissez la masselotte, sa position de départ et le frottement. À quelle hauteur le ce\
-rceau peut-il monter en 6 s ?","Retomber debout","Faites retomber le cerceau avec la masselotte tout en haut. Tout est permis ; le premier saut doit faire au mo\
-ins 5 cm.","Sauter sans déraper","Sur sol horizontal le cerceau part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter\
- il ne doit pas déraper ; patiner est permis. À quelle hauteur saute-t-il ?","Contact rigide seulement.","Le plan doit être horizontal.","Ce doit être sur Te\
-rre.","La restitution doit être 0.","Le rayon doit rester 1 m, sans pièces.","Au plus 90 % de la masse dans la masselotte.","Le cerceau doit être donné par la\
- part de la masselotte.","Il doit partir en roulant.","Au plus 10 m/s.","Au plus 3,1 m/s.","Au plus 6 s.","Il ne saute pas.","Il monte de {height}.","Le premier\
- saut est trop bas.","Il retombe à {off} du sommet.","La masselotte doit partir d’en bas.","Le frottement doit être au plus 1,5.","Il dérape avant de sauter\
-.","Première visite ?","Huit questions brèves : devinez, puis lancez.","Commencer la visite","Pas maintenant","Le cerceau, avant d’être lâché.","Lancer",
-"Suivant","Retour","Terminé","Étape {number} sur {all}","Quitter la visite","Dites d’abord ce que vous attendez, puis lancez.","Votre réponse","{points} po\
-ints sur 100.","Vous avez {sum} points sur {most}.","{what} avec la masselotte à {angle}","Tracez la courbe : tirez les points vers le haut ou le bas","La ques\
-tion de Littlewood","Un cerceau sans masse porte un poids sur sa jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en\
- 1953 ce qui se passe quand le poids est à la hauteur du centre.","Qu’en pensez-vous ?","Il continue de rouler.","Il saute : le cerceau quitte le plan.","Le \
-poids tombe en chute libre, et le cerceau effleure le plan sous lui.","À {angle} il n’y a plus de force de contact.","Littlewood disait que le cerceau saute.\
- Mais la force de contact est nulle, non dirigée vers le haut : le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, il f\
-aut au cerceau un peu de masse dans la jante.","Un anneau avec masse","À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et\
- le cerceau reçoit la plus petite poussée.","Tracez la vitesse du centre du cerceau pendant le premier tour.","Vitesse du centre","Avec la masselotte en bas, \
-le centre a {speed} m/s.","Le point le plus bas d’un cerceau qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce \
-que la lourde masselotte a perdu : il est plus rapide qu’une pierre tombant de la même hauteur.","Pourquoi il glisse","Une poussée plus forte : 2,8 m/s en ha\
-ut. Rouler exige du frottement, et le frottement a une limite : il vaut au plus μ N.","Où est la masselotte quand le frottement cède pour la première fois ? To\
-urnez la marque.","Angle de la masselotte où il commence à glisser","Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.","Dans sa \
-descente la masselotte appuie peu sur le plan : N est petite, alors que l’anneau doit accélérer, ce qui demande du frottement. Voyez le diagramme « Utilisation \
-du frottement » : elle atteint 1.","Le saut","Un peu plus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Où est la masselo\
-tte quand le cerceau décolle ? Tournez la marque.","Angle de la masselotte au décollage","Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","\
-Le plan freinerait un cerceau qui roule tandis que la masselotte remonte. Le frottement est trop faible pour cela : la jante patine, le cerceau continue de tour\
-ner vite, et la masselotte l’arrache du plan avant d’être en haut.","La retombée","Le cerceau est en l’air. Son centre de gravité suit une parabole et il \
-tourne uniformément.","Que fait-il juste après être retombé ?","Il roule aussitôt.","Il dérape : la jante glisse vers l’avant.","Il patine : la jante to\
-urne trop vite.","Il rebondit.","Il est resté {time} s en l’air et est monté de {height} cm ; il retombe avec la masselotte à {angle}.","Un impact ne dure \
-pas, mais son frottement est aussi fort que sa poussée : ici il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée \
-serait autre. Essayez ensuite.","Plus de frottement, plus haut ?","Trois cerceaux reçoivent la même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et\
- 1,0.","Lequel saute le plus haut ?","Ils montent de {low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","Sur la glace rien n’entraîne la rota\
-tion ; avec un frottement sans fin rien ne glisse. Le saut exige les deux : assez de frottement pour tourner vite à la descente, et pas assez pour être freiné à\
- la remontée.","Ce que les solides ne peuvent décider","On lance un cerceau de sorte qu’il glisse vite sur un plan rugueux. Les lois des solides avec frotteme\
-nt sec doivent dire la suite.","Que disent-elles ?","Il s’envole.","Un impact arrête aussitôt le glissement.","Les deux obéissent aux lois.","Les cerceaux \
-A et B partent de même, et les deux mouvements obéissent à toutes les lois.","Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, da\
-ns d’autres états aucune. Les corps réels cèdent un peu, et cela décide : choisissez le contact souple sous « Contact ».","À vous","Prenez le cerceau :\
- tournez la masselotte, levez-le et lâchez-le, lancez-le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.",
-"Montrer le cerceau à pleine vitesse, une fois, sans commentaire. « Je le pousse. Ne fait-il que rouler ? »","Chacun prédit où est la masselotte au décollage\
-. Compter les voix par quarts de tour.","L’énergie à la descente, par deux : qui a l’énergie quand la masselotte est au repos ?","Soulèvement en haut : à\
- quelle vitesse la force du sol est-elle nulle ?","Le film à nouveau, au ralenti et avec les forces ; arrêter au décollage. Comparer avec les voix.","Chaque \
-groupe prend une vitesse de la fiche ; résultats au tableau.","Pourquoi ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est \
-trop faible ?","Une phrase chacun : « Le cerceau saute parce que… »","La masselotte tire le cerceau vers le haut au sommet, donc il saute là.","Seulement s\
-’il est très rapide. Les plus lents sautent avant le sommet, après avoir glissé.","Il saute en bas, où il est le plus rapide.","Là le sol pousse le plus f\
-ort : il faut dévier la masselotte vers le haut.","Rien ne peut être plus rapide qu’une pierre qui tombe.","L’anneau le peut : il reçoit l’énergie d’une mas\
-selotte qui s’est arrêtée.","Le frottement freine toujours.","Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","Plus de frottem\
-ent, plus de saut.","Il y a un frottement optimal entre les deux.","Un cerceau plus lourd se comporte autrement.","Seules les parts de masse comptent.","Avant l\
-e film : où est la masselotte quand le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","Le cerceau ne reçoit que la plus petite poussée et r\
-oule. Quelle énergie potentielle a été libérée quand la masselotte est en bas ?","Quand une roue roule, son point le plus bas est au repos. Quelle partie d\
-u cerceau a alors de l’énergie cinétique, et quelle est la vitesse du centre ?","Quelle est la vitesse d’une pierre tombant de la hauteur de la masselotte ?\
- Pourquoi le cerceau peut-il être plus rapide ?","Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","Dans le labo : que fait \
-le cerceau pendant ses 1,5 premières secondes, et à quel angle saute-t-il ? Remplissez le tableau.","Trouvez la plus petite vitesse pour laquelle le cerceau s\
-aute, à 1 cm/s près.","À 2,2 m/s le cerceau quitte le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?","Montrer","Enseigner \
-avec le cerceau","Fiche de travail","Corrigé","Exercices","Une séance de 45 minutes","Minute","Mouvement","Ce que pensent souvent les élèves","Idée","Ce qu\
-i est juste","Fiche de travail : le cerceau sauteur","Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée sur sa jante. \
-Le cerceau est posé sur un sol horizontal, la masselotte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².","phases","saute-t-il ?","à \
-quel angle ?","Imprimer","La visite interroge avant de montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.","inf","s\
-upérieur à {least}","au moins {least}","au moins {least} (inf est permis)","au plus {most}","un nombre fini","un nombre entier","« {word} » ou « {word2} »",
-"« {word} », « {word2} » ou « {word3} »","Résistance au roulement","Résistance au roulement : couple opposé à la rotation, divisé par R N","Glisse, s\
-aute","en montée (β < 0) pas de seuil : qu’il glisse ou saute dépend de l’endroit où il fait demi-tour ; la carte le montre","« rigid » pour une carte",
-"x.cells fois y.cells = {cells} doit être au plus {most} dans le labo.","{one} et {other} ne peuvent être tous deux des axes : ils disent la même chose de deux\
- façons.","x.path et y.path sont tous deux {path} et doivent différer.","perdue par résistance au roulement","Résistance au roulement f","{name} = {value} d\
-oit être entre -pi/2 et pi/2 (radians).","{word} n’est pas une clé connue ; sont connues {word2}.","{one} ne peut pas être donné avec {other}.","{one} = {\
-value} ne doit pas dépasser {other} = {limit}.","plane.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts ne doit pas être vide.",
-"Cela prend plus de {time} s ; demandez un mouvement plus court ou moins de cellules.","Le labo est occupé ; réessayez dans {time} secondes.","Le labo est occ\
-upé ; réessayez dans 1 seconde.","Le calcul a échoué.","Le processus qui calculait cela s’est arrêté.","duration = {value} doit être au plus {most} s da\
-ns le labo ; la bibliothèque elle-même n’a pas cette limite.","duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, au plus {most} d\
-ans le labo ; la bibliothèque elle-même n’a pas cette limite.","hoop.parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffne\
-ss, contact.slip_speed et duration demandent environ {steps} pas d’intégration, au plus {most} dans le labo.","Une cellule de cette carte fait environ {turns\
-} tours, au plus {most} dans le labo.","x et y font {count} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, de\
-s vitesses plus faibles ou une durée plus courte.","duration = {value} doit être au plus {most} s pour un film du labo.","A bleu, B ocre ; le tracé indique la\
- grandeur ; nombres de {hoop} ; {hands}","Ce qui vient après {time} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python \
-en prennent autant qu’il faut.","Empreinte","Pas d’empreinte : ce mouvement dépend de plus de chiffres que cette page n’en calcule.","Un hachage de tous \
-les événements : le même partout où hophoop calcule les mêmes bits, aussi en Python","✓ Les mêmes bits qu’en Python","✓ Les mêmes bits que là où le li\
-en a été créé","Les bits diffèrent : {own} ici, {other} en Python.","Les bits diffèrent : {own} ici, {other} là où le lien a été créé, peut-être avec une a\
-utre version.","hophoop lab : jouer avec le cerceau sauteur","Mettre un cerceau sauteur dans une page à vous","Une balise et un script montrent un cerceau viva\
-nt dans un blog, une page de cours ou des diapositives. Le mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choisissez \
-un mouvement dans le labo et copiez son lien ici.","Scénario : un lien du labo, ou ce qui suit son point d’interrogation","Ce qui accompagne le lecteur","rég\
-lages","diagrammes","théorie","carte","En balise","La balise","Copier la balise","En cadre, là où les scripts ne sont pas permis","Le cadre","Copier le cadre",
-"En code QR","Aperçu","Copié.","Un cerceau sauteur","Image (SVG)","Une image dans l’espace n’a pas de lignes à garder : prenez le PNG, ou quittez la 3D.",
-"L’image est trop grande pour ce navigateur.","Flèches","Ce que ferait un peu plus (a)","Ce que ferait un peu plus","Un peu plus","L’appliquer","Chaque évé\
-nement, pour ce pas","Ce qui change à chaque événement","événement","lieu","hauteur","angle de la charge","Elle est infinie : il n’y en a pas plus.","Il \
-faut un navigateur qui exécute WebAssembly.","La partie de la page qui calcule cela n’a pas pu être chargée ; choisis de nouveau quand il y aura un réseau.",
-"Rien : aucun événement ne bouge.","Les flèches sont dessinées dans l’image plane : quitte la 3D pour les voir.","Les flèches de l’image vont de là où la \
-jante touche à là où elle toucherait, {factor} fois plus longues.","À partir de {what} à {time} s, pas de dérivée : {reason}.","D’un seul côté : {reason}\
-.","{amount} plus à droite","{amount} plus à gauche","{amount} plus tard","{amount} plus tôt","{amount} plus haut","{amount} plus bas","{amount} plus long","\
-{amount} plus court","{amount} de plus en l’air","{amount} de moins en l’air","commence {amount} plus tard","commence {amount} plus tôt","{amount} plus vit\
-e","{amount} moins vite","Le saut : {list}.","Saut {number} : {list}.","Le premier événement, {what} : {list}.","À la fin, après {time} s : {list}.","flèche\
-s : ce que ferait un peu plus","une grandeur qui déclenche l’événement ne fait qu’y toucher zéro","le mouvement est à la frontière de deux classes : le \
-moindre changement peut mener à d’autres événements","la restitution est nulle et la jante est retombée : avec toute autre elle rebondirait","le mouvement\
- commence en contact : avec la jante levée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n\
-’a pas de borne","le cerceau sans masse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que\
- sur la frontière de deux classes","le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deu\
-x côtés diffèrent","Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause"],Yo=Object.fromEntries(
-Object.keys(Se).map((n,e)=>[n,yl[e]]));var vl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+tion 0,5 : une infinité de rebonds en un temps fini.","Sur la Lune","Le saut de l’article sous la pesanteur lunaire : tout est 2,46 fois plus lent.","Exemple\
+s","Exemples…","Annuler (z)","Rétablir (y)","Comparer","Comparer deux cerceaux","Sombre ou clair (d)","Touches et aide (?)","Touches et aide","labo","Apprend\
+re","Langue","Cerceau A","Cerceau B","Quel cerceau les réglages modifient","Paramètres","Aller au lecteur","Cerceau","Plan","Départ","Contact","Donné par","\
+part de la masselotte γ","ε et κ","pièces réelles","Où","ailleurs","frottements statique et dynamique séparés","Part","en roulant","dans un état quelcon\
+que","auto {value}","{name}, valeur exacte en {unit}","{name}, valeur exacte","Anneau","Disque","Masse ponctuelle","Tige","masse","rayon intérieur","rayon exté\
+rieur","rayon","distance au centre","longueur","Ajouter une pièce","+ ajouter une pièce…","Retirer la pièce {number}, {what}","{name} = {value} doit être {\
+rule}.","{name} = {value} doit être un nombre, par exemple 2,5.","{name} = {value} doit être un nombre.","de {least} à {most}","de {least} à {most}, ou inf",
+"0 ou de {least} à {most}","0, de {least} à {most}, ou inf","au plus {most} dans le labo","0 pour le cerceau sans masse (hoop.inertia_ratio = 0)","« rigid » p\
+our le cerceau sans masse (hoop.inertia_ratio = 0)","Le serveur ne répond pas. Ce qui est là continue ; pour le modifier, relancez `hophoop lab`.","Le serveur\
+ a répondu {status}.","Le noyau du notebook ne répond pas ; relancez la cellule.","cerceau","phase","temps","angle","écart","vitesse de jante","masselotte","\
+centre de gravité","le même en vol","A devant, B derrière","Le cerceau","Le cerceau.","Temps","{time} secondes, {what}","Trajectoires (t)","Forces (f)","Vite\
+sse de la jante (c)","Tout le trajet (w)","En 3D (3)","Trajectoires","Forces","Vit. jante","Trajet entier","Lecture (espace)","Pause (espace)","Vitesse du film",
+"Au début (Début)","Événement précédent (Maj ←)","Événement suivant (Maj →)","Une image en arrière (←)","Une image en avant (→)","retombée","A\
+u vol suivant (h)","À la retombée suivante (l)","Ce mouvement n’a pas de vol.","Ce mouvement n’a pas de retombée.","{what} à {angle}, {time} s","départ",
+"le glissement commence","le glissement cesse","le glissement s’inverse","décollage","fait demi-tour","point le plus haut","les rebonds cessent","Painlevé : \
+plusieurs solutions","gain d’énergie (Kane)","l’effleurement commence","au repos","fin","Ce qui se passe","Ce qui arrive au cerceau {hoop}","Le mouvement e\
+n mots","(tous les événements ne sont pas montrés)","Ce que dit la théorie","Ce que dit la théorie du cerceau {hoop}","Vitesses","vitesse [m/s]","v (centre\
+)","Énergies et pertes","énergie [J]","cinétique","potentielle","totale","perdue par frottement","perdue dans l’amortisseur","perdue dans les impacts, part\
+ normale","Forces de contact","force [N]","normale N","frottement F","Utilisation du frottement","À votre choix","Ce que montre votre diagramme","Axe horizonta\
+l des diagrammes","en fonction de : {quantity}","Tout le mouvement","glissez pour y aller ; deux doigts agrandissent","cliquez pour y aller, tirez pour agrandir\
+ ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout","{name} de {low} à {high}","Diagramme : {title} en {unit}.","θ mod 360°","Échap",
+"{name} [{unit}]","angle dans un tour","position du centre","écart sous la jante","hauteur du centre de gravité","vitesse du centre","vitesse de rotation","vi\
+tesse d’éloignement du plan","vitesse de glissement","vitesse angulaire","force normale","force de frottement","utilisation du frottement","énergie cinétique",
+"énergie potentielle","énergie totale","Plan de θ et θ̇","Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol",
+"angle θ dans un tour [°]","Couleurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Touchez p\
+our y aller ; deux doigts agrandissent.","Cliquez pour y aller ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.","Carte","de","Horiz\
+ontale","Verticale","Ce que montre la carte","Carte des mouvements","Carte des mouvements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et m\
+oins agrandissent.","Agrandir la carte","Réduire la carte","Carte entière","Touchez pour mettre ce mouvement dans le lecteur ; deux doigts agrandissent.","Un \
+clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","calcul de {count} mo\
+uvements…","{count} mouvements","{count} mouvements, avec contact rigide","partant en roulant, bien que ce mouvement parte autrement","partant d’un état quelc\
+onque, bien que ce mouvement parte en roulant","Partager et enregistrer","Copier un lien vers ce mouvement","Enregistrer le scénario (TOML)","Enregistrer les é\
+tats (CSV)","Enregistrer le mouvement (netCDF)","Enregistrer les évènements (JSON)","Enregistrer un film (MP4)","Enregistrer une image (PNG)","Filmer un passa\
+ge (WebM)","Afficher le code Python","Le même mouvement en Python","Le lien est copié.","Le lien vers ce mouvement","Le film se fait ; cela prend un moment…",
+"Récupération de {name}…","{name} est là.","Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Enregistrement d’un passage…","Le film \
+est là.","Le scénario en fichier","Copier","Copié","Fermer","Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et \
+le plan ne peut que pousser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.","Phases",
+"Marques sur la barre de temps","Touches","espace","lecture, pause","une image","Maj ← →","événement précédent, suivant","vol, retombée suivants","plus\
+ lent, plus vite","Début Fin","début, fin","trajectoires, forces, vitesse de la jante, trajet","en 3D","agrandir, revenir","quitter un champ, un menu, une ima\
+ge que la molette agrandit","z y  Ctrl Z","annuler, rétablir","sombre, clair","Python","la jante ne glisse pas","glissement : la jante tourne trop vite pour so\
+n trajet (glissement −, pour un cerceau qui avance)","glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui avance)","le saut : du dé\
+collage à la retombée","une jante sans masse qui touche sans force","décollage, retombée","Paradoxe de Painlevé : aucune solution, plusieurs","une infinité\
+ de rebonds s’achève","l’effleurement commence, repos","Les touches seules (lettres, chiffres, signes) font ce que dit le tableau","Le cerceau dans votre m\
+ain","Inclinaison du plan","Incliner le plan : tirer, ou flèches","Le cerceau : hauteur et vitesse","Lever, rouler ou lancer le cerceau : tirer, ou flèches","\
+Angle de la masselotte","Tourner la masselotte : tirer, ou flèches","écart {height}, vitesse {speed} m/s","Répéter","Ralenti : un dixième de la vitesse","S\
+on du contact","Présentation en plein écran","Visite guidée","Tableau du mouvement","Tableau du mouvement, lignes","Présentation","Pour les enseignants","Ta\
+bleau","Toutes les","Enregistrer en CSV","Colonnes","Les {count} premières lignes.","Défis","Quitter les défis","Quel défi","Score","Recommencer","Montrer u\
+n des meilleurs","{stars} {points} points. {what}","Votre meilleur : {points} points.","Sauter le plus haut","Sur sol horizontal, en roulant, à 3,1 m/s au plus \
+: vous choisissez la masselotte, sa position de départ et le frottement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Retomber debout","Faites retomb\
+er le cerceau avec la masselotte tout en haut. Tout est permis ; le premier saut doit faire au moins 5 cm.","Sauter sans déraper","Sur sol horizontal le cercea\
+u part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quelle hauteur \
+saute-t-il ?","Contact rigide seulement.","Le plan doit être horizontal.","Ce doit être sur Terre.","La restitution doit être 0.","Le rayon doit rester 1 m, \
+sans pièces.","Au plus 90 % de la masse dans la masselotte.","Le cerceau doit être donné par la part de la masselotte.","Il doit partir en roulant.","Au plus\
+ 10 m/s.","Au plus 3,1 m/s.","Au plus 6 s.","Il ne saute pas.","Il monte de {height}.","Le premier saut est trop bas.","Il retombe à {off} du sommet.","La mass\
+elotte doit partir d’en bas.","Le frottement doit être au plus 1,5.","Il dérape avant de sauter.","Première visite ?","Huit questions brèves : devinez, pui\
+s lancez.","Commencer la visite","Pas maintenant","Le cerceau, avant d’être lâché.","Lancer","Suivant","Retour","Terminé","Étape {number} sur {all}","Qui\
+tter la visite","Dites d’abord ce que vous attendez, puis lancez.","Votre réponse","{points} points sur 100.","Vous avez {sum} points sur {most}.","{what} av\
+ec la masselotte à {angle}","Tracez la courbe : tirez les points vers le haut ou le bas","La question de Littlewood","Un cerceau sans masse porte un poids sur \
+sa jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du centr\
+e.","Qu’en pensez-vous ?","Il continue de rouler.","Il saute : le cerceau quitte le plan.","Le poids tombe en chute libre, et le cerceau effleure le plan sous\
+ lui.","À {angle} il n’y a plus de force de contact.","Littlewood disait que le cerceau saute. Mais la force de contact est nulle, non dirigée vers le haut :\
+ le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, il faut au cerceau un peu de masse dans la jante.","Un anneau avec \
+masse","À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus petite poussée.","Tracez la vi\
+tesse du centre du cerceau pendant le premier tour.","Vitesse du centre","Avec la masselotte en bas, le centre a {speed} m/s.","Le point le plus bas d’un cercea\
+u qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce que la lourde masselotte a perdu : il est plus rapide qu’un\
+e pierre tombant de la même hauteur.","Pourquoi il glisse","Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le frottement a une limite\
+ : il vaut au plus μ N.","Où est la masselotte quand le frottement cède pour la première fois ? Tournez la marque.","Angle de la masselotte où il commence à\
+ glisser","Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.","Dans sa descente la masselotte appuie peu sur le plan : N est petite\
+, alors que l’anneau doit accélérer, ce qui demande du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.","Le saut","Un peu p\
+lus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Où est la masselotte quand le cerceau décolle ? Tournez la marque.","A\
+ngle de la masselotte au décollage","Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","Le plan freinerait un cerceau qui roule tandis que la \
+masselotte remonte. Le frottement est trop faible pour cela : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du plan avant d’ê\
+tre en haut.","La retombée","Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne uniformément.","Que fait-il juste après être ret\
+ombé ?","Il roule aussitôt.","Il dérape : la jante glisse vers l’avant.","Il patine : la jante tourne trop vite.","Il rebondit.","Il est resté {time} s en \
+l’air et est monté de {height} cm ; il retombe avec la masselotte à {angle}.","Un impact ne dure pas, mais son frottement est aussi fort que sa poussée : ic\
+i il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","Plus de frottement, plu\
+s haut ?","Trois cerceaux reçoivent la même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Lequel saute le plus haut ?","Ils montent de \
+{low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin rien ne glisse. Le\
+ saut exige les deux : assez de frottement pour tourner vite à la descente, et pas assez pour être freiné à la remontée.","Ce que les solides ne peuvent dé\
+cider","On lance un cerceau de sorte qu’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire la suite.","Que disent-elles\
+ ?","Il s’envole.","Un impact arrête aussitôt le glissement.","Les deux obéissent aux lois.","Les cerceaux A et B partent de même, et les deux mouvements o\
+béissent à toutes les lois.","Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels cèdent \
+un peu, et cela décide : choisissez le contact souple sous « Contact ».","À vous","Prenez le cerceau : tournez la masselotte, levez-le et lâchez-le, lancez-\
+le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Montrer le cerceau à pleine vitesse, une fois, san\
+s commentaire. « Je le pousse. Ne fait-il que rouler ? »","Chacun prédit où est la masselotte au décollage. Compter les voix par quarts de tour.","L’énergi\
+e à la descente, par deux : qui a l’énergie quand la masselotte est au repos ?","Soulèvement en haut : à quelle vitesse la force du sol est-elle nulle ?",
+"Le film à nouveau, au ralenti et avec les forces ; arrêter au décollage. Comparer avec les voix.","Chaque groupe prend une vitesse de la fiche ; résultats a\
+u tableau.","Pourquoi ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est trop faible ?","Une phrase chacun : « Le cerc\
+eau saute parce que… »","La masselotte tire le cerceau vers le haut au sommet, donc il saute là.","Seulement s’il est très rapide. Les plus lents sautent av\
+ant le sommet, après avoir glissé.","Il saute en bas, où il est le plus rapide.","Là le sol pousse le plus fort : il faut dévier la masselotte vers le haut.",
+"Rien ne peut être plus rapide qu’une pierre qui tombe.","L’anneau le peut : il reçoit l’énergie d’une masselotte qui s’est arrêtée.","Le frottem\
+ent freine toujours.","Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","Plus de frottement, plus de saut.","Il y a un frottement o\
+ptimal entre les deux.","Un cerceau plus lourd se comporte autrement.","Seules les parts de masse comptent.","Avant le film : où est la masselotte quand le cerc\
+eau quitte le sol ? Marquez l’endroit et donnez une raison.","Le cerceau ne reçoit que la plus petite poussée et roule. Quelle énergie potentielle a été libér\
+ée quand la masselotte est en bas ?","Quand une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l’énergie cinétique, et que\
+lle est la vitesse du centre ?","Quelle est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le cerceau peut-il être plus rapide ?",
+"Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et \
+à quel angle saute-t-il ? Remplissez le tableau.","Trouvez la plus petite vitesse pour laquelle le cerceau saute, à 1 cm/s près.","À 2,2 m/s le cerceau quitt\
+e le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?","Montrer","Enseigner avec le cerceau","Fiche de travail","Corrigé","Exer\
+cices","Une séance de 45 minutes","Minute","Mouvement","Ce que pensent souvent les élèves","Idée","Ce qui est juste","Fiche de travail : le cerceau sauteur",
+"Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée sur sa jante. Le cerceau est posé sur un sol horizontal, la masselo\
+tte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².","phases","saute-t-il ?","à quel angle ?","Imprimer","La visite interroge avant d\
+e montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.","inf","supérieur à {least}","au moins {least}","au moins {l\
+east} (inf est permis)","au plus {most}","un nombre fini","un nombre entier","« {word} » ou « {word2} »","« {word} », « {word2} » ou « {word3} »","Rés\
+istance au roulement","Résistance au roulement : couple opposé à la rotation, divisé par R N","Glisse, saute","en montée (β < 0) pas de seuil : qu’il glisse\
+ ou saute dépend de l’endroit où il fait demi-tour ; la carte le montre","« rigid » pour une carte","x.cells fois y.cells = {cells} doit être au plus {mos\
+t} dans le labo.","{one} et {other} ne peuvent être tous deux des axes : ils disent la même chose de deux façons.","x.path et y.path sont tous deux {path} et\
+ doivent différer.","perdue par résistance au roulement","Résistance au roulement f","{name} = {value} doit être entre -pi/2 et pi/2 (radians).","{word} n’e\
+st pas une clé connue ; sont connues {word2}.","{one} ne peut pas être donné avec {other}.","{one} = {value} ne doit pas dépasser {other} = {limit}.","plane\
+.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts ne doit pas être vide.","Cela prend plus de {time} s ; demandez un mouvement pl\
+us court ou moins de cellules.","Le labo est occupé ; réessayez dans {time} secondes.","Le labo est occupé ; réessayez dans 1 seconde.","Le calcul a échoué.",
+"Le processus qui calculait cela s’est arrêté.","duration = {value} doit être au plus {most} s dans le labo ; la bibliothèque elle-même n’a pas cette limite\
+.","duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, au plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette limite.",
+"hoop.parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffness, contact.slip_speed et duration demandent environ {steps} pas d’\
+intégration, au plus {most} dans le labo.","Une cellule de cette carte fait environ {turns} tours, au plus {most} dans le labo.","x et y font {count} cellules \
+d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plus faibles ou une durée plus courte.","duration = {va\
+lue} doit être au plus {most} s pour un film du labo.","A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}","Ce qui vient après {time\
+} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python en prennent autant qu’il faut.","Empreinte","Pas d’empreinte \
+: ce mouvement dépend de plus de chiffres que cette page n’en calcule.","Un hachage de tous les événements : le même partout où hophoop calcule les mêmes bit\
+s, aussi en Python","✓ Les mêmes bits qu’en Python","✓ Les mêmes bits que là où le lien a été créé","Les bits diffèrent : {own} ici, {other} en Py\
+thon.","Les bits diffèrent : {own} ici, {other} là où le lien a été créé, peut-être avec une autre version.","hophoop lab : jouer avec le cerceau sauteu\
+r","Mettre un cerceau sauteur dans une page à vous","Une balise et un script montrent un cerceau vivant dans un blog, une page de cours ou des diapositives. Le\
+ mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choisissez un mouvement dans le labo et copiez son lien ici.","Scénar\
+io : un lien du labo, ou ce qui suit son point d’interrogation","Ce qui accompagne le lecteur","réglages","diagrammes","théorie","carte","En balise","La bal\
+ise","Copier la balise","En cadre, là où les scripts ne sont pas permis","Le cadre","Copier le cadre","En code QR","Aperçu","Copié.","Un cerceau sauteur","E\
+nregistrer une image (SVG)","Une image dans l’espace n’a pas de lignes à garder : prenez le PNG, ou quittez la 3D.","L’image est trop grande pour ce naviga\
+teur.","Flèches","Ce que ferait un peu plus (a)","Ce que ferait un peu plus","Un peu plus","L’appliquer","Chaque événement, pour ce pas","Ce qui change à c\
+haque événement","événement","lieu","hauteur","angle de la charge","Elle est infinie : il n’y en a pas plus.","Il faut un navigateur qui exécute WebAssemb\
+ly.","La partie de la page qui calcule cela n’a pas pu être chargée ; choisis de nouveau quand il y aura un réseau.","Rien : aucun événement ne bouge.","\
+Les flèches sont dessinées dans l’image plane : quitte la 3D pour les voir.","Les flèches de l’image vont de là où la jante touche à là où elle toucherait, \
+{factor} fois plus longues.","À partir de {what} à {time} s, pas de dérivée : {reason}.","D’un seul côté : {reason}.","{amount} plus à droite","{amount\
+} plus à gauche","{amount} plus tard","{amount} plus tôt","{amount} plus haut","{amount} plus bas","{amount} plus long","{amount} plus court","{amount} de plu\
+s en l’air","{amount} de moins en l’air","commence {amount} plus tard","commence {amount} plus tôt","{amount} plus vite","{amount} moins vite","Le saut : {\
+list}.","Saut {number} : {list}.","Le premier événement, {what} : {list}.","À la fin, après {time} s : {list}.","flèches : ce que ferait un peu plus","une \
+grandeur qui déclenche l’événement ne fait qu’y toucher zéro","le mouvement est à la frontière de deux classes : le moindre changement peut mener à d’au\
+tres événements","la restitution est nulle et la jante est retombée : avec toute autre elle rebondirait","le mouvement commence en contact : avec la jante le\
+vée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n’a pas de borne","le cerceau sans m\
+asse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que sur la frontière de deux classes","\
+le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deux côtés diffèrent","Avec un cont\
+act souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause","Partager","Tout","Vue simple","Tout afficher","Ce\
+ mouvement a aussi d’autres réglages.","Tirez la masselotte","À propos de hophoop","hophoop calcule exactement comment un cerceau lesté au bord roule, gliss\
+e, saute et retombe.","Version","Licence","Licences de tout ce que contient la page","Documentation","La documentation","docs/index.md dans les sources ; cette \
+page : docs/lab.md","Commandes"],Xo=Object.fromEntries(Object.keys(Se).map((s,e)=>[s,Sl[e]]));var Tl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -895,14 +908,14 @@ angle} 处静止。","它在 {angle} 处静止，但不稳定。","它又弹跳�
 "潘勒韦：无解","没有接触力与这种滑动相容。一次无碰撞的冲击使它骤停。","腾空与冲击都符合定律。请在“平面”下选择。",
 "跳起之后的快速滑动：接触力在有限时间内无限增大，没有定律能说明之后如何。","凯恩：无中生有的能量","带摩擦的牛顿碰撞定律凭空产生两\
 焦耳。斯特朗格定律则不会。","下坡","在 10° 的斜面上，圆环一圈比一圈快，直到跳起。","无穷多次弹跳","带旋转落下，恢复系数 0.5：有限时间\
-内无穷多次弹跳。","在月球上","论文中的跳起，月球重力：一切慢到原来的 1/2.46。","可选的起始运动","可选的起始运动……",
-"撤销 (z)","重做 (y)","比较","比较两个圆环","深色或浅色 (d)","按键与帮助 (?)","按键与帮助","实验室","学习","语言","圆环 A","\
-圆环 B","控件作用于哪个圆环","参数","跳到播放器","圆环","平面","起始","接触","给定方式","质量占比 γ","ε 与 κ","实际部件",
-"地点","其他","静、动摩擦因数分开","起始状态","滚动","任意状态","自动 {value}","{name}，精确值，单位 {unit}","{name}，精确值",
-"圆环部件","圆盘","质点","杆","质量","内半径","外半径","半径","到圆心的距离","长度","添加部件","+ 添加部件……","移除部件 {numb\
-er}，{what}","{name} = {value} 必须{rule}。","{name} = {value} 必须是数字，例如 2.5。","{name} = {value} 必须是数字。","在 {least} 到 {most} 之间",
-"在 {least} 到 {most} 之间或为 inf","为 0 或在 {least} 到 {most} 之间","为 0、在 {least} 到 {most} 之间或为 inf","在本实验室中不超过 {most}",
-"为 0（无质量圆环，hoop.inertia_ratio = 0）","为 'rigid'（无质量圆环，hoop.inertia_ratio = 0）","服务器没有响应。已有内容可以继续播放；要更改需重新运行 `hophoop lab`。",
+内无穷多次弹跳。","在月球上","论文中的跳起，月球重力：一切慢到原来的 1/2.46。","示例","示例……","撤销 (z)","重做 (y)",
+"比较","比较两个圆环","深色或浅色 (d)","按键与帮助 (?)","按键与帮助","实验室","学习","语言","圆环 A","圆环 B","控件作用于哪个圆环",
+"参数","跳到播放器","圆环","平面","起始","接触","给定方式","质量占比 γ","ε 与 κ","实际部件","地点","其他","静、动摩擦因数分开",
+"起始状态","滚动","任意状态","自动 {value}","{name}，精确值，单位 {unit}","{name}，精确值","圆环部件","圆盘","质点","杆","质量",
+"内半径","外半径","半径","到圆心的距离","长度","添加部件","+ 添加部件……","移除部件 {number}，{what}","{name} = {value} 必须{rule}\
+。","{name} = {value} 必须是数字，例如 2.5。","{name} = {value} 必须是数字。","在 {least} 到 {most} 之间","在 {least} 到 {most} 之间或为 inf",
+"为 0 或在 {least} 到 {most} 之间","为 0、在 {least} 到 {most} 之间或为 inf","在本实验室中不超过 {most}","为 0（无质量圆环，hoop.inertia_ratio = \
+0）","为 'rigid'（无质量圆环，hoop.inertia_ratio = 0）","服务器没有响应。已有内容可以继续播放；要更改需重新运行 `hophoop lab`。",
 "服务器返回 {status}。","笔记本内核没有响应；请重新运行单元格。","圆环","状态","时间","角度","间隙","环缘速度","重物","\
 重心","腾空时的重心","A 在前，B 在后","圆环","圆环。","时间","{time} 秒，{what}","轨迹 (t)","力 (f)","环缘速度 (c)","全程 (w)","三\
 维 (3)","轨迹","力","环缘速度","全程","播放（空格）","暂停（空格）","播放速度","回到开头 (Home)","上一事件 (Shift ←)","下一事件 \
@@ -919,10 +932,10 @@ tle}，单位 {unit}。","θ mod 360°","Esc","{name} [{unit}]","一圈内的角
 "运动分布图。方向键移动标记，回车采用该运动，加减号缩放。","放大分布图","缩小分布图","整张图","点按即可把该运动放入播放器；双指缩放。",
 "单击即可把该运动放入播放器；单击后或按住 Ctrl 时滚轮缩放；拖动平移；双击显示全部。","正在计算 {count} 个运动……",
 "{count} 个运动","{count} 个运动，刚性接触","均为滚动起始，而当前运动并非如此","均为任意状态起始，而当前运动为滚动起始",
-"保存","复制链接","场景 (TOML)","状态 (CSV)","运动 (netCDF)","事件 (JSON)","影片 (MP4)","图片 (PNG)","在此录制影片 (WebM)","显示 Python 代码",
-"同一运动的 Python 代码","链接已复制。","此运动的链接","正在制作影片，请稍候……","正在获取 {name}……","{name} 已就绪。",
-"此浏览器无法录制画布；请改用 MP4。","正在录制一遍……","影片已就绪。","场景文件","复制","已复制","关闭","一个边缘带重物的环在平面上滚\
-动。摩擦力有上限，平面只能推不能拉：于是它打滑、跳起、落地——或者做出刚体力学无法判定的事。拖动滑块看看。",
+"分享与保存","复制此运动的链接","保存场景（TOML）","保存状态（CSV）","保存运动（netCDF）","保存事件（JSON）","保存影片（MP4）",
+"保存图片（PNG）","将一次运动录成影片（WebM）","显示 Python 代码","同一运动的 Python 代码","链接已复制。","此运动的链接",
+"正在制作影片，请稍候……","正在获取 {name}……","{name} 已就绪。","此浏览器无法录制画布；请改用 MP4。","正在录制一遍……",
+"影片已就绪。","场景文件","复制","已复制","关闭","一个边缘带重物的环在平面上滚动。摩擦力有上限，平面只能推不能拉：于是它打滑、跳起、落地——或者做出刚体力学无法判定的事。拖动滑块看看。",
 "状态","时间条上的标记","按键","空格","播放、暂停","一帧","Shift ← →","上一、下一事件","下一次腾空、落地","更慢、更快",
 "Home End","开头、结尾","轨迹、力、环缘速度、全程","三维","缩放、还原","离开输入框、菜单或滚轮缩放的图","z y  Ctrl Z","撤销\
 、重做","深色、浅色","Python","环缘不滑动","滑动：环缘转得比前进快（圆环向前滚时为滑动 −）","滑动：接触点向前滑（圆环向前滚时为滑动 +）",
@@ -986,7 +999,7 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 转会跳的圆环","把会跳的圆环放进您的网页","一个标签和一个脚本，就能在博客、课程页面或幻灯片中显示可操作的圆环。运动在读者的浏览器中计算；不向任何地方发送数据。",
 "在实验室中选择一个运动，并把它的链接复制到这里。","场景：实验室的链接，或其问号之后的部分","播放器旁显示的内容",
 "滑块","图表","理论","分布图","作为标签","标签","复制标签","作为框架，用于不允许脚本的地方","框架","复制框架","作为二维码",
-"显示效果","已复制。","会跳的圆环","图片（SVG）","空间画面没有可保存的线条：请用 PNG，或退出 3D。","图片对此浏览器来说太大了。",
+"显示效果","已复制。","会跳的圆环","保存图片（SVG）","空间画面没有可保存的线条：请用 PNG，或退出 3D。","图片对此浏览器来说太大了。",
 "箭头","再多一点会怎样（a）","再多一点会怎样","再多一点","照做","按这一步，每个事件","每个事件的变化","事件","位置",
 "高度","负载角度","它是无穷大：不能再多了。","这需要能运行 WebAssembly 的浏览器。","页面中计算此项的部分无法加载；有网络时请再选一次。",
 "没有变化：没有事件移动。","箭头画在平面图中：离开三维即可看到。","图中的箭头从环缘现在接触之处指向它将接触之处，长度放大到 {factor} 倍。",
@@ -996,217 +1009,222 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 会怎样","触发该事件的量在那里只是触及零","该运动位于两类的边界上：极小的变化就可能导致不同的事件","恢复系数为 0 且环缘已落地：只\
 要不为零它就会弹起","运动从接触开始：若环缘被抬起或抛起，它会弹跳，事件就不同了","滑动到达 p_σ = 0，那里接触力无界",
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
-处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停"],Zo=Object.
-fromEntries(Object.keys(Se).map((n,e)=>[n,vl[e]]));var dt={de:Se,es:Jo,fr:Yo,zh:Zo};var is=new Map;function ce(n){try{return localStorage.getItem(n)??is.get(n)??null}catch{return is.get(n)??null}}function ue(n,e){is.set(n,e);try{localStorage.setItem(
-n,e)}catch{}}var xl=n=>{let e=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return e[0].toLocaleUpperCase(n)+e.slice(1)},ft=Object.fromEntries(["en",...Object.keys(dt)].
-map(n=>[n,xl(n)])),ei="hophoop-language",ti=4e3,kl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ht=/\{(\w+)\}/g,xe="\
-en",ni=!1,si=[],mt=new Map,pt=new Set,Ye=new Set,Te=()=>xe;function rs(n){xe=n in ft?n:"en",ni=1.5.toLocaleString(xe).includes(","),mt=new Map,pt=new Set,Ye.clear(),
-si=Object.keys(dt[xe]??{}).filter(e=>e.includes("{")).map(El).sort((e,t)=>Xo(t.key)-Xo(e.key))}function _l(){let n=ce(ei);return n&&n in ft?n:(globalThis.navigator?.
-languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in ft)??"en"}function oi(n){ue(ei,n)}var Xo=n=>n.replace(Ht,"").length;function El(n){let e=[...n.matchAll(
-Ht)].map(([,s])=>s),t=n.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:n,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var de=n=>ni?
-n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function x(n,e){let t=dt[xe];if(e)return j(ai(t?.[n]??Qo(n),e));if(!t||!/\p{L}/u.test(n))return de(n);if(pt.has(n))return n;let s=mt.
-get(n);if(s!==void 0)return s;let o=n.trim(),i=t[o]??Ml(o,t)??Qo(o),a=n.replace(o,()=>i);return mt.size>ti&&mt.clear(),mt.set(n,a),j(a)}function j(n){return pt.
-size>ti&&pt.clear(),pt.add(n),n}var ii=(n,e)=>n.replace(Ht,(t,s)=>String(e[s])),ai=(n,e)=>n.replace(Ht,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));
-function Ml(n,e){for(let{key:t,pattern:s,names:o}of si){let i=n.match(s);if(i)return ai(e[t],Object.fromEntries(o.map((a,r)=>[a,i[r+1]])))}return Sl(n)}function Sl(n){
-if(n.includes(" → "))return n.split(" → ").map(e=>x(e)).join(" → ")}function ri(n){if(!dt[xe])return n;let[,e,t]=n.match(/^(.*?)\.(?: (.*))?$/su)??["",n,""],
-{comma:s,stop:o}=xe==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return j(
-`${a[0]?.toLocaleUpperCase(xe)??""}${a.slice(1)}${o}${t?` ${x(t)}`:""}`)}function Qo(n){let e=/\p{L}{3,}/u.test(n)&&!kl.test(n);return xe!=="en"&&e&&Ye.size<200&&
-Ye.add(n),de(n)}var ls=new WeakMap,as=new WeakMap;function hs(n){let e=document.createTextNode(x(n));return ls.set(e,n),e}function Ze(n,e,t){let s=as.get(n)??{};
-s[e]=t,as.set(n,s),n.setAttribute(e,x(t))}function Tl(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=(t.
-nodeValue??"").replace(/\s+/g," ");s.trim()&&ls.set(t,s)}for(let t of n.querySelectorAll("[aria-label]"))Ze(t,"aria-label",t.getAttribute("aria-label")??"");jt(
-n)}function jt(n){let e=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=ls.get(t);s!==void 0&&
-(t.nodeValue=x(s));let o=as.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,x(a))}}rs(_l());var Al=14,Ll=new Set(["aria-label","title","placeholder","label"]);function u(n,e={},...t){let s=document.createElement(n),o=s;for(let[i,a]of Object.entries(e))
-a==null||a===!1||(i.startsWith("on")?s.addEventListener(i.slice(2),a):i==="class"?s.className=a:i in s&&i!=="list"&&typeof a!="string"?o[i]=a:Ll.has(i)?Ze(s,i,String(
-a)):s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:hs(String(i)));return s}function P(n,e){e?n.replaceChildren(hs(e)):
-n.replaceChildren()}var Bt=n=>n!==null&&n.getRootNode().activeElement===n,me=n=>n.getContext("2d");function K(n,e=1){let t=n.getBoundingClientRect(),s=Math.min(
-globalThis.devicePixelRatio||1,2.5),o=Math.max(Math.round(t.width*s),1),i=Math.max(Math.round(t.height*s),1);(n.width!==o||n.height!==i)&&(n.width=o,n.height=i);
-let a=me(n),r=s*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function Rl(n){if(/^#[0-9a-f]{6}$/i.test(n))return n;let e=me(u("canvas",{
-width:1,height:1}));e.fillStyle=n,e.fillRect(0,0,1,1);let[t,s,o]=e.getImageData(0,0,1,1).data;return`#${[t,s,o].map(i=>i.toString(16).padStart(2,"0")).join("")}`}
-function cs(n){let e=getComputedStyle(n),t=o=>e.getPropertyValue(o).trim(),s=o=>Rl(t(o));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--pape\
-r"),panel:s("--panel"),ground:s("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/Al||1,dark:ht(s("--paper"))<.2}}function Xe(n,e){let t=u("a",{href:URL.
-createObjectURL(n),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ne(n,e){let t=0;return()=>{
-clearTimeout(t),t=setTimeout(n,e)}}var E=(n,e,t)=>Math.min(Math.max(n,e),t);function M(n,e=4){if(n==null)return"–";if(typeof n!="number")return String(n);if(!Number.isFinite(n))return Number.isNaN(
-n)?"–":n>0?"∞":"−∞";if(n===0)return"0";let t=Math.abs(n),s;if(t>=1e6||t<1e-4){let[o,i]=n.toExponential(e-1).split("e");s=`${li(o)}·10${Pl(Number(i))}`}else
-s=li(n.toPrecision(e)),s.includes("e")&&(s=String(Math.round(n)));return de(s.replace("-","−"))}function li(n){return n.includes(".")&&!n.includes("e")?n.replace(
-/\.?0+$/,""):n}function Pl(n){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(n)].map(t=>e[t]).join(
-"")}var I=(n,e)=>e?e==="°"?`${n}°`:`${n} ${e}`:n,$=n=>de(`${(n*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Ae(n){let e=Math.abs(n),[t,s]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return I(M(n*t,3),s)}function V(n,e){let t=n/Math.max(e,1),s=10**Math.floor(Math.log10(t)),o=t/s;return(o>5?10:o>2?5:o>1?
-2:1)*s}function ae(n,e,t){if(!(e>n)||!Number.isFinite(n)||!Number.isFinite(e))return[];let s=V(e-n,t),o=[];for(let i=Math.ceil(n/s-1e-9);i*s<=e+1e-9*s&&o.length<
-200;i++)o.push(i*s);return o}function se(n,e){let t=E(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(n),e)>=1e6||t>12?M(n,3):de((Math.abs(n)<e*1e-6?
-0:n).toFixed(t).replace("-","−"))}var ci=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],Cl="tfc",zl=/^[0-9a-f]{16}$/,Nl=400;function ui({time:n=0,options:e={},zoom:t=1,
-pan:s=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];n>0&&l.push(`t=${Number(n.toFixed(4))}`);let c=ci.filter(([m])=>e[m]).map(([,m])=>m);return c.join(
-"")!==Cl&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),s.some(m=>Math.abs(m)>5e-4)&&l.push(`pan=${s.map(m=>Number(m.toFixed(3))).
+处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停","分\
+享","全部","简洁视图","显示全部","此运动还有其他设置。","拖动重物","关于 hophoop","hophoop 精确计算边缘带重物的圆环如何滚动、滑动、跳起和落地。",
+"版本","许可证","本页所含内容的许可证","文档","查看文档","源代码中的 docs/index.md；本页：docs/lab.md","命令"],ei=Object.fromEntries(
+Object.keys(Se).map((s,e)=>[s,Tl[e]]));var dt={de:Se,es:Qo,fr:Xo,zh:ei};var ls=new Map;function ne(s){try{return localStorage.getItem(s)??ls.get(s)??null}catch{return ls.get(s)??null}}function se(s,e){ls.set(s,e);try{localStorage.setItem(
+s,e)}catch{}}var Al=s=>{let e=new Intl.DisplayNames([s],{type:"language"}).of(s)??s;return e[0].toLocaleUpperCase(s)+e.slice(1)},ft=Object.fromEntries(["en",...Object.keys(dt)].
+map(s=>[s,Al(s)])),si="hophoop-language",oi=4e3,Ll=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ht=/\{(\w+)\}/g,xe="\
+en",ii=!1,ai=[],mt=new Map,pt=new Set,Ye=new Set,Te=()=>xe;function cs(s){xe=s in ft?s:"en",ii=1.5.toLocaleString(xe).includes(","),mt=new Map,pt=new Set,Ye.clear(),
+ai=Object.keys(dt[xe]??{}).filter(e=>e.includes("{")).map(Pl).sort((e,t)=>ti(t.key)-ti(e.key))}function Rl(){let s=ne(si);return s&&s in ft?s:(globalThis.navigator?.
+languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in ft)??"en"}function ri(s){se(si,s)}var ti=s=>s.replace(Ht,"").length;function Pl(s){let e=[...s.matchAll(
+Ht)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var de=s=>ii?
+s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function x(s,e){let t=dt[xe];if(e)return j(hi(t?.[s]??ni(s),e));if(!t||!/\p{L}/u.test(s))return de(s);if(pt.has(s))return s;let n=mt.
+get(s);if(n!==void 0)return n;let o=s.trim(),i=t[o]??Cl(o,t)??ni(o),a=s.replace(o,()=>i);return mt.size>oi&&mt.clear(),mt.set(s,a),j(a)}function j(s){return pt.
+size>oi&&pt.clear(),pt.add(s),s}var li=(s,e)=>s.replace(Ht,(t,n)=>String(e[n])),hi=(s,e)=>s.replace(Ht,(t,n)=>n.startsWith("word")?String(e[n]):x(String(e[n])));
+function Cl(s,e){for(let{key:t,pattern:n,names:o}of ai){let i=s.match(n);if(i)return hi(e[t],Object.fromEntries(o.map((a,r)=>[a,i[r+1]])))}return zl(s)}function zl(s){
+if(s.includes(" → "))return s.split(" → ").map(e=>x(e)).join(" → ")}function ci(s){if(!dt[xe])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],
+{comma:n,stop:o}=xe==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(n);return j(
+`${a[0]?.toLocaleUpperCase(xe)??""}${a.slice(1)}${o}${t?` ${x(t)}`:""}`)}function ni(s){let e=/\p{L}{3,}/u.test(s)&&!Ll.test(s);return xe!=="en"&&e&&Ye.size<200&&
+Ye.add(s),de(s)}var us=new WeakMap,hs=new WeakMap;function ds(s){let e=document.createTextNode(x(s));return us.set(e,s),e}function Ze(s,e,t){let n=hs.get(s)??{};
+n[e]=t,hs.set(s,n),s.setAttribute(e,x(t))}function Nl(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.
+nodeValue??"").replace(/\s+/g," ");n.trim()&&us.set(t,n)}for(let t of s.querySelectorAll("[aria-label]"))Ze(t,"aria-label",t.getAttribute("aria-label")??"");jt(
+s)}function jt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=us.get(t);n!==void 0&&
+(t.nodeValue=x(n));let o=hs.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,x(a))}}cs(Rl());var Dl=14,Ol=new Set(["aria-label","title","placeholder","label"]);function u(s,e={},...t){let n=document.createElement(s),o=n;for(let[i,a]of Object.entries(e))
+a==null||a===!1||(i.startsWith("on")?n.addEventListener(i.slice(2),a):i==="class"?n.className=a:i in n&&i!=="list"&&typeof a!="string"?o[i]=a:Ol.has(i)?Ze(n,i,String(
+a)):n.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||n.append(i.nodeType?i:ds(String(i)));return n}function P(s,e){e?s.replaceChildren(ds(e)):
+s.replaceChildren()}var Bt=s=>s!==null&&s.getRootNode().activeElement===s,me=s=>s.getContext("2d");function K(s,e=1){let t=s.getBoundingClientRect(),n=Math.min(
+globalThis.devicePixelRatio||1,2.5),o=Math.max(Math.round(t.width*n),1),i=Math.max(Math.round(t.height*n),1);(s.width!==o||s.height!==i)&&(s.width=o,s.height=i);
+let a=me(s),r=n*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function Il(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=me(u("canvas",{
+width:1,height:1}));e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,o]=e.getImageData(0,0,1,1).data;return`#${[t,n,o].map(i=>i.toString(16).padStart(2,"0")).join("")}`}
+function ms(s){let e=getComputedStyle(s),t=o=>e.getPropertyValue(o).trim(),n=o=>Il(t(o));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--pape\
+r"),panel:n("--panel"),ground:n("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/Dl||1,dark:ht(n("--paper"))<.2}}function Qe(s,e){let t=u("a",{href:URL.
+createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function oe(s,e){let t=0;return()=>{
+clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function M(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
+s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[o,i]=s.toExponential(e-1).split("e");n=`${ui(o)}·10${ql(Number(i))}`}else
+n=ui(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return de(n.replace("-","−"))}function ui(s){return s.includes(".")&&!s.includes("e")?s.replace(
+/\.?0+$/,""):s}function ql(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
+"")}var O=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,$=s=>de(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Ae(s){let e=Math.abs(s),[t,n]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return O(M(s*t,3),n)}function V(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),o=t/n;return(o>5?10:o>2?5:o>1?
+2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=V(e-s,t),o=[];for(let i=Math.ceil(s/n-1e-9);i*n<=e+1e-9*n&&o.length<
+200;i++)o.push(i*n);return o}function ie(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?M(s,3):de((Math.abs(s)<e*1e-6?
+0:s).toFixed(t).replace("-","−"))}var mi=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],Fl="tfc",Hl=/^[0-9a-f]{16}$/,jl=400;function pi({time:s=0,options:e={},zoom:t=1,
+pan:n=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Number(s.toFixed(4))}`);let c=mi.filter(([m])=>e[m]).map(([,m])=>m);return c.join(
+"")!==Fl&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),n.some(m=>Math.abs(m)>5e-4)&&l.push(`pan=${n.map(m=>Number(m.toFixed(3))).
 join(",")}`),o&&l.push(`from=${o.map(m=>Number(m.toPrecision(3))).join(",")}`),i&&l.push(`more=${i}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
-Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function di(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={},s=Number(e.get("t")??Number.NaN);s>=
-0&&(t.time=s);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(ci.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
-E(i,.05,60));let a=hi(e.get("pan"),2);a&&(t.pan=a.map(y=>E(y,-20,20)));let r=hi(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,d,p,f,
+Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function fi(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
+0&&(t.time=n);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(mi.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
+_(i,.05,60));let a=di(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=di(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,d,p,f,
 g]=e.get("map")?.split(",")??[],b=[h,d,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[m,b[0],b[1]],y:[p,b[2],b[3]]});
-let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>zl.test(y)?y:"")),t}function hi(n,e){let t=(n??"").split(",").map(Number);
-return n&&t.length===e&&t.every(Number.isFinite)?t:null}var Dl=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
-...n===null?[]:[n]]},$t=class{constructor(e,t){this.motions=e;this.link=t;this.number=0;this.soon=ne(()=>this.write("same"),Nl),this.listen=()=>this.arrived(),addEventListener(
+let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>Hl.test(y)?y:"")),t}function di(s,e){let t=(s??"").split(",").map(Number);
+return s&&t.length===e&&t.every(Number.isFinite)?t:null}var Bl=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
+...s===null?[]:[s]]},$t=class{constructor(e,t){this.motions=e;this.link=t;this.number=0;this.soon=oe(()=>this.write("same"),jl),this.listen=()=>this.arrived(),addEventListener(
 "popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{motions:t}=this;if(!t.lanes.length||!t.history.holds(t.queries()))return;
-let s=this.link();e==="step"?history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(t=>{let s=()=>t();
-addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Dl();JSON.stringify(t)===JSON.stringify(
+let n=this.link();e==="step"?history.pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(t=>{let n=()=>t();
+addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Bl();JSON.stringify(t)===JSON.stringify(
 this.motions.queries())?this.number=e:await this.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var gt=[.05,.1,.25,.5,1,2,4],Wt=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Gt=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
-playing=!1;this.loop=!Wt();this.once=!1;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,once:t=!1}={}){Wt()?
-this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=E(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.once=!1,this.last=null,
-e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=gt.indexOf(this.speed);this.speed=gt[E(t+e,0,gt.length-1)],this.changed()}tick(e){if(!this.
-playing)return!1;let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&!this.once&&
-this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.changed())),!0}};function Il(n,e=""){let t=n.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
-(o,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function Ol(n,e,{label:t,unit:s,range:o}){let i=n.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
-uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(0)?"0 or ":"",r=`from ${M(o.least,4)} to ${I(M(o.most,4),s)}`,l=o.also.
-includes(1/0)?", or inf":"";return`${t} = ${I(M(e,6),s)} must be ${a}${r}${l}.`}var ql=0,Qe=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
-typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++ql}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
-spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
-s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=Il(e,this.info.unit),s=Ol(e,t,this.info);s?this.refuse(
-s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
+playing=!1;this.loop=!Wt();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,
+once:t=!1}={}){Wt()?this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=_(e,0,this.duration),this.changed()}point(e){this.pointed=e,this.changed()}play(e=!this.
+playing){this.playing=e,this.once=!1,this.last=null,e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=gt.indexOf(this.speed);this.speed=
+gt[_(t+e,0,gt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*
+this.speed,this.time>=this.duration&&(this.loop&&!this.once&&this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.
+changed())),!0}};function $l(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+(o,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let n=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return n?n[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
+test(t)?Number(t.replace(",",".")):Number.NaN}function Wl(s,e,{label:t,unit:n,range:o}){let i=s.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
+uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(0)?"0 or ":"",r=`from ${M(o.least,4)} to ${O(M(o.most,4),n)}`,l=o.also.
+includes(1/0)?", or inf":"";return`${t} = ${O(M(e,6),n)} must be ${a}${r}${l}.`}var Gl=0,Xe=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
+typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++Gl}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:n=>{
+n.key!=="Escape"||!(this.typing||this.refused())||(n.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=$l(e,this.info.unit),n=Wl(e,t,this.info);n?this.refuse(
+n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=de(e),this.typing||this.restore()}};var mi={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Fl={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Hl=(n,e,t)=>({ring:{shape:n,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:n,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:n,mass:t,at:e},rod:{shape:n,mass:t,length:.5*e,at:.5*e}})[n];function pi(n){let e=n["hoop.radius"],t=n["hoop.mass"],s=Math.min(Math.
-max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ut(t*(1-s)),inner_radius:Ut(.98*e),outer_radius:e},{shape:"point_mass",mass:Ut(t*s),at:e}]}var Ut=n=>Number(
-n.toPrecision(6)),Kt=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
-art",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Hl(s,this.radius,Ut(.2*this.mass))])}},u("option",{value:""},"+ add a part \
-…"),Object.entries(mi).map(([t,{label:s}])=>u("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let o=JSON.stringify(e);if(o===this.
-text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:s}),this.list.replaceChildren(
-...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:o}=mi[e.shape];return u("fieldset",{class:"part"},u("legend",{},s,this.parts.length>1&&u("button",{type:"\
-button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),o.map(i=>this.field(e,t,i)))}field(e,t,s){
-let[o,i]=Fl[s],a=new Qe({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),u("div",{},u("label",{},`${o}\
- [${i}]`,a.input),a.error)}};var us=Math.PI/180;function jl({allowed:n,degrees:e}){if(!n)return;let t=e?1/us:1;return{least:n.least*t,most:n.most*t,also:n.also.map(s=>s==="inf"?1/0:Number(s))}}
-var ds=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
-range=u("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
+input.value=this.shown,this.accept()}show(e){this.shown=de(e),this.typing||this.restore()}};var gi={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Ul={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},Kl=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function bi(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
+max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ut(t*(1-n)),inner_radius:Ut(.98*e),outer_radius:e},{shape:"point_mass",mass:Ut(t*n),at:e}]}var Ut=s=>Number(
+s.toPrecision(6)),Kt=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
+art",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,Kl(n,this.radius,Ut(.2*this.mass))])}},u("option",{value:""},"+ add a part \
+…"),Object.entries(gi).map(([t,{label:n}])=>u("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let o=JSON.stringify(e);if(o===this.
+text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:n}),this.list.replaceChildren(
+...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:n,keys:o}=gi[e.shape];return u("fieldset",{class:"part"},u("legend",{},n,this.parts.length>1&&u("button",{type:"\
+button",class:"quiet","aria-label":`Remove part ${t+1}, ${n}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),o.map(i=>this.field(e,t,i)))}field(e,t,n){
+let[o,i]=Ul[n],a=new Xe({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),u("div",{},u("label",{},`${o}\
+ [${i}]`,a.input),a.error)}};var ps=Math.PI/180;function Vl({allowed:s,degrees:e}){if(!s)return;let t=e?1/ps:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
+var fs=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
+range=u("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new Qe({label:i,unit:a,name:r,range:jl(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:s},u("\
+n ${a}`:""}`;this.entry=new Xe({label:i,unit:a,name:r,range:Vl(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:n},u("\
 span",{},i),u("span",{class:"symbol"},e.symbol)),this.range,u("span",{class:"entry"},this.entry.input,u("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
-this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
-let s=this.info.degrees?e*us:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",I(M(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let s=e!=null,o=s?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?us:1);this.
-entry.show(s?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:M(i,2)}),this.entry.input.title=
-s?I(String(i),this.info.unit):"";let a=E(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(i)}};function Bl(n,e){let t=u("select",{"data-path":n.path,onchange:()=>e([[n.path,t.value]],!0)},n.options.map(([o,i])=>u("option",{value:o},
-i)));return{element:u("label",{class:"choice",title:n.help},u("span",{},n.label),t),select:t,path:n.path}}var Vt=class{constructor(e,t){this.sliders=new Map;this.
-onchange=(s,o=!0)=>t(s,o);for(let s of Object.values(e.groups))for(let o of s)this.sliders.set(o.path,new ds(o,this.onchange));this.choices=new Map(e.choices.map(
-s=>[s.path,Bl(s,this.onchange)])),this.parts=new Kt(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
+this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(n)),this.say(n),this.send(n,e)}send(e,t){
+let n=this.info.degrees?e*ps:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",O(M(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let n=e!=null,o=n?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?ps:1);this.
+entry.show(n?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":x("auto {value}",{value:M(i,2)}),this.entry.input.title=
+n?O(String(i),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(i)}};function Jl(s,e){let t=u("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([o,i])=>u("option",{value:o},
+i)));return{element:u("label",{class:"choice",title:s.help},u("span",{},s.label),t),select:t,path:s.path}}var Vt=class{constructor(e,t){this.sliders=new Map;this.
+onchange=(n,o=!0)=>t(n,o);for(let n of Object.values(e.groups))for(let o of n)this.sliders.set(o.path,new fs(o,this.onchange));this.choices=new Map(e.choices.map(
+n=>[n.path,Jl(n,this.onchange)])),this.parts=new Kt(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
 start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.element}of(e,t={}){return[
-...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(`${e}.`)).flatMap(s=>[...t[s]??[],this.at(s)])}select(e,t,s){let o=u("select",{onchange:()=>s(
-o.value)},t.map(([i,a])=>u("option",{value:i},a)));return{select:o,element:u("label",{class:"choice"},u("span",{},e),o)}}group(e,...t){let s=e==="Start"||e==="P\
-lane"||!matchMedia("(max-width: 47.5em)").matches;return u("details",{class:"group",open:s},u("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
-["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",pi(
+...this.sliders.keys(),...this.choices.keys()].filter(n=>n.startsWith(`${e}.`)).flatMap(n=>[...t[n]??[],this.at(n)])}select(e,t,n){let o=u("select",{onchange:()=>n(
+o.value)},t.map(([i,a])=>u("option",{value:i},a)));return{select:o,element:u("label",{class:"choice"},u("span",{},e),o)}}group(e,...t){let n=e==="Start"||e==="P\
+lane"||!matchMedia("(max-width: 47.5em)").matches;return u("details",{class:"group",open:n},u("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
+["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",bi(
 t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=u("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
-radius":[this.parts.element,this.derived]}))}plane(){this.apart=u("input",{type:"checkbox",onchange:()=>{let{values:s}=this.film;this.apart.checked?this.onchange(
-[["plane.mu_static",s["plane.mu_static"]],["plane.mu_kinetic",s["plane.mu_kinetic"]]]):this.onchange([["plane.mu",s["plane.mu_static"]]])}}),this.gravity=this.select(
-"Where",[...this.gravities.map(([s])=>[s,s]),["","elsewhere"]],s=>{let o=this.gravities.find(([i])=>i===s);o&&this.onchange([["plane.gravity",o[1]]])});let t={"\
+radius":[this.parts.element,this.derived]}))}plane(){this.apart=u("input",{type:"checkbox",onchange:()=>{let{values:n}=this.film;this.apart.checked?this.onchange(
+[["plane.mu_static",n["plane.mu_static"]],["plane.mu_kinetic",n["plane.mu_kinetic"]]]):this.onchange([["plane.mu",n["plane.mu_static"]]])}}),this.gravity=this.select(
+"Where",[...this.gravities.map(([n])=>[n,n]),["","elsewhere"]],n=>{let o=this.gravities.find(([i])=>i===n);o&&this.onchange([["plane.gravity",o[1]]])});let t={"\
 plane.slope":[u("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group("Plane",...this.
 of("plane",t))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.onchange(
 [["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,...this.of("start"),this.at("duration"))}contact(){
 return this.group("Contact",this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),
-this.at("contact.restitution"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){
-this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[o,i]of this.sliders){if(t.has(o))continue;
-let[a,r]=o.split(".");i.show(e.values[o]??(r?s[a]?.[r]:s[a]),e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,i=s.hoop.parts?"parts":"load_fractio\
-n"in s.hoop?"load_fraction":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...p)=>p.some(f=>t.has(f));c("hoop.loa\
+this.at("contact.restitution"))}refuse(e,t){let n=e.length===1?this.sliders.get(e[0][0]):void 0;return n?.element.checkVisibility()?(n.entry.refuse(t),!0):!1}restore(){
+this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let n=e.scenario;for(let[o,i]of this.sliders){if(t.has(o))continue;
+let[a,r]=o.split(".");i.show(e.values[o]??(r?n[a]?.[r]:n[a]),e.automatic?.[o])}}showChoices(e,t){let{scenario:n,values:o}=e,i=n.hoop.parts?"parts":"load_fractio\
+n"in n.hoop?"load_fraction":"eccentricity",a="speed"in n.start,r="mu_static"in n.plane,l=n.contact.model==="compliant",c=(...p)=>p.some(f=>t.has(f));c("hoop.loa\
 d_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.value=i),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu",
-"plane.mu_static")||(this.apart.checked=r);let m=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=m?
+"plane.mu_static")||(this.apart.checked=r);let m=this.gravities.find(([,p])=>Math.abs(p-n.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=m?
 m[0]:"");let h={"hoop.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoop.inertia_ratio":i==="eccentricity","hoop.mass":i!=="parts",
 "plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start\
 .vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,f]of Object.
-entries(h))this.at(p).hidden=!f;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=
-i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let d=s;for(let[
-p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");d[g]?.[b]!==void 0&&(f.value=d[g][b])}}};var ms=Math.PI/180;function fi(n,e){let{start:t,plane:s,contact:o,hoop:i}=n.scenario;return o.model!=="rigid"?"Rigid contact only.":n.slope!==0?"The plane must \
-be level.":Math.abs(n.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":n.radius!==1||i.parts?"The radius must stay 1 m,\
- without parts.":n.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":n.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var gi=n=>n.events.filter(
-({kind:e})=>e==="takeoff");function $l(n){return n.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var bi=(n,e)=>Math.min(Math.round(100*n/e),100),Wl=1.596,
-Gl=.37,Ul=.05,ps=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:n=>{let e=fi(n,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...$l(n));return t?{points:bi(t,Wl),text:"It rises by {height}.",values:{height:Ae(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+entries(h))this.at(p).hidden=!f;this.parts.element.hidden=i!=="parts",n.hoop.parts&&this.parts.show(n.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=
+i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let d=n;for(let[
+p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");d[g]?.[b]!==void 0&&(f.value=d[g][b])}}};var gs=Math.PI/180;function wi(s,e){let{start:t,plane:n,contact:o,hoop:i}=s.scenario;return o.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
+be level.":Math.abs(s.gravity-9.81)>1e-9?"It must be on Earth.":(n.restitution??0)!==0?"Restitution must be 0.":s.radius!==1||i.parts?"The radius must stay 1 m,\
+ without parts.":s.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
+m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var yi=s=>s.events.filter(
+({kind:e})=>e==="takeoff");function Yl(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var vi=(s,e)=>Math.min(Math.round(100*s/e),100),Zl=1.596,
+Ql=.37,Xl=.05,bs=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=wi(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...Yl(s));return t?{points:vi(t,Zl),text:"It rises by {height}.",values:{height:Ae(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:n=>{let e=gi(n)[0],t=n.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let s=n.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Ul)return{points:0,text:"The first hop is too low."};let o=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/ms,i=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
-from the top.",values:{off:$(o*ms)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=yi(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<Xl)return{points:0,text:"The first hop is too low."};let o=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/gs,i=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
+from the top.",values:{off:$(o*gs)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:n=>{let e=fi(n,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(n.scenario.start.angle??0)-Math.PI)>.5*ms)return{points:0,text:"The load must start at the bottom."};if(n.values["plane.mu_kinetic"]>1.5||n.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=gi(n)[0];if(!t)return{points:0,text:"It does not hop."};let s=n.phases.filter(
-({from:i})=>i<t.t);if(s.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let o=n.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:bi(o.height,Gl),text:"It rises by {height}.",values:{height:Ae(o.height)}}:{points:0,
-text:"It does not hop."}}}],fs=n=>n>=95?3:n>=75?2:n>=40?1:0;var wi="hophoop-best-",Kl=n=>"★".repeat(fs(n))+"☆".repeat(3-fs(n)),Jt=class{constructor({film:e,load:t,ahead:s}){this.goal=null;Object.assign(this,{film:e,load:t,
-ahead:s}),this.tabs=new Map(ps.map(o=>[o.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(o)},o.title)])),this.text=u("p",{}),this.meter=
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=wi(s,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*gs)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=yi(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
+({from:i})=>i<t.t);if(n.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
+ng."};let o=s.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:vi(o.height,Ql),text:"It rises by {height}.",values:{height:Ae(o.height)}}:{points:0,
+text:"It does not hop."}}}],ws=s=>s>=95?3:s>=75?2:s>=40?1:0;var xi="hophoop-best-",eh=s=>"★".repeat(ws(s))+"☆".repeat(3-ws(s)),Jt=class{constructor({film:e,load:t,ahead:n}){this.goal=null;Object.assign(this,{film:e,load:t,
+ahead:n}),this.tabs=new Map(bs.map(o=>[o.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(o)},o.title)])),this.text=u("p",{}),this.meter=
 u("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"Score"}),this.result=u("p",{class:"challenge-result",role:"status"}),this.kept=u("p",
 {class:"hint"}),this.element=u("section",{class:"challenges card","aria-label":"Challenges",hidden:!0},u("header",{},u("h2",{},"Challenges"),u("button",{type:"b\
 utton",class:"quiet","aria-label":"Leave the challenges",onclick:()=>this.close()},"×")),u("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.
 tabs.values()]),this.text,this.meter,this.result,this.kept,u("div",{class:"buttons"},u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},
 "Begin again"),u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??
-ps[0]),this.element.scrollIntoView({block:"nearest"}),this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){
-this.goal=e;for(let[t,s]of this.tabs)s.setAttribute("aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}changed(){let{goal:e}=this;if(!e)return;
-let{points:t,text:s,values:o={}}=e.score(this.film());this.meter.value=t;let i=x("{stars} {points} points. {what}",{stars:Kl(t),points:t,what:x(s,o)});this.result.
-textContent!==i&&(this.result.textContent=i);let a=Number(ce(wi+e.key)??0);t>a&&!this.ahead()&&ue(wi+e.key,String(t)),P(this.kept,x("Your best: {points} points.",
-{points:Math.max(a,this.ahead()?0:t)}))}};var yi=.09,Vl=.03,gs=Math.PI/180,Yt=Math.PI/4,vi=2*Math.PI,bt=n=>n-vi*Math.round(n/vi);function Zt(n,e){let t=n.at(e),s=e===0;return{angle:bt(t.angle),height:Math.
-max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:n.slope}}var xi=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),Le=n=>Number(n.toFixed(4))+0;function ki(n,e,t){
-if(n==="plane")return[["plane.slope",Le(e.slope)]];if(e.height>0)return[["start.angle",Le(e.angle)],["start.height",Le(e.height)],["start.vx",Le(e.vx)],["start.\
-vy",Le(e.vy)],["start.omega",Le(e.omega)]];let s=n==="load"?e.omega*t.radius:e.vx;return[["start.angle",Le(e.angle)],["start.speed",Le(s)]]}var wt=class{constructor(e,t,s,o,i){
-this.grip=e;this.film=t;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=Zt(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.
-center=[a.x,t.radius+a.height],this.foot=o.point(a.x,0),this.from=this.read(i)}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
-atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:o}}move(e,t){
-let s=this.read(e),{radius:o}=this.film;if(this.turned+=bt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=E(this.before.slope+this.turned,-Yt,Yt);
-this.held.slope=Math.abs(i)<gs?0:i}else if(this.grip==="load")this.held.angle=bt(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
-this.held.height=i<Vl*o?0:i;let a=s.along-this.from.along;this.held.angle=bt(this.before.angle+(this.held.height>0?0:a/o)),this.moved=s.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-yi;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:s,film:o}=this,i=s.at(-1),a=s[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>yi,c=xi(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=E((i.turned-
-a.turned)/r,-c/o.radius,c/o.radius):(t.vx=E((i.along-a.along)/r,-c,c),t.vy=t.height>0?E((i.away-a.away)/r,-c,c):0)),t}};function _i(n,e,t,s,o){let i={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(n==="load"){let h=bt(s.angle+(i||a)*5*gs*r);return{...s,angle:h}}if(n===
-"plane"){let h=E(s.slope+(i||-a)*gs*r,-Yt,Yt);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=xi(o),c=E(s.height+a*.05*r*o.radius,0,4*o.radius),m=E(s.vx+i*.1*r,-l,
-l);return{...s,height:c<1e-9?0:c,vx:m}}function J(n,e,t,s=()=>{}){let o=new AbortController,{signal:i}=o,a=(l,c)=>n.addEventListener(l,m=>m.pointerId===e.pointerId&&c(m),{signal:i}),r=l=>c=>{o.abort(),
-s(c,l)};n.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ei(n,e){let t=new Map,s=null,o=()=>{let[a,r]=[
-...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};n.
-addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?o():null)}),n.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
-(t.set(a.pointerId,a),t.size!==2||!s))return;let r=o();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])n.addEventListener(a,r=>{t.delete(r.pointerId),
-s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return n.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Jl=700,bs=44,Yl=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+bs[0]),this.element.scrollIntoView({block:"nearest"}),this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){
+this.goal=e;for(let[t,n]of this.tabs)n.setAttribute("aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}changed(){let{goal:e}=this;if(!e)return;
+let{points:t,text:n,values:o={}}=e.score(this.film());this.meter.value=t;let i=x("{stars} {points} points. {what}",{stars:eh(t),points:t,what:x(n,o)});this.result.
+textContent!==i&&(this.result.textContent=i);let a=Number(ne(xi+e.key)??0);t>a&&!this.ahead()&&se(xi+e.key,String(t)),P(this.kept,x("Your best: {points} points.",
+{points:Math.max(a,this.ahead()?0:t)}))}};var ki=.09,th=.03,ys=Math.PI/180,Yt=Math.PI/4,_i=2*Math.PI,bt=s=>s-_i*Math.round(s/_i);function Zt(s,e){let t=s.at(e),n=e===0;return{angle:bt(t.angle),height:Math.
+max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Ei=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Le=s=>Number(s.toFixed(4))+0;function Mi(s,e,t){
+if(s==="plane")return[["plane.slope",Le(e.slope)]];if(e.height>0)return[["start.angle",Le(e.angle)],["start.height",Le(e.height)],["start.vx",Le(e.vx)],["start.\
+vy",Le(e.vy)],["start.omega",Le(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Le(e.angle)],["start.speed",Le(n)]]}var wt=class{constructor(e,t,n,o,i){
+this.grip=e;this.film=t;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=Zt(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.
+center=[a.x,t.radius+a.height],this.foot=o.point(a.x,0),this.from=this.read(i)}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
+atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:o}}move(e,t){
+let n=this.read(e),{radius:o}=this.film;if(this.turned+=bt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let i=_(this.before.slope+this.turned,-Yt,Yt);
+this.held.slope=Math.abs(i)<ys?0:i}else if(this.grip==="load")this.held.angle=bt(this.before.angle+this.turned);else{let i=this.before.height+n.away-this.from.away;
+this.held.height=i<th*o?0:i;let a=n.along-this.from.along;this.held.angle=bt(this.before.angle+(this.held.height>0?0:a/o)),this.moved=n.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-ki;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:n,film:o}=this,i=n.at(-1),a=n[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>ki,c=Ei(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((i.turned-
+a.turned)/r,-c/o.radius,c/o.radius):(t.vx=_((i.along-a.along)/r,-c,c),t.vy=t.height>0?_((i.away-a.away)/r,-c,c):0)),t}};function Si(s,e,t,n,o){let i={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(s==="load"){let h=bt(n.angle+(i||a)*5*ys*r);return{...n,angle:h}}if(s===
+"plane"){let h=_(n.slope+(i||-a)*ys*r,-Yt,Yt);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Ei(o),c=_(n.height+a*.05*r*o.radius,0,4*o.radius),m=_(n.vx+i*.1*r,-l,
+l);return{...n,height:c<1e-9?0:c,vx:m}}function J(s,e,t,n=()=>{}){let o=new AbortController,{signal:i}=o,a=(l,c)=>s.addEventListener(l,m=>m.pointerId===e.pointerId&&c(m),{signal:i}),r=l=>c=>{o.abort(),
+n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ti(s,e){let t=new Map,n=null,o=()=>{let[a,r]=[
+...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
+addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),n=t.size===2?o():null)}),s.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
+(t.set(a.pointerId,a),t.size!==2||!n))return;let r=o();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
+n=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var nh=700,Qt=44,sh=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
 ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Xt=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
-null;this.places=new Map(Yl.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{
-class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip);let{flat:t,plane:s}=e.stage;t.grab=i=>this.take(i),s.addEventListener(
-"pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));let o=i=>this.pull&&i.cancelable&&i.preventDefault();s.addEventListener(
-"touchmove",o,{passive:!1}),this.settle=ne(()=>this.chosen(!1),Jl)}static{this.Pull=wt}place(e,t,s){return u("div",{class:`grip grip-${e}`,role:"slider",tabindex:"\
-0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:o=>this.key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.
-motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.toggle("running",e.
-clock.playing);let{pose:o,film:i,scale:a}=t,r=i.radius,l=t.point(o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(
-t),h=E(1.1*r*a,bs,190),d=[["plane",m,bs],["hoop",l,h],["load",c,bs]];for(let[p,[f,g],b]of d){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.
-top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=f<0||g<0||f>t.width||g>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.point(e.pose.x,0),
-o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){let t=this.pull?.
-held??this.held??Zt(e,this.lab.clock.time),s={load:$(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:Ae(t.height),speed:M(t.vx,3)}),plane:$(t.slope)},
-o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)r.getAttribute(
-"aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(o[a].toPrecision(4)))),r.setAttribute("aria-valuem\
-in",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;for(let[s,o]of this.
-places){let{left:i,top:a,width:r}=o.getBoundingClientRect(),l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!o.hidden&&l<=r/2&&(t=s)}return t}hover(e){if(this.pull)
-return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,o]of this.places)o.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=t?"grab":
-""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:o,plane:i}=s.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),
-c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),m=new wt(t,s.film(),s.clock.time,r,c(e)),h=[...o.shift],[d,p]=[!1,!1];this.pull=m,a.classList.add(
-"held");let f=()=>{p=!0,g.abort(),a.classList.remove("held"),o.fixed=null,this.pull=null,d&&this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),
-f(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:g.signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),d&&this.back();return}!d&&Math.hypot(
-w.clientX-e.clientX,w.clientY-e.clientY)<3||(d||(o.fixed=r.scale,this.hold(),this.begin()),d=!0,m.move(c(w),w.timeStamp),o.shift=[h[0]+m.moved,h[1]],this.change(
-t,m.held,!1),this.show(t,m.held))}},(w,y)=>{p||(f(),d&&(y?(this.change(t,m.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Zt(s.film(),s.clock.time);let o=_i(
-e,t.key,t.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,
-o),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
-ahead=!0,e.clock.seek(0),e.mark("holding",!0)}change(e,t,s){this.lab.motions.change(ki(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${$(t.angle)}`,hoop:t.
-height>0?`y = ${Ae(t.height)}`:`θ = ${$(t.angle)}`,plane:`β = ${$(t.slope)}`};P(this.tip,t.vx&&this.held?`${s[e]}, v = ${M(t.vx,3)} m/s`:s[e]),this.tip.hidden=
-!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,
-t.stage.options.ahead=!1,t.mark("holding",!1),e&&t.clock.seek(0),e&&t.clock.run(),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;
-let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.call("fi\
-lm",{query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){let{flat:t}=this.lab.stage,s=Wt(),o=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||
-s?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),t.shift[0]!==e[0]&&requestAnimationFrame(o)};o()}};var Zl={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+null;this.hint=u("div",{class:"grip-hint","aria-hidden":"true",hidden:!0},"Drag the load");this.places=new Map(sh.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=
+u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.
+values()],this.tip,this.hint);let{flat:t,plane:n}=e.stage;t.grab=i=>this.take(i),n.addEventListener("pointermove",i=>this.hover(i)),n.addEventListener("pointerl\
+eave",()=>this.hover(null));let o=i=>this.pull&&i.cancelable&&i.preventDefault();n.addEventListener("touchmove",o,{passive:!1}),this.settle=oe(()=>this.chosen(!1),
+nh)}static{this.Pull=wt}place(e,t,n){return u("div",{class:`grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:o=>this.
+key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.
+stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.toggle("running",e.clock.playing);let{pose:o,film:i,scale:a}=t,r=i.radius,l=t.point(
+o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(t),h=_(1.1*r*a,Qt,190),d=[["plane",m,Qt],["hoop",l,h],["load",c,
+Qt]];for(let[p,[f,g],b]of d){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=
+f<0||g<0||f>t.width||g>t.height}if(!this.hint.hidden){let[p,f]=d[2][1];this.hint.style.transform=`translate(${_(p,70,t.width-70)}px, ${t.top+Math.max(f-Qt,18)}p\
+x) translate(-50%, -50%)`}e.clock.playing||this.tell(i)}onPlane(e){let t=e.point(e.pose.x,0),o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-
+t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){let t=this.pull?.held??this.held??Zt(e,this.lab.clock.time),n={load:$(t.angle),hoop:x(
+"gap {height}, speed {speed} m/s",{height:Ae(t.height),speed:M(t.vx,3)}),plane:$(t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},
+i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==n[a]&&(r.setAttribute("aria-valuetext",n[a]),
+r.setAttribute("aria-valuenow",String(Number(o[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(
+i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;for(let[n,o]of this.places){let{left:i,top:a,width:r}=o.getBoundingClientRect(),
+l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!o.hidden&&l<=r/2&&(t=n)}return t}hover(e){if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;
+for(let[n,o]of this.places)o.classList.toggle("near",n===t);this.lab.stage.plane.style.cursor=t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)
+return!1;let{lab:n}=this,{flat:o,plane:i}=n.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-
+l.top-r.top}),m=new wt(t,n.film(),n.clock.time,r,c(e)),h=[...o.shift],[d,p]=[!1,!1];this.pull=m,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove(
+"held"),o.fixed=null,this.pull=null,d&&this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),f(),d&&this.back())};return addEventListener(
+"keydown",b,{capture:!0,signal:g.signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),d&&this.back();return}!d&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||
+(d||(o.fixed=r.scale,this.hold(),this.begin()),d=!0,m.move(c(w),w.timeStamp),o.shift=[h[0]+m.moved,h[1]],this.change(t,m.held,!1),this.show(t,m.held))}},(w,y)=>{
+p||(f(),d&&(y?(this.change(t,m.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:n}=this;if(t.
+key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Zt(n.film(),n.clock.time);let o=Si(e,t.key,t.shiftKey,this.held,n.
+film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,o),this.settle()}t.preventDefault(),
+t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.ahead=!0,e.clock.seek(0),e.mark("ho\
+lding",!0)}change(e,t,n){this.lab.motions.change(Mi(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${$(t.angle)}`,hoop:t.height>0?`y = ${Ae(t.height)}`:`θ \
+= ${$(t.angle)}`,plane:`β = ${$(t.slope)}`};P(this.tip,t.vx&&this.held?`${n[e]}, v = ${M(t.vx,3)} m/s`:n[e]),this.tip.hidden=!1}chosen(e){this.held&&this.before!==
+null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,t.stage.options.ahead=!1,t.mark("hold\
+ing",!1),e&&t.clock.seek(0),e&&t.clock.run(),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let n=e.motions.lanes[e.motions.active];
+for(n.pending=null;n.busy;)await new Promise(o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){
+let{flat:t}=this.lab.stage,n=Wt(),o=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||n?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),t.shift[0]!==
+e[0]&&requestAnimationFrame(o)};o()}};var oh={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(n){let e="\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(s){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Zl[n]),t.append(s),t}function ws(n){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{oi(e.value),rs(e.value),n()}},Object.entries(ft).map(([t,s])=>u("option",
-{value:t,lang:t},document.createTextNode(s))));return e.value=Te(),e}var Mi={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+`icon icon-${s}`);let n=document.createElementNS(e,"path");return n.setAttribute("d",oh[s]),t.append(n),t}function vs(s){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{ri(e.value),cs(e.value),s()}},Object.entries(ft).map(([t,n])=>u("option",
+{value:t,lang:t},document.createTextNode(n))));return e.value=Te(),e}var Ai={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
 {path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
@@ -1423,7 +1441,7 @@ imit once the contact force is lost",frictionless:"without friction the hoop res
 cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"\
 m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"\
 J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","plane.mu_static","plane.mu_kinetic",
-"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=Mi,yt=n=>n==="inf"?1/0:n;var k={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=Ai,yt=s=>s==="inf"?1/0:s;var E={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -1446,374 +1464,392 @@ al","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","pai
 "no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],impact_laws:["newton","poisson","stro\
 nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam",
 "kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit",
-"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ie=n=>Object.fromEntries(n.map((e,t)=>[e,t])),Si=Ie(k.cell),pe=Ie(k.heads),B=Ie(k.events),ys=Ie(k.samples),Ti=Ie(k.changes),Ai=Ie(k.numbers),vs=Ie(k.words),
-eh={law:({impact_law:n})=>k.impact_laws.indexOf(n),strike:({painleve:n})=>+(n==="impact"),allowed:()=>1},vt=k.cell.map(n=>eh[n]??(e=>Number(e[n]??0))),Oe=n=>Float64Array.
-from(vt,e=>e(n));function Qt(n){let e=n?{...n,law:k.laws.indexOf(n.law),friction_law:k.friction_laws.indexOf(n.friction)}:{};return Float64Array.from(k.compliant,
-t=>e[t]??Number.NaN)}var th=Object.entries(S.words.events),ke=Object.fromEntries(th.map(([n,{label:e}])=>[n,e])),Li=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var nh=new Set(k.passing),sh=3,oh=1e-10;function ih(n){let e=[],t=-1,s=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of n.entries())t>=0&&i==="apex"&&(s<0||c>n[s].
-height)&&(s=o),!nh.has(i)&&(t>=0&&a==="H"&&l>n[t].t&&(e.push({begin:t,top:s,end:i==="end"?-1:o}),t=s=-1),r==="H"&&i!=="end"&&([t,s]=[o,-1]));return e}var en=class{constructor(e,t,s){
-let{larger:o=null,smaller:i=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=o??i,this.step=o?s:
--s,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||ah(o,i))}rate(e,t){return this.side?this.side.rates[e*k.changes.length+Ti[t]]:Number.NaN}of(e,t){return this.
-step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return ih(this.events.slice(0,this.count)).map(({begin:e,
-top:t,end:s})=>{let o=i=>s<0?Number.NaN:this.step*(this.rate(s,i)-this.rate(e,i));return{begin:e,end:s,height:this.of(t<0?e:t,"height"),distance:o("x"),duration:o(
-"t")}})}};function ah(n,e){return n!==e&&(n?.rates.some((t,s)=>Number.isFinite(t)!==Number.isFinite(e?.rates[s]))??!1)}function Pi(n,e){let t=Math.abs(n);if(e===
-"°")return I(M(t*180/Math.PI,3),"°");let s=t<.0995,o=t<9995e-8,[i,a]=s?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?I(M(t,3),e):I(M(i*t,3),`${a}${e}`)}var tn=(n,e)=>Math.
-abs(n)>oh*Math.max(e,.001);function Ci(n,e){return Number.isFinite(n)?tn(n,1)?`${n>0?"+":"−"}${Pi(n,e)}`:"0":"–"}function xs(n){let e=n.filter(([t])=>Number.
-isFinite(t)&&tn(t,1)).map(([t,s,o,i])=>x(t>0?o:i,{amount:Pi(t,s)})).join(Te()==="zh"?"，":", ");return j(e)}var Ri=["m","{amount} further to the right","{amoun\
-t} further to the left"],rh=["s","{amount} later","{amount} earlier"];function zi(n){let{events:e,count:t}=n,s=[],o=n.hops();for(let[r,{begin:l,end:c,height:m,distance:h,
-duration:d}]of o.slice(0,sh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=xs([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
-er"],[d,"s","{amount} more in the air","{amount} less in the air"],[n.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&s.push(o.length>1?x(
-"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=xs(
-[[n.of(i,"t"),...rh],[n.of(i,"x"),...Ri]]);r&&s.push(x("The first event, {what}: {list}.",{what:x(ke[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
-let r=Math.sign(e[a].vx)*n.of(a,"vx"),l=xs([[n.of(a,"x"),...Ri],[r,"m/s","{amount} faster","{amount} slower"]]);l&&s.push(x("At the end, after {time} s: {list}.",
-{time:M(e[a].t,4),list:l}))}return s}var qe=S.words.signs,nn=Object.keys(qe);function Ni(n,e=11){let s=[...n.filter(({kind:i})=>i in qe)].sort((i,a)=>nn.indexOf(i.kind)-nn.indexOf(a.kind)||i.x-a.x),
-o=[];for(let{kind:i,x:a}of s){let r=nn.indexOf(i)<nn.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.
+"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Oe=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Li=Oe(E.cell),pe=Oe(E.heads),B=Oe(E.events),xs=Oe(E.samples),Ri=Oe(E.changes),Pi=Oe(E.numbers),ks=Oe(E.words),
+rh={law:({impact_law:s})=>E.impact_laws.indexOf(s),strike:({painleve:s})=>+(s==="impact"),allowed:()=>1},vt=E.cell.map(s=>rh[s]??(e=>Number(e[s]??0))),Ie=s=>Float64Array.
+from(vt,e=>e(s));function en(s){let e=s?{...s,law:E.laws.indexOf(s.law),friction_law:E.friction_laws.indexOf(s.friction)}:{};return Float64Array.from(E.compliant,
+t=>e[t]??Number.NaN)}var lh=Object.entries(S.words.events),ke=Object.fromEntries(lh.map(([s,{label:e}])=>[s,e])),Ci=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var hh=new Set(E.passing),ch=3,uh=1e-10;function dh(s){let e=[],t=-1,n=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&i==="apex"&&(n<0||c>s[n].
+height)&&(n=o),!hh.has(i)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:i==="end"?-1:o}),t=n=-1),r==="H"&&i!=="end"&&([t,n]=[o,-1]));return e}var tn=class{constructor(e,t,n){
+let{larger:o=null,smaller:i=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=o??i,this.step=o?n:
+-n,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||mh(o,i))}rate(e,t){return this.side?this.side.rates[e*E.changes.length+Ri[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return dh(this.events.slice(0,this.count)).map(({begin:e,
+top:t,end:n})=>{let o=i=>n<0?Number.NaN:this.step*(this.rate(n,i)-this.rate(e,i));return{begin:e,end:n,height:this.of(t<0?e:t,"height"),distance:o("x"),duration:o(
+"t")}})}};function mh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Ni(s,e){let t=Math.abs(s);if(e===
+"°")return O(M(t*180/Math.PI,3),"°");let n=t<.0995,o=t<9995e-8,[i,a]=n?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?O(M(t,3),e):O(M(i*t,3),`${a}${e}`)}var nn=(s,e)=>Math.
+abs(s)>uh*Math.max(e,.001);function Di(s,e){return Number.isFinite(s)?nn(s,1)?`${s>0?"+":"−"}${Ni(s,e)}`:"0":"–"}function _s(s){let e=s.filter(([t])=>Number.
+isFinite(t)&&nn(t,1)).map(([t,n,o,i])=>x(t>0?o:i,{amount:Ni(t,n)})).join(Te()==="zh"?"，":", ");return j(e)}var zi=["m","{amount} further to the right","{amoun\
+t} further to the left"],ph=["s","{amount} later","{amount} earlier"];function Oi(s){let{events:e,count:t}=s,n=[],o=s.hops();for(let[r,{begin:l,end:c,height:m,distance:h,
+duration:d}]of o.slice(0,ch).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=_s([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&n.push(o.length>1?x(
+"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=_s(
+[[s.of(i,"t"),...ph],[s.of(i,"x"),...zi]]);r&&n.push(x("The first event, {what}: {list}.",{what:x(ke[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=_s([[s.of(a,"x"),...zi],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(x("At the end, after {time} s: {list}.",
+{time:M(e[a].t,4),list:l}))}return n}var qe=S.words.signs,sn=Object.keys(qe);function Ii(s,e=11){let n=[...s.filter(({kind:i})=>i in qe)].sort((i,a)=>sn.indexOf(i.kind)-sn.indexOf(a.kind)||i.x-a.x),
+o=[];for(let{kind:i,x:a}of n){let r=sn.indexOf(i)<sn.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.
 x-(l[0].x+e))<e-1e-9)?l[0].mark!==qe[i]&&o.push({mark:qe[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:qe[i],x:a,rare:r,hidden:0})}return o.sort(
-(i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Di(n,e,t){let s=[],o=new Map,i=-1,a=(l,c,m)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
-c)<1e-6?h.wide+=m:s.push({mode:l,from:c,wide:m})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],i,1),o=new Map};for(let{mode:l,from:c,to:m}of n){let[h,
+(i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function qi(s,e,t){let n=[],o=new Map,i=-1,a=(l,c,m)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+c)<1e-6?h.wide+=m:n.push({mode:l,from:c,wide:m})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],i,1),o=new Map};for(let{mode:l,from:c,to:m}of s){let[h,
 d]=[Math.max(e(c),0),Math.min(e(m),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==i||!o.size)&&(r(),i=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-i)<1e-6)){
-let g=Math.floor(d-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(d,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),s}var Ii=.7,Oi=34,lh=3,hh=400,ch=8,ks=13;function qi(n){let{events:e,count:t}=n;return e.slice(0,Math.min(t,hh)).map(({kind:s,x:o,height:i},a)=>({kind:s,x:o,y:i,dx:n.
-of(a,"x"),dy:n.of(a,"height")}))}function Fi(n,e,t){let s=n.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&tn(r,e)).sort((r,l)=>r-l);if(!s.length)
-return 0;let o=Math.max(Ii*e,Oi/t)/s[Math.floor(s.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function Hi(n,e,t){
-let s=[],o=lh*Math.max(Ii*n.film.radius,Oi/n.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?t*Math.hypot(l,c):0,
-d=h>o?o/h:1,p=m?[d*t*l,d*t*c]:[0,0],f=n.point(a,r),g=n.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>n.width+20)continue;let[b,w]=[Math.min(
-f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;s.some(_=>Math.abs(_.base-y)<ks-1&&_.low<w&&_.high>b);)y-=ks;if(f[1]-y>ch*ks)continue;s.push({low:b,high:w,base:y});
-let v=y-f[1];uh(n,f,[g[0],g[1]+v],v,{known:m,broken:d<1,mark:qe[i]??""})}}function uh({context:n,look:e},t,s,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
-hypot(s[0]-l[0],s[1]-l[1]),[m,h]=c>0?[(s[0]-l[0])/c,(s[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])n.strokeStyle=f,n.fillStyle=f,
-n.lineCap="round",o&&(n.lineWidth=g>3?3:1,n.beginPath(),n.moveTo(t[0],t[1]),n.lineTo(l[0],l[1]),n.stroke()),n.lineWidth=g,n.setLineDash(a?[5,6]:[]),n.beginPath(),
-n.moveTo(l[0],l[1]),n.lineTo(s[0]-m*d,s[1]-h*d),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
-g>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-m*d-h*d*.55,s[1]-h*d+m*d*.55),n.lineTo(s[0]-m*d+h*d*.55,s[1]-h*d-m*d*.55),n.closePath(),n.stroke(),n.fill());
-n.lineCap="butt";let p=i?r:"?";p&&(n.font=`600 ${11*e.px}px ${e.font}`,n.textAlign="center",n.lineWidth=3,n.strokeStyle=e.paper,n.fillStyle=e.ink,n.strokeText(p,
-l[0],l[1]-7),n.fillText(p,l[0],l[1]-7))}var ji=Math.PI/180,dh=100,Bi="plane.mu",mh=/^(contact\.|duration$)/,ph=200,sn=S.reasons;function $i(n,e){return n.textContent=e,n}var on=class{constructor(e){this.
-lab=e;this.on=!1;this.path=Bi;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
-ne(()=>this.fetch(),dh),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
+let g=Math.floor(d-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(d,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),n}var Fi=.7,Hi=34,fh=3,gh=400,bh=8,Es=13;function ji(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,gh)).map(({kind:n,x:o,height:i},a)=>({kind:n,x:o,y:i,dx:s.
+of(a,"x"),dy:s.of(a,"height")}))}function Bi(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&nn(r,e)).sort((r,l)=>r-l);if(!n.length)
+return 0;let o=Math.max(Fi*e,Hi/t)/n[Math.floor(n.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function $i(s,e,t){
+let n=[],o=fh*Math.max(Fi*s.film.radius,Hi/s.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?t*Math.hypot(l,c):0,
+d=h>o?o/h:1,p=m?[d*t*l,d*t*c]:[0,0],f=s.point(a,r),g=s.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>s.width+20)continue;let[b,w]=[Math.min(
+f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;n.some(k=>Math.abs(k.base-y)<Es-1&&k.low<w&&k.high>b);)y-=Es;if(f[1]-y>bh*Es)continue;n.push({low:b,high:w,base:y});
+let v=y-f[1];wh(s,f,[g[0],g[1]+v],v,{known:m,broken:d<1,mark:qe[i]??""})}}function wh({context:s,look:e},t,n,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
+hypot(n[0]-l[0],n[1]-l[1]),[m,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=f,s.fillStyle=f,
+s.lineCap="round",o&&(s.lineWidth=g>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=g,s.setLineDash(a?[5,6]:[]),s.beginPath(),
+s.moveTo(l[0],l[1]),s.lineTo(n[0]-m*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
+g>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-m*d-h*d*.55,n[1]-h*d+m*d*.55),s.lineTo(n[0]-m*d+h*d*.55,n[1]-h*d-m*d*.55),s.closePath(),s.stroke(),s.fill());
+s.lineCap="butt";let p=i?r:"?";p&&(s.font=`600 ${11*e.px}px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,
+l[0],l[1]-7),s.fillText(p,l[0],l[1]-7))}var Wi=Math.PI/180,yh=100,Gi="plane.mu",vh=/^(contact\.|duration$)/,xh=200,on=S.reasons;function Ui(s,e){return s.textContent=e,s}var an=class{constructor(e){this.
+lab=e;this.on=!1;this.path=Gi;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
+oe(()=>this.fetch(),yh),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
 "Arrows"),this.picked=u("select",{onchange:()=>this.pick(this.picked.value)}),this.step=u("span",{class:"more-step"}),this.take=u("button",{type:"button",onclick:()=>this.
 apply()},"Do it"),this.said=u("ul",{class:"more-said"}),this.reason=u("p",{class:"more-reason",hidden:!0}),this.scale=u("p",{class:"hint"}),this.body=u("tbody",
 {}),this.rows=u("details",{class:"more-events"},u("summary",{},"Every event, by this step"),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
 What changes at every event"},u("table",{},u("thead",{},u("tr",{},["event","time","place","height","load angle"].map(t=>u("th",{scope:"col"},t)))),this.body))),
 this.element=u("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},u("header",{},u("h2",{},"What a little more would do"),u("but\
 ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),u("div",{class:"more-asked"},u("label",{},u("span",{},"A little more"),this.picked),this.step,this.take),
-this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,s)=>{let o=e.marked("guessing");if(!this.on||o||s!==e.motions.active)return;let i=Fi(this.arrows,
-t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&Hi(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
+this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let o=e.marked("guessing");if(!this.on||o||n!==e.motions.active)return;let i=Bi(this.arrows,
+t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&$i(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
 on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",e?this.changed(!0):this.forget(),this.
 lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.lab.address?.soon()}offered(){return[
-...this.lab.controls.sliders.values()].filter(({info:t,element:s})=>!s.hidden&&!mh.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
-film(),s=this.offered().find(({path:r})=>r===this.path);if(!s)return null;let[o,i]=s.path.split("."),a=e[s.path]??t[o][i];return{info:s,value:Number(a==="inf"?1/0:
-a),step:s.step*(s.degrees?ji:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
-known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:s})=>s===this.path)||(this.path=e.find(({path:s})=>s.
-startsWith(Bi))?.path??e[0].path);let t=e.map(({label:s,symbol:o})=>`${x(s)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
-map(({path:s},o)=>$i(u("option",{value:s}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
-if(!this.on)return;let{lab:e,path:t}=this,s=e.film(),o=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:i}=this.asked;if(this.known=
-`${t} ${s.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This nee\
-ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(s.scenario,t,i);if(i.aborted||e.film()!==s)return;if(!a)return this.refuse(sn.edge);this.
-changes=new en(s,a,o.step),this.arrows=qi(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}
+...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!vh.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
+film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[o,i]=n.path.split("."),a=e[n.path]??t[o][i];return{info:n,value:Number(a==="inf"?1/0:
+a),step:n.step*(n.degrees?Wi:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
+known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.path)||(this.path=e.find(({path:n})=>n.
+startsWith(Gi))?.path??e[0].path);let t=e.map(({label:n,symbol:o})=>`${x(n)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
+map(({path:n},o)=>Ui(u("option",{value:n}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
+if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),o=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:i}=this.asked;if(this.known=
+`${t} ${n.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This nee\
+ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,i);if(i.aborted||e.film()!==n)return;if(!a)return this.refuse(on.edge);this.
+changes=new tn(n,a,o.step),this.arrows=ji(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}
 e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,
 this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||
-!t)return;let{info:s,value:o}=t,i=c=>I(M(s.degrees?c/ji:c,5),s.unit),a=`${i(o)} → ${i(o+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
-this.scale.hidden=!1;let r=zi(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>$i(u("li",{}),c)));let l=this.
-why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(j([`${x(s.label)} ${a}.`,...r,l&&x(l)].filter(
+!t)return;let{info:n,value:o}=t,i=c=>O(M(n.degrees?c/Wi:c,5),n.unit),a=`${i(o)} → ${i(o+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
+this.scale.hidden=!1;let r=Oi(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>Ui(u("li",{}),c)));let l=this.
+why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(j([`${x(n.label)} ${a}.`,...r,l&&x(l)].filter(
 Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),this.three=e}tellScale(){
 let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":x("The arrows in the picture lead from where t\
-he rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:s,events:o,
-edge:i,sided:a}=e;if(t>=0&&s){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=x(ke[r]??r),m=x(sn[s.reason]);return j(x("From {what} at {time} s on no derivative: {r\
-eason}.",{what:c,time:M(l,4),reason:m}))}return i?j(x("To one side only: {reason}.",{reason:x(sn.edge)})):a?j(x("To one side only: {reason}.",{reason:x(sn.sided)})):
-""}fill(e){let t=(o,i,a)=>{let r=Ci(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u("td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),
-j(r))},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,ph)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.
-lab.clock.seek(i)},u("th",{scope:"row"},ke[o]??o,u("small",{},` ${M(i,4)} s`)),s.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
-!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var an=class{constructor(e,t){this.root=e;this.show=t;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
+he rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:n,events:o,
+edge:i,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=x(ke[r]??r),m=x(on[n.reason]);return j(x("From {what} at {time} s on no derivative: {r\
+eason}.",{what:c,time:M(l,4),reason:m}))}return i?j(x("To one side only: {reason}.",{reason:x(on.edge)})):a?j(x("To one side only: {reason}.",{reason:x(on.sided)})):
+""}fill(e){let t=(o,i,a)=>{let r=Di(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u("td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),
+j(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,xh)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.
+lab.clock.seek(i)},u("th",{scope:"row"},ke[o]??o,u("small",{},` ${M(i,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
+!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var rn=class{constructor(e,t){this.root=e;this.show=t;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
 "fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
-show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Wi=.22,Gi=.03;function Ui(n,e){let t=n.at(e),s=n.mass*(n.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=o/(1+o),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:a?i*E(.15+r,0,1):0}}function Ki(n,e,t){let s=Math.
-sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:o,t:i,before:a})=>o==="impact"&&a&&i>e&&i<=t).map(({before:o})=>E(Math.abs(o.vy)/s,.02,1))}function fh(n){
-let e=n.createBuffer(1,n.sampleRate,n.sampleRate),t=e.getChannelData(0),s=1;for(let o=0;o<t.length;o++)s=s*16807%2147483647,t[o]=2*s/2147483647-1;return e}var rn=class{constructor(){
-this.context=null;this.on=!1;this.last=0}static{this.heard=Ui}static{this.knocks=Ki}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.
-createBufferSource();s.buffer=fh(e),s.loop=!0;let o=e.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];
-i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),s.connect(o).connect(a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(
+show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Ki=.22,Vi=.03;function Ji(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,i=o/(1+o),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:a?i*_(.15+r,0,1):0}}function Yi(s,e,t){let n=Math.
+sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:o,t:i,before:a})=>o==="impact"&&a&&i>e&&i<=t).map(({before:o})=>_(Math.abs(o.vy)/n,.02,1))}function kh(s){
+let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let o=0;o<t.length;o++)n=n*16807%2147483647,t[o]=2*n/2147483647-1;return e}var ln=class{constructor(){
+this.context=null;this.on=!1;this.last=0}static{this.heard=Ji}static{this.knocks=Yi}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.
+createBufferSource();n.buffer=kh(e),n.loop=!0;let o=e.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];
+i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),n.connect(o).connect(a).connect(e.destination),t.start(),n.start(),this.context=e,Object.assign(
 this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){
-let{gain:s}=this[e];s.setTargetAtTime(Wi*t,this.context.currentTime,Gi)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
-"high",0),this.last=t.time;return}let{tone:s,pitch:o,hiss:i}=Ui(e,t.time);if(this.set("low",s),this.set("high",.6*i),this.tone.frequency.setTargetAtTime(o,this.
-context.currentTime,Gi),t.time>this.last)for(let a of Ki(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,s=t.currentTime,o=t.createGain();
-o.gain.setValueAtTime(2.2*Wi*Math.sqrt(e),s),o.gain.exponentialRampToValueAtTime(1e-4,s+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.
-exponentialRampToValueAtTime(60,s+.15),i.connect(o).connect(t.destination),i.start(s),i.stop(s+.2)}close(){this.context?.close()}};var _s=Math.PI/180,Z=n=>e=>e.columns[n],xt=(n,e)=>t=>t.derived(n,s=>Float64Array.from(t.t,(o,i)=>e(s,i,t))),W={time:{name:"time",symbol:"t",unit:"s",values:n=>n.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:xt("degrees",({angle:n},e)=>n[e]/_s)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:xt(
-"within",({angle:n},e)=>{let t=s=>Math.floor(n[s]/_s/360);return e>0&&t(e)!==t(e-1)?Number.NaN:n[e]/_s-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+let{gain:n}=this[e];n.setTargetAtTime(Ki*t,this.context.currentTime,Vi)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
+"high",0),this.last=t.time;return}let{tone:n,pitch:o,hiss:i}=Ji(e,t.time);if(this.set("low",n),this.set("high",.6*i),this.tone.frequency.setTargetAtTime(o,this.
+context.currentTime,Vi),t.time>this.last)for(let a of Yi(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,n=t.currentTime,o=t.createGain();
+o.gain.setValueAtTime(2.2*Ki*Math.sqrt(e),n),o.gain.exponentialRampToValueAtTime(1e-4,n+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,n),i.frequency.
+exponentialRampToValueAtTime(60,n+.15),i.connect(o).connect(t.destination),i.start(n),i.stop(n+.2)}close(){this.context?.close()}};var Ms=Math.PI/180,Z=s=>e=>e.columns[s],xt=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(o,i)=>e(n,i,t))),W={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:xt("degrees",({angle:s},e)=>s[e]/Ms)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:xt(
+"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/Ms/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/Ms-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
 m",values:Z("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:Z("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:xt(
-"rise",({height:n,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+n[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:Z("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:xt("spin",({omega:n},e,t)=>n[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:Z(
+"rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:Z("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:xt("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:Z(
 "vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:Z("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:Z("omega")},normal_force:{
 name:"normal force",symbol:"N",unit:"N",values:Z("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:Z("friction_force")},utilization:{
 name:"use of friction",symbol:"|F|/μN",unit:"",values:Z("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:Z("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:Z("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:xt("total",({kinetic:n,potential:e},t)=>n[t]+
+potential energy",symbol:"E_p",unit:"J",values:Z("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:xt("total",({kinetic:s,potential:e},t)=>s[t]+
 e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:Z("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:Z("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Z("rolling_resistance")}},Vi=({name:n,symbol:e})=>[
-n," ",e];var gh=["time","angle","x","vx","spin","normal_force","friction_force"],bh=[1,.5,.2,.1,.05,.02,.01],Es=601;function Ji(n,e,t){let s=Math.min(Math.floor(n.duration/
-t+1e-9)+1,Es),o=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:n.at(a).mode,values:e.map(r=>wh(n,r,a))})}return o}function wh(n,e,t){
-if(e==="time")return t;let s=n.at(t);if(e in s&&e!=="angle")return s[e];let o=s.angle*180/Math.PI;if(e==="angle")return o;if(e==="turns")return o-360*Math.floor(
-o/360);let i=W[e].values(n),a=n.index(t),r=Math.min(a+1,n.length-1),l=n.t[r]>n.t[a]?(t-n.t[a])/(n.t[r]-n.t[a]):0;return i[a]+l*(i[r]-i[a])}var ln=class{constructor({
-film:e,clock:t,names:s}){this.rows=[];this.columns=[...gh];this.source=e,this.clock=t,this.names=s,this.step=u("select",{onchange:()=>this.fill()},bh.map(o=>u("\
+J",values:Z("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Z("rolling_resistance")}},Zi=({name:s,symbol:e})=>[
+s," ",e];var _h=["time","angle","x","vx","spin","normal_force","friction_force"],Eh=[1,.5,.2,.1,.05,.02,.01],Ss=601;function Qi(s,e,t){let n=Math.min(Math.floor(s.duration/
+t+1e-9)+1,Ss),o=[];for(let i=0;i<n;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:s.at(a).mode,values:e.map(r=>Mh(s,r,a))})}return o}function Mh(s,e,t){
+if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let o=n.angle*180/Math.PI;if(e==="angle")return o;if(e==="turns")return o-360*Math.floor(
+o/360);let i=W[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return i[a]+l*(i[r]-i[a])}var hn=class{constructor({
+film:e,clock:t,names:n}){this.rows=[];this.columns=[..._h];this.source=e,this.clock=t,this.names=n,this.step=u("select",{onchange:()=>this.fill()},Eh.map(o=>u("\
 option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=u("div",{class:"table-picks"},Object.entries(W).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.
 pick(o,i))),this.caption=u("caption",{}),this.head=u("thead",{}),this.body=u("tbody",{}),this.element=u("section",{class:"table","aria-label":"Table of the moti\
 on",hidden:!0},u("header",{},u("h2",{},"Table"),u("label",{class:"table-step"},u("span",{},"Every"),this.step),u("button",{type:"button",onclick:()=>this.save()},
 "Save as CSV"),u("button",{type:"button",onclick:()=>this.open(!1)},"Close")),u("details",{class:"table-columns"},u("summary",{},"Columns"),this.picks),u("div",
-{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table of the motion, rows"},u("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=u("i\
-nput",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);s.checked?o.add(e):o.delete(e),this.columns=Object.keys(W).filter(
-i=>o.has(i)),this.fill()}});return u("label",{},s,u("span",{},t))}open(e){this.element.hidden=!e,e&&(this.draw(this.source()),this.element.scrollIntoView({block:"\
-nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.
+{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table of the motion, rows"},u("table",{},this.caption,this.head,this.body)))}pick(e,t){let n=u("i\
+nput",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);n.checked?o.add(e):o.delete(e),this.columns=Object.keys(W).filter(
+i=>o.has(i)),this.fill()}});return u("label",{},n,u("span",{},t))}open(e){this.element.hidden=!e,e&&(this.draw(this.source()),this.element.scrollIntoView({block:"\
+nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.
 step.value),o=this.names(),i=t.map(c=>W[c]);this.head.replaceChildren(u("tr",{},i.map(({name:c,symbol:m,unit:h})=>u("th",{scope:"col",title:c},m,h&&u("small",{},
-` ${h}`))),u("th",{scope:"col"},"mode")));let a=Ji(e,t,s);this.rows=a.map(({time:c,mode:m,values:h})=>({time:c,row:u("tr",{onclick:()=>this.clock.seek(c)},h.map(
+` ${h}`))),u("th",{scope:"col"},"mode")));let a=Qi(e,t,n);this.rows=a.map(({time:c,mode:m,values:h})=>({time:c,row:u("tr",{onclick:()=>this.clock.seek(c)},h.map(
 (d,p)=>p===0?u("th",{scope:"row"},M(d,4)):u("td",{},M(d,4))),u("td",{class:"table-mode"},o[m]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.
-duration/s+1<=Es+1e-6,l=x("The first {count} rows.",{count:Es});P(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.clock.time)}cursor(e){if(this.
-element.hidden||!this.rows.length)return;let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.
-remove("now"),s?.classList.add("now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${W[i].name} [${W[i].unit||"1"}]`),"mode"],o=Ji(e,t,Number(this.
-step.value)).map(({mode:i,values:a})=>[...a,i].join(","));Xe(new Blob([[s.join(","),...o,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var Yi="hoop.radius=0.4&duration=1.5&start.speed=",yh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+duration/n+1<=Ss+1e-6,l=x("The first {count} rows.",{count:Ss});P(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.clock.time)}cursor(e){if(this.
+element.hidden||!this.rows.length)return;let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.
+remove("now"),n?.classList.add("now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(i=>`${W[i].name} [${W[i].unit||"1"}]`),"mode"],o=Qi(e,t,Number(this.
+step.value)).map(({mode:i,values:a})=>[...a,i].join(","));Qe(new Blob([[n.join(","),...o,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var Sh=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+ End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
+["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Th=[["R","roll","the rim does n\
+ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
+ +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Ah=[["▲ ▼","\
+take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Ts=(s,e,t=()=>!1)=>u("table",{},u("caption",{},s),e.map(([n,...o])=>u("\
+tr",{},u("th",{scope:"row"},t(n),n),o.map(i=>u("td",{},i))))),As=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Xi(s,e){let t=As(),n=(r,l)=>u(
+"a",{href:r,target:"_blank",rel:"noopener"},l),o=(r,...l)=>[u("dt",{},r),u("dd",{},l)],i=e&&n(new URL("licences.txt",import.meta.url).href,"Licences of all that\
+ the page contains"),a=u("dialog",{class:"about","aria-label":"About hophoop"},u("h2",{},"About hophoop"),u("p",{},"hophoop computes exactly how a hoop with a l\
+oad on its rim rolls, slips, hops and lands."),u("dl",{},o("Version",document.createTextNode(s)),o("Licence","MIT",...i?[". ",i]:[]),o("Documentation",t?n(t,"Th\
+e documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",u("code",{},document.createTextNode("hophoop --help")))),u("button",{type:"\
+button",class:"close",onclick:()=>a.close()},"Close"));return a}function ea(s,e,t){let n=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The h\
+oop"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does \
+something that rigid-body mechanics cannot decide. Move a slider and see."),Ts("Modes",Th,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),Ts("Marks on\
+ the bar of time",Ah),Ts("Keys",Sh),t,u("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),u("button",{type:"button",class:"close",
+onclick:()=>n.close()},"Close"));return n}var ta="hoop.radius=0.4&duration=1.5&start.speed=",Lh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${Yi}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],vh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${ta}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],Rh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],xh=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],Ph=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],kh=["1.0","1.3","1.6","1.9","2.2","2.3"],_h=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Zi(n,e){
-let t=m=>{c.close(),n(m)},s=(m,h="Show")=>u("button",{type:"button",class:"link",onclick:()=>t(m)},h),o=_h(),i=o&&[["teach/index.html","Teaching with the hoop"],
-["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=u("table",{},u("caption",{},"A lesson of 45 mi\
-nutes"),u("thead",{},u("tr",{},["Minute","What happens","Motion"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},yh.map(([m,h,d])=>u("tr",{},u("th",{scope:"row"},
-m),u("td",{},h),u("td",{},d===null?"":s(d)))))),r=u("table",{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(m=>u(
-"th",{scope:"col"},m)))),u("tbody",{},vh.map(([m,h])=>u("tr",{},u("td",{},m),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that \
-hops"),u("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),u("ol",{},xh.map(m=>u("li",{},m,u("div",{class:"answer-line"})))),u("table",{class:"sheet-\
-table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},kh.map(m=>u("tr",{},u("th",
-{scope:"row"},s(`${Yi}${Number(m)}`,m)),u("td",{}),u("td",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"\
-For teachers"),u("button",{type:"button",onclick:()=>print()},"Print"),u("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),u("p",{},"The vi\
-sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",u("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),i&&u("p",{},i.map(([m,h])=>u("a",{class:"teach-page",href:new URL(m,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var Ms=S.words.letters,Eh=new Set(["x","angle","height"]),Mh=1/60,Xi=8,Sh={x:"vx",angle:"omega",height:"vy"},Re=class{constructor(e){this.cache=new Map;this.part=
+rim slips. Why does slipping help it to hop?"],Ch=["1.0","1.3","1.6","1.9","2.2","2.3"];function na(s,e){let t=m=>{c.close(),s(m)},n=(m,h="Show")=>u("button",{type:"\
+button",class:"link",onclick:()=>t(m)},h),o=As(),i=o&&[["teach/index.html","Teaching with the hoop"],["teach/worksheet.html","Worksheet"],["teach/solutions.html",
+"Solutions"],["teach/exercises.html","Exercises"]],a=u("table",{},u("caption",{},"A lesson of 45 minutes"),u("thead",{},u("tr",{},["Minute","What happens","Moti\
+on"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Lh.map(([m,h,d])=>u("tr",{},u("th",{scope:"row"},m),u("td",{},h),u("td",{},d===null?"":n(d)))))),r=u("table",
+{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Rh.map(([m,h])=>u(
+"tr",{},u("td",{},m),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that hops"),u("p",{},"A thin ring of radius 0.40 m has a mass\
+ of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9\
+.81 m/s²."),u("ol",{},Ph.map(m=>u("li",{},m,u("div",{class:"answer-line"})))),u("table",{class:"sheet-table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","do\
+es it hop?","at which angle?"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Ch.map(m=>u("tr",{},u("th",{scope:"row"},n(`${ta}${Number(m)}`,m)),u("td",{}),u("t\
+d",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"For teachers"),u("button",{type:"button",onclick:()=>print()},
+"Print"),u("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),u("p",{},"The visit asks before it shows; the presentation fills the screen; t\
+he table gives numbers to every student. ",u("button",{type:"button",class:"link",onclick:()=>{c.close(),e()}},"Start the visit")),i&&u("p",{},i.map(([m,h])=>u(
+"a",{class:"teach-page",href:new URL(m,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var Ls=S.words.letters,zh=new Set(["x","angle","height"]),Nh=1/60,sa=8,Dh={x:"vx",angle:"omega",height:"vy"},Re=class{constructor(e){this.cache=new Map;this.part=
 null;let{header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??
 null,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??
 "",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=
 this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=
-this.findExtent()}wanted(e,t=0){if(this.duration<Mh*this.length)return null;let s=E(e,0,this.duration),o=Math.min(s+t,this.duration);if(this.part&&s>=this.part.
-t[0]&&o<=this.part.t[this.part.length-1])return null;let i=Math.max(s-.25*Xi,0);return[i,Math.min(i+Xi+t,this.duration)]}refine(e){this.part=Object.assign(Object.
+this.findExtent()}wanted(e,t=0){if(this.duration<Nh*this.length)return null;let n=_(e,0,this.duration),o=Math.min(n+t,this.duration);if(this.part&&n>=this.part.
+t[0]&&o<=this.part.t[this.part.length-1])return null;let i=Math.max(n-.25*sa,0);return[i,Math.min(i+sa+t,this.duration)]}refine(e){this.part=Object.assign(Object.
 create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){
-return ri(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.length;s++){let o=t.at(-1);o&&o.mode===Ms[e[s]]?o.to=this.t[s]:t.push({mode:Ms[e[s]],
-from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,
+return ci(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let o=t.at(-1);o&&o.mode===Ls[e[n]]?o.to=this.t[n]:t.push({mode:Ls[e[n]],
+from:this.t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)t[n].to=t[n+1].from;return t.filter(n=>n.to>n.from||t.length===1)}findExtent(){let{x:e,height:t,vx:n,
 vy:o,omega:i}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=
-Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(s[l],o[l])+this.radius*Math.abs(i[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),
-a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-t>1;){let o=t+s>>1;this.t[o]<=e?t=o:s=o}return t}pieces(){let{part:e}=this;if(!e)
-return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],o=this.index(t);for(;o>0&&this.t[o]>=t;)o--;let i=this.t[o]>=t?0:o+1;return[{film:this,
-from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.length}]}at(e){let t=E(e,0,this.duration),s=this.holding(t);if(s!==this)return s.
-at(t);let o=this.index(t),i=Math.min(o+1,this.length-1),a=this.t[i]-this.t[o],r=a>0?(t-this.t[o])/a:0,l={t,mode:Ms[this.columns.mode[o]]};for(let[c,m]of Object.
-entries(this.columns)){if(c==="t"||c==="mode")continue;let h=m[o],d=m[i];if(r===0||!Number.isFinite(d))l[c]=h;else if(Eh.has(c)){let p=this.columns[Sh[c]];l[c]=
-Th(h,d,p[o]*a,p[i]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){let s=this.cache.get(e)??t(this.columns);return this.cache.set(e,s),s}};function Th(n,e,t,s,o){
-if(!Number.isFinite(t)||!Number.isFinite(s))return n+(e-n)*o;let i=1-o;return i*i*(1+2*o)*n+o*o*(3-2*o)*e+o*i*(i*t-o*s)}var As=n=>n-360*Math.floor(n/360);function Ah(n,e){let t=Math.abs(As(n-e+180)-180);return Math.round(100*E(1-(t-1)/89,0,1))}function Lh(n,e){let t=Math.max(...e)-
-Math.min(...e,0),s=e.reduce((o,i,a)=>o+Math.abs(i-n[a]),0)/e.length;return Math.round(100*E(1-2*s/(t||1),0,1))}var Rh=0;function Et(n,e,t=!1){let s=`hh-guess-${++Rh}`,
-o="",i=n.map(([a,r])=>{let l=u("input",{type:"radio",name:s,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:u("label",{class:"guess-choice"},l,u("span",
+Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(n[l],o[l])+this.radius*Math.abs(i[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),
+a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,n=this.length;for(;n-t>1;){let o=t+n>>1;this.t[o]<=e?t=o:n=o}return t}pieces(){let{part:e}=this;if(!e)
+return[{film:this,from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.length-1]],o=this.index(t);for(;o>0&&this.t[o]>=t;)o--;let i=this.t[o]>=t?0:o+1;return[{film:this,
+from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.
+at(t);let o=this.index(t),i=Math.min(o+1,this.length-1),a=this.t[i]-this.t[o],r=a>0?(t-this.t[o])/a:0,l={t,mode:Ls[this.columns.mode[o]]};for(let[c,m]of Object.
+entries(this.columns)){if(c==="t"||c==="mode")continue;let h=m[o],d=m[i];if(r===0||!Number.isFinite(d))l[c]=h;else if(zh.has(c)){let p=this.columns[Dh[c]];l[c]=
+Oh(h,d,p[o]*a,p[i]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function Oh(s,e,t,n,o){
+if(!Number.isFinite(t)||!Number.isFinite(n))return s+(e-s)*o;let i=1-o;return i*i*(1+2*o)*s+o*o*(3-2*o)*e+o*i*(i*t-o*n)}var Cs=s=>s-360*Math.floor(s/360);function Ih(s,e){let t=Math.abs(Cs(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function qh(s,e){let t=Math.max(...e)-
+Math.min(...e,0),n=e.reduce((o,i,a)=>o+Math.abs(i-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var Fh=0;function Et(s,e,t=!1){let n=`hh-guess-${++Fh}`,
+o="",i=s.map(([a,r])=>{let l=u("input",{type:"radio",name:n,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:u("label",{class:"guess-choice"},l,u("span",
 {},r))}});return{element:u("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>o!=="",judge:a=>{for(let{key:r,radio:l,
 row:c}of i){l.disabled=!0;let m=t||r===a;m&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",m)}return t||o===a?100:0}}}var ge=168,_t=58,
-Ss=(n,e=_t)=>{let t=n*Math.PI/180;return[ge/2+e*Math.sin(t),ge/2-e*Math.cos(t)]};function Ls(n,e){let t=0,s=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":n,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let m=getComputedStyle(
+Rs=(s,e=_t)=>{let t=s*Math.PI/180;return[ge/2+e*Math.sin(t),ge/2-e*Math.cos(t)]};function zs(s,e){let t=0,n=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let m=getComputedStyle(
 a),{context:h}=K(i,Number.parseFloat(m.width)/ge||1),d=m.getPropertyValue("--ink").trim(),p=m.getPropertyValue("--soft").trim(),f=m.getPropertyValue("--accent").
 trim();h.clearRect(0,0,ge,ge),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ge/2+_t),h.lineTo(ge-8,ge/2+_t),h.stroke(),h.lineWidth=4,h.
-beginPath(),h.arc(ge/2,ge/2,_t,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Ss(b,_t-28);
-h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...Ss(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=d,h.lineWidth=2,h.beginPath(),
-h.arc(...Ss(o),12,0,2*Math.PI),h.stroke(),g(o,d,7)),g(t,s?f:p,9)},l=m=>{o===null&&(t=As(m),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
+beginPath(),h.arc(ge/2,ge/2,_t,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Rs(b,_t-28);
+h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...Rs(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=d,h.lineWidth=2,h.beginPath(),
+h.arc(...Rs(o),12,0,2*Math.PI),h.stroke(),g(o,d,7)),g(t,n?f:p,9)},l=m=>{o===null&&(t=Cs(m),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
 "aria-valuetext",`${Math.round(t)}°`),r(),e())},c=m=>{let h=i.getBoundingClientRect(),[d,p]=[m.clientX-h.left-h.width/2,m.clientY-h.top-h.height/2];l(Math.atan2(
 d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",m=>{m.preventDefault(),a.focus({preventScroll:!0}),c(m),J(a,m,c)}),a.addEventListener("keydown",m=>{
 let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[m.key];h!==void 0&&(m.preventDefault(),m.stopPropagation(),l(t+(m.shiftKey?h/5:h)))}),
-requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:m=>(o=As(m),r(),Ah(t,o))}}var kt=9,[fe,hn,Fe,Ts]=[34,12,12,26];function Qi({label:n,unit:e,most:t},s){
-let o=Array(kt).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${n}\
- with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:_=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
-ArrowLeft:-1}[_.key];T&&(_.preventDefault(),_.stopPropagation(),g(v,o[v]+T*t/(_.shiftKey?100:20)))}})),c=u("div",{class:"guess sketch",role:"group","aria-label":"\
-Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},d=y=>fe+y/(kt-1)*(h.width-fe-hn),p=y=>Fe+(1-y/t)*(h.
-height-Fe-Ts),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:_,width:T,height:L}=K(r,v);h={width:T,height:L,
-px:v};let R=A=>y.getPropertyValue(A).trim();_.clearRect(0,0,T,L),_.strokeStyle=R("--line"),_.fillStyle=R("--soft"),_.font="11px system-ui, sans-serif";for(let A=0;A<
-kt;A+=2)_.textAlign="center",_.fillText(`${45*A}°`,d(A),L-8),_.strokeRect(d(A),Fe,0,L-Fe-Ts);for(let A of[0,t/2,t])_.textAlign="right",_.fillText(String(A),fe-
-6,p(A)+4),_.strokeRect(fe,p(A),T-fe-hn,0);_.textAlign="left",_.fillText(e,fe+4,Fe+10);let F=(A,D,H)=>{_.strokeStyle=D,_.lineWidth=2.5,_.setLineDash(H),_.beginPath(),
-A.forEach((ie,De)=>{let Ot=fe+De/(A.length-1)*(T-fe-hn);De?_.lineTo(Ot,p(E(ie,0,t))):_.moveTo(Ot,p(E(ie,0,t)))}),_.stroke(),_.setLineDash([])};F(o,R("--accent"),
-[6,4]),a&&F(a,R("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*d(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=E(v,0,t),i=!0,l[y].setAttribute(
-"aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${e}`),f(),s())},b=null,w=y=>{let v=m(),[_,T]=[y.clientX-v.left,
-y.clientY-v.top].map(H=>H/h.px),L=E((_-fe)/(h.width-fe-hn),0,1),R=Math.round(L*(kt-1)),F=t*(1-(T-Fe)/(h.height-Fe-Ts)),A=b??R,D=o[A];for(let H=Math.min(A,R);H<=
+requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:m=>(o=Cs(m),r(),Ih(t,o))}}var kt=9,[fe,cn,Fe,Ps]=[34,12,12,26];function oa({label:s,unit:e,most:t},n){
+let o=Array(kt).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s}\
+ with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:k=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
+ArrowLeft:-1}[k.key];T&&(k.preventDefault(),k.stopPropagation(),g(v,o[v]+T*t/(k.shiftKey?100:20)))}})),c=u("div",{class:"guess sketch",role:"group","aria-label":"\
+Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},d=y=>fe+y/(kt-1)*(h.width-fe-cn),p=y=>Fe+(1-y/t)*(h.
+height-Fe-Ps),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:k,width:T,height:L}=K(r,v);h={width:T,height:L,
+px:v};let R=A=>y.getPropertyValue(A).trim();k.clearRect(0,0,T,L),k.strokeStyle=R("--line"),k.fillStyle=R("--soft"),k.font="11px system-ui, sans-serif";for(let A=0;A<
+kt;A+=2)k.textAlign="center",k.fillText(`${45*A}°`,d(A),L-8),k.strokeRect(d(A),Fe,0,L-Fe-Ps);for(let A of[0,t/2,t])k.textAlign="right",k.fillText(String(A),fe-
+6,p(A)+4),k.strokeRect(fe,p(A),T-fe-cn,0);k.textAlign="left",k.fillText(e,fe+4,Fe+10);let F=(A,D,H)=>{k.strokeStyle=D,k.lineWidth=2.5,k.setLineDash(H),k.beginPath(),
+A.forEach((re,De)=>{let It=fe+De/(A.length-1)*(T-fe-cn);De?k.lineTo(It,p(_(re,0,t))):k.moveTo(It,p(_(re,0,t)))}),k.stroke(),k.setLineDash([])};F(o,R("--accent"),
+[6,4]),a&&F(a,R("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*d(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=_(v,0,t),i=!0,l[y].setAttribute(
+"aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${e}`),f(),n())},b=null,w=y=>{let v=m(),[k,T]=[y.clientX-v.left,
+y.clientY-v.top].map(H=>H/h.px),L=_((k-fe)/(h.width-fe-cn),0,1),R=Math.round(L*(kt-1)),F=t*(1-(T-Fe)/(h.height-Fe-Ps)),A=b??R,D=o[A];for(let H=Math.min(A,R);H<=
 Math.max(A,R);H++)g(H,A===R?F:D+(F-D)*(H-A)/(R-A));b=R};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
-v.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>i,judge:y=>{a=y,f();let v=(y.length-1)/(kt-1);return Lh(
-o,o.map((_,T)=>y[Math.round(T*v)]))}}}var un=2*Math.PI,ee=(n,e)=>n.events.find(t=>t.kind===e),cn=n=>$(n-un*Math.floor(n/un));function Ph(n,e,t=72){let{angle:s}=n.columns,o=n.columns[e],i=[],a=0;for(let r=0;r<=
-t;r++){let l=n.columns.angle[0]+un*r/t;for(;a+1<n.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,n.length-1),m=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;i.push(o[a]+
-m*(o[c]-o[a]))}return i}var Ch=(n,e)=>n.t[n.columns.angle.findIndex(t=>t>=e)]??n.duration,zh={R:"roll",S:"spin",K:"skid",H:"bounce"},He=[{key:"littlewood",title:"\
+v.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>i,judge:y=>{a=y,f();let v=(y.length-1)/(kt-1);return qh(
+o,o.map((k,T)=>y[Math.round(T*v)]))}}}var dn=2*Math.PI,ee=(s,e)=>s.events.find(t=>t.kind===e),un=s=>$(s-dn*Math.floor(s/dn));function Hh(s,e,t=72){let{angle:n}=s.columns,o=s.columns[e],i=[],a=0;for(let r=0;r<=
+t;r++){let l=s.columns.angle[0]+dn*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),m=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;i.push(o[a]+
+m*(o[c]-o[a]))}return i}var jh=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,Bh={R:"roll",S:"spin",K:"skid",H:"bounce"},He=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>Et(
-[["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],n),until:([n])=>{
-let[e,t]=[ee(n,"skim"),ee(n,"impact")];return e?e.t+.7*((t?.t??n.duration)-e.t):n.duration},answer:([n])=>{let e=ee(n,"skim")??ee(n,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:cn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Et(
+[["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],s),until:([s])=>{
+let[e,t]=[ee(s,"skim"),ee(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):s.duration},answer:([s])=>{let e=ee(s,"skim")??ee(s,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:un(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:n=>Qi({label:"Speed of the centre",unit:"m/s",most:10},
-n),until:([n])=>Ch(n,un),answer:([n])=>{let e=Ph(n,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>oa({label:"Speed of the centre",unit:"m/s",most:10},
+s),until:([s])=>jh(s,dn),answer:([s])=>{let e=Hh(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:n=>Ls("Angle of the load where it begins to slip",n),until:([n])=>ee(n,"slip_start")?.t??n.duration,answer:([n])=>{let e=ee(n,"slip_start"),t=n.at(e.t).normal_force/
-(n.mass*n.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:cn(e.
+guess:s=>zs("Angle of the load where it begins to slip",s),until:([s])=>ee(s,"slip_start")?.t??s.duration,answer:([s])=>{let e=ee(s,"slip_start"),t=s.at(e.t).normal_force/
+(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:un(e.
 angle),share:`${M(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:n=>Ls("Angle of the load\
- where it takes off",n),until:([n])=>ee(n,"takeoff")?.t??n.duration,answer:([n])=>{let e=ee(n,"takeoff"),t=n.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
-It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:cn(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>zs("Angle of the load\
+ where it takes off",s),until:([s])=>ee(s,"takeoff")?.t??s.duration,answer:([s])=>{let e=ee(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
+It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:un(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
 plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at \
 the top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does \
-it do just after it has landed?",queries:[""],guess:n=>Et([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
-rns too fast."],["bounce","It bounces."]],n),until:([n])=>ee(n,"impact")?.t??n.duration,answer:([n])=>{let[e,t]=[ee(n,"takeoff"),ee(n,"impact")],s=n.events.find(
-o=>o.kind==="apex");return{truth:zh[n.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(s?.height??0),3),angle:cn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+it do just after it has landed?",queries:[""],guess:s=>Et([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
+rns too fast."],["bounce","It bounces."]],s),until:([s])=>ee(s,"impact")?.t??s.duration,answer:([s])=>{let[e,t]=[ee(s,"takeoff"),ee(s,"impact")],n=s.events.find(
+o=>o.kind==="apex");return{truth:Bh[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(n?.height??0),3),angle:un(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:n=>Et([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(e=>ee(e,"impact")?.t??0)),
-answer:n=>{let e=n.map(i=>Math.max(0,...i.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,o]=e.map(i=>M(100*i,3));return{truth:String(e.indexOf(Math.max(
-...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:o}}},why:"On ice nothing drives the ro\
+"plane.mu=0.05","plane.mu=0.2",""],guess:s=>Et([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>ee(e,"impact")?.t??0)),
+answer:s=>{let e=s.map(i=>Math.max(0,...i.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,n,o]=e.map(i=>M(100*i,3));return{truth:String(e.indexOf(Math.max(
+...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:n,high:o}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>Et([["flight","It flies off."],["impact","An impact stops the sli\
-de at once."],["both","Both agree with the laws."]],n),until:n=>Math.min(.8,...n.map(e=>e.duration)),answer:n=>({truth:n.every(e=>ee(e,"painleve_indeterminate"))?
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:s=>Et([["flight","It flies off."],["impact","An impact stops the sli\
+de at once."],["both","Both agree with the laws."]],s),until:s=>Math.min(.8,...s.map(e=>e.duration)),answer:s=>({truth:s.every(e=>ee(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var ea="hophoop-visit",dn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
+ the motion itself.",question:"",queries:[""]}];var ia="hophoop-visit",mn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
 loop=null;this.asked=0;this.onchallenges=t,this.body=u("div",{class:"visit-body"}),this.said=u("div",{class:"visit-answer",role:"status"}),this.element=u("secti\
-on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ce(ea)||(this.
+on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ne(ia)||(this.
 element.hidden=!1,P(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
 en play."),u("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),u("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
-this.points.clear(),this.go(0)}leave(){ue(ea,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.mark("visit\
-ing",!1),this.veil(),this.lab.show()}async go(e){let t=He[e],s=++this.asked,{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.stop=null,this.guess=null,
-this.unwind(),P(this.said,""),this.element.hidden=!1,o.mark("visiting",e<He.length-1);try{let i=await Promise.all(t.queries.map(a=>o.backend.call("film",{query:a})));
-if(s!==this.asked)return;this.films=i.map(a=>new Re(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),
-o.changed(),o.motions.note(),this.fill(e)}catch(i){o.notice.fail(i)}}veil(){this.lab.mark("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
-"aria-label",x("The hoop, before it is let go."))}fill(e){let t=He[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
-"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},"Skip to the answer");let s=e===
-He.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(u("header",{},u("s\
-pan",{class:"visit-count"},`Step ${e+1} of ${He.length}`),u("progress",{max:String(He.length),value:String(e+1),"aria-hidden":"true"}),u("button",{type:"button",
-class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,u("p",{},t.text),t.question?u("p",{class:"visit-question"},t.question):"",this.guess?.
-element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&this.skip,s?u("button",
-{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&u("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&u("\
-span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){this.play&&(this.
-play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;if(!(!t||!this.guess)){if(this.stop!==null){e.clock.
-play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),e.clock.run({to:this.stop}),this.frame()}}unwind(){
-this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===null||(this.skip.hidden=!1,this.running!==e.playing&&
-(this.running=e.playing,P(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=null,this.unwind(),e.seek(
-t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:o,values:i={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,
-a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",ii(o,i)),u("p",{},e.why??"")),this.veil(),
-this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.
-replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.
-guessing&&this.veil()}};var mn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:Ye};this.sound=new rn;let t=()=>e.film(),s=o=>e.load(o);this.grips=new Xt(e),this.present=new an(
-e.root,()=>e.show()),this.challenges=new Jt({film:t,load:s,ahead:()=>e.stage.options.ahead}),this.visit=new dn(e,()=>this.challenges.open()),this.table=new ln({
-film:t,clock:e.clock,names:()=>e.theme.colors.mode_names}),this.more=new on(e),this.teach=Zi(s,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.
-makeMenu(),this.languages=ws(()=>{this.spoken(),jt(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(s,o,i)=>u("button",{type:"button",title:o,
-"aria-label":o,"aria-pressed":"false",onclick:i},Y(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a t\
+this.points.clear(),this.go(0)}leave(){se(ia,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.mark("visit\
+ing",!1),this.veil(),this.lab.show()}async go(e){let t=He[e],n=++this.asked;this.lab.opening.end();let{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.
+stop=null,this.guess=null,this.unwind(),P(this.said,""),this.element.hidden=!1,o.mark("visiting",e<He.length-1);try{let i=await Promise.all(t.queries.map(a=>o.backend.
+call("film",{query:a})));if(n!==this.asked)return;this.films=i.map(a=>new Re(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??
+null,this.veil(),o.changed(),o.motions.note(),this.fill(e)}catch(i){o.notice.fail(i)}}veil(){this.lab.mark("guessing",this.guessing),this.guessing&&this.lab.stage.
+element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=He[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.guess,
+onclick:()=>this.show()},"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},"Sk\
+ip to the answer");let n=e===He.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+u("header",{},u("span",{class:"visit-count"},`Step ${e+1} of ${He.length}`),u("progress",{max:String(He.length),value:String(e+1),"aria-hidden":"true"}),u("butt\
+on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,u("p",{},t.text),t.question?u("p",{class:"visit-question"},t.
+question):"",this.guess?.element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&
+this.skip,n?u("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,n&&u("button",{type:"button",onclick:()=>this.leave()},
+"Done"),this.guess&&u("span",{class:"hint visit-wait"},"First say what you expect, then play."))),n&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){
+this.play&&(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;if(!(!t||!this.guess)){if(this.stop!==
+null){e.clock.play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),e.clock.run({to:this.stop}),
+this.frame()}}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===null||(this.skip.hidden=!1,
+this.running!==e.playing&&(this.running=e.playing,P(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=
+null,this.unwind(),e.seek(t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:n,text:o,values:i={}}=e.answer(this.films),a=t.judge(
+n);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",li(o,i)),u("\
+p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].
+reduce((t,n)=>t+n,0);this.said.replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){
+this.guess?.redraw?.(),this.guessing&&this.veil()}};var aa=60,pn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:Ye};this.sound=new ln;let t=()=>e.film(),n=o=>e.load(o);this.grips=new Xt(e),this.present=
+new rn(e.root,()=>e.show()),this.challenges=new Jt({film:t,load:n,ahead:()=>e.stage.options.ahead}),this.visit=new mn(e,()=>this.challenges.open()),this.table=new hn(
+{film:t,clock:e.clock,names:()=>e.theme.colors.mode_names}),this.more=new an(e),this.teach=na(n,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.
+makeMenu(),this.languages=vs(()=>{this.spoken(),jt(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(n,o,i)=>u("button",{type:"button",title:o,
+"aria-label":o,"aria-pressed":"false",onclick:i},Y(n));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a t\
 enth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.on),this.
 mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),u("div",{class:"butt\
 ons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop.setAttribute("aria-pressed",String(e.loop)),this.slow.setAttribute(
 "aria-pressed",String(e.speed===.1)),this.loud.setAttribute("aria-pressed",String(this.sound.on)),this.large.setAttribute("aria-pressed",String(this.present.on))}makeMenu(){
-let e=(s,o)=>u("button",{type:"button",onclick:()=>{t.open=!1,o()}},s),t=u("details",{class:"learn"},u("summary",{class:"button"},"Learn"),u("div",{class:"menu-\
+let e=(n,o)=>u("button",{type:"button",onclick:()=>{t.open=!1,o()}},n),t=u("details",{class:"learn"},u("summary",{class:"button"},"Learn"),u("div",{class:"menu-\
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
-he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return t.addEventListener("keydow\
-n",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),t}spoken(){this.lab.root.lang=Te(),this.lab.hosted&&(document.
-documentElement.lang=Te(),document.title=x("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
-this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
-this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Mt=(n,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},n),pn=class{constructor(e,t,s){this.fresh=!1;let o=new Map;for(let a of e)o.set(a.group,
-[...o.get(a.group)??[],a]);this.presets=u("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
-value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"Motions to start from …"),[...o].
-map(([a,r])=>u("optgroup",{label:a},r.map(({key:l,title:c})=>u("option",{value:l},c))))),this.undo=Mt(Y("undo"),"Undo (z)",s.undo),this.redo=Mt(Y("redo"),"Redo \
-(y)",s.redo);let i=u("span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=Mt(i,"Compare two hoops",s.compare),this.right=
-u("div",{class:"buttons right"},t,Mt(Y("theme"),"Dark or light (d)",s.theme),Mt("?","Keys and help (?)",s.help)),this.element=u("header",{class:"top"},u("h1",{},
-u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"buttons"},this.undo,this.redo,
-this.compare),this.right)}show(e,t){this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Nh=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
- End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
-["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Dh=[["R","roll","the rim does n\
-ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
- +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Ih=[["▲ ▼","\
-take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Rs=(n,e,t=()=>!1)=>u("table",{},u("caption",{},n),e.map(([s,...o])=>u("\
-tr",{},u("th",{scope:"row"},t(s),s),o.map(i=>u("td",{},i)))));function ta(n,e,t){let s=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The hoo\
-p"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
-mething that rigid-body mechanics cannot decide. Move a slider and see."),Rs("Modes",Dh,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),Rs("Marks on t\
-he bar of time",Ih),Rs("Keys",Nh),t,u("p",{class:"hint"},`hophoop ${n}`),u("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var fn=class{constructor(e){this.tabs=["A","B"].map((t,s)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=u("div",{class:"\
+he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal()),e("About hophoop",()=>this.lab.about.
+showModal())));return t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),t}spoken(){
+this.lab.root.lang=Te(),this.lab.hosted&&(document.documentElement.lang=Te(),this.titled())}titled(){let{lab:e}=this;if(!e.hosted)return;let t=this.visit.guessing?
+[]:e.motions.films().map(o=>this.nameOf(o)),n=[...new Set(t)].join(" | ");document.title=n?`${n} – hophoop`:x("hophoop lab: play with the hopping hoop")}nameOf({
+query:e,summary:t}){let n=this.lab.known.find(i=>i.query===e);if(n)return x(n.title);let[o]=t.split(/(?<=[.。])(?!\d)/u);return o.length<=aa?o.replace(/[.。]$/u,
+""):`${o.slice(0,aa).replace(/[,，][^,，]*$/u,"")} …`}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.
+time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),this.challenges.changed(),
+this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Mt=(s,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},s),fn=class{constructor(e,t,n,o){this.fresh=!1;let i=new Map;for(let r of e)i.set(r.
+group,[...i.get(r.group)??[],r]);this.presets=u("select",{class:"presets","aria-label":"Examples",onchange:()=>{let r=e.find(({key:l})=>l===this.presets.value);
+this.fresh=r!==void 0,r&&o.take(r)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"Examples …"),[...i].map(([r,l])=>u("o\
+ptgroup",{label:r},l.map(({key:c,title:m})=>u("option",{value:c},m))))),this.undo=Mt(Y("undo"),"Undo (z)",o.undo),this.redo=Mt(Y("redo"),"Redo (y)",o.redo);let a=u(
+"span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=Mt(a,"Compare two hoops",o.compare),this.compare.classList.add("fu\
+ll"),this.right=u("div",{class:"buttons right"},t,Mt(Y("theme"),"Dark or light (d)",o.theme),Mt("?","Keys and help (?)",o.help)),this.element=u("header",{class:"\
+top"},u("h1",{},u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"buttons"},this.
+undo,this.redo,this.compare,n),this.right)}show(e,t){this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-press\
+ed",String(t))}};var $h=["pointerdown","wheel"],gn=class{constructor(e,t){this.clock=e;this.hint=t;this.touches=new AbortController}begin(e){let{signal:t}=this.touches,n=()=>this.
+end();for(let o of $h)e.addEventListener(o,n,{signal:t,capture:!0,passive:!0});addEventListener("keydown",n,{signal:t,capture:!0}),this.hint.hidden=!1,this.clock.
+run({once:!0})}end(){this.hint.hidden=!0,this.touches.abort()}};var ra="hophoop-view",Wh=new Set(["start.speed","hoop.load_fraction","plane.mu","duration"]),la=({query:s})=>[...new URLSearchParams(s).keys()].some(e=>!Wh.has(
+e)),bn=class{constructor(e,t,n){this.root=e;this.hosted=t;this.changed=n;this.simple=!1;this.button=u("button",{type:"button",class:"view",hidden:!t,onclick:()=>this.
+choose()}),this.more=u("p",{class:"hint beyond",hidden:!0},"This motion has other settings too. ",u("button",{type:"button",class:"link",onclick:()=>this.choose()},
+"Show everything"))}get everything(){return ne(ra)==="everything"}open(e,{map:t,more:n,fingerprints:o}){let i=e.length>1||t||n||o?.some(Boolean)||e.some(la);this.
+turn(this.hosted&&!this.everything&&!i)}choose(){this.turn(!this.simple),se(ra,this.simple?"simple":"everything"),this.changed(),this.button.focus({preventScroll:!0})}turn(e){
+this.simple=e,this.root.classList.toggle("simple",e),P(this.button,e?"Everything":"Simple view");for(let t of this.root.querySelectorAll("details.group"))e?(t.dataset.
+open=String(t.open),t.open=!0):t.dataset.open&&(t.open=t.dataset.open==="true")}show(e){this.more.hidden=!this.simple||!e.some(la)}};var wn=class{constructor(e){this.tabs=["A","B"].map((t,n)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=u("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=u("p",{class:"preset-text"}),this.element=u("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===t))}};var na="hophoop-single-keys",Oh=(n,e)=>({" ":()=>n.clock.play(),ArrowLeft:()=>e?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>e?n.transport.jump(1):
-n.transport.nudge(1),Home:()=>n.clock.seek(0),End:()=>n.clock.seek(n.clock.duration),h:()=>n.transport.jump(1,"takeoff"),l:()=>n.transport.jump(1,"impact"),"[":()=>n.
-clock.faster(-1),"]":()=>n.clock.faster(1),t:()=>n.toggle("traces"),f:()=>n.toggle("forces"),c:()=>n.toggle("speed"),a:()=>n.extras.more.turn(),w:()=>n.toggle("\
-whole"),3:()=>n.toggle("three"),"+":()=>n.stage.zoom(1.25),"=":()=>n.stage.zoom(1.25),"-":()=>n.stage.zoom(.8),0:()=>n.stage.zoom(0),z:()=>n.travel(-1),y:()=>n.
-travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function qh(n,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),n.travel(t==="y"||e.shiftKey?1:-1))}function Fh(n){let e=n.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var gn=class{constructor(e){
-this.on=!e||ce(na)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&ue(na,this.on?"on":"off")}});this.element=u("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Hh(n,e){let t=e.target;if(n.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){Fh(n);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){qh(n,e);return}if(e.altKey||
-t.matches?.("select")&&!(e.key===" "&&n.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!n.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=Oh(n,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function sa(n,e){
-let t=e?document:n.root,s=o=>{Hh(n,o),e||o.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}function oa(n,e){let t=u("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
-n.classList.contains("stuck"))return;let a=n.offsetHeight;n.style.marginBottom="",n.classList.toggle("stuck",i),i&&(n.style.marginBottom=`${a-n.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=i?`${n.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}function ia(n,e){n.classList.add("hophoop"),n.dir="ltr",!e&&(n.classList.add("embedded"),n.dataset.lmSuppressShortcuts="true",n.dataset.pSuppressShortcuts="true")}
-function aa(n,e){let{root:t,notice:s,hosted:o,extras:i,transport:a,header:r}=n,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=u("aside",{class:"\
-side","aria-label":"Parameters"},...c,n.hoops.element,s.message,n.controls.element);a.row.append(i.more.switch),a.row.before(i.tools),r.right.prepend(i.menu,i.languages);
-let h=u("div",{class:"player"},i.grips.element,n.stage.element,n.timeline.element,a.element),d=o?oa(h,()=>n.request()):null,p=u("div",{class:"middle"},d?.edge,!l(
-"controls")&&c,h,i.more.element,i.table.element,u("div",{class:"words"},n.story.element,l("theory")&&n.theory.element),l("map")&&n.map.element),f=u("div",{class:"\
-why"},l("plots")&&n.plots.element,l("plots")&&n.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&jh(n.timeline.element),r.element,u("div",{class:"\
-columns"},l("controls")&&m,p,f)),s.toast,n.share.dialog,n.help,i.teach),t.addEventListener("pointerdown",({target:g})=>{for(let b of[n.share.menu,i.menu])b.contains(
-g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),d}function jh(n){n.id="hh-player";let e=u("a",{class:"skip button",href:"#hh-player"},"Skip t\
-o the player");return e.onclick=t=>{t.preventDefault(),n.focus()},e}function et(n,e,{left:t,top:s,box:o},{across:i,up:a,lines:r=!1,middle:l=!1}){let c=s+o.height,m=t+o.width;n.save(),n.font=`11px ${e.font}`,n.strokeStyle=r?e.line:
-e.soft,n.fillStyle=e.soft,n.lineWidth=1,r||n.strokeRect(t+.5,s+.5,o.width-1,o.height-1),n.textAlign="right",n.textBaseline="middle";for(let{at:h,text:d,strong:p}of a.
-marks)r&&(n.globalAlpha=p?1:.55,ra(n,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),n.globalAlpha=1),n.fillText(d,t-6,h);n.textBaseline="alphabetic",n.textAlign="ce\
-nter";for(let{at:h,text:d}of i.marks)ra(n,[h,c],[h,c+4]),n.fillText(d,h,c+15);l?n.fillText(i.name,t+.5*o.width,c+30):(n.textAlign="right",n.fillText(i.name,m,c+
-27)),n.translate(11,s+.5*o.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(a.name,0,0),n.restore()}function ra(n,e,t){n.beginPath(),n.moveTo(...e),
-n.lineTo(...t),n.stroke()}var la=(n,e)=>e?`${x(n)} [${e}]`:x(n);var[ha,Bh]=[62,92],$h=12,St=10,Wh=36,ca=Math.PI/180,_e=["x","y"],bn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
-t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ha}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of _e)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
-let[s,o]=this.windows[e];return{path:this.paths[e],from:s,to:o,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),o=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
-o),Math.min(s[1],t[1]+o)]}zoom(e,t){let s={x:[],y:[]};for(let o of _e){let[i,a]=this.windows[o],r=t?.[o]??.5*(i+a);s[o]=je([r-(r-i)*e,r+(a-r)*e],this.bounds(o));
-let l=Math.max(Math.abs(s[o][0]),Math.abs(s[o][1]),1e-9);if(s[o][1]-s[o][0]<400*Number.EPSILON*l)return!1}return _e.every(o=>s[o].every((i,a)=>i===this.windows[o][a]))?
-!1:(this.windows=s,!0)}drag(e,t,s){let o=(i,a)=>je(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:o("x",-t/this.box.width),y:o("y",s/this.box.
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(n===t))}};var ha="hophoop-single-keys",Gh=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
+s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
+clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
+whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
+travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function Uh(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function Kh(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var yn=class{constructor(e){
+this.on=!e||ne(ha)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&se(ha,this.on?"on":"off")}});this.element=u("labe\
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Vh(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){Kh(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Uh(s,e);return}if(e.altKey||
+t.matches?.("select")&&!(e.key===" "&&s.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
+ summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=Gh(s,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function ca(s,e){
+let t=e?document:s.root,n=o=>{Vh(s,o),e||o.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function ua(s,e){let t=u("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
+s.classList.contains("stuck"))return;let a=s.offsetHeight;s.style.marginBottom="",s.classList.toggle("stuck",i),i&&(s.style.marginBottom=`${a-s.offsetHeight}px`),
+document.documentElement.style.scrollPaddingTop=i?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function da(s,e){s.classList.add("hophoop"),s.dir="ltr",!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}
+function ma(s,e){let{root:t,notice:n,hosted:o,extras:i,transport:a,header:r}=s,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=u("aside",{class:"\
+side","aria-label":"Parameters"},...c,s.hoops.element,n.message,s.controls.element,s.view.more);a.row.append(i.more.switch),a.row.before(i.tools),r.right.prepend(
+i.menu,i.languages);let h=u("div",{class:"player"},i.grips.element,s.stage.element,s.timeline.element,a.element),d=o?ua(h,()=>s.request()):null,p=u("div",{class:"\
+middle"},d?.edge,!l("controls")&&c,h,i.more.element,i.table.element,u("div",{class:"words"},s.story.element,l("theory")&&s.theory.element),l("map")&&s.map.element),
+f=u("div",{class:"why"},l("plots")&&s.plots.element,l("plots")&&s.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&Jh(s.timeline.element),r.element,
+u("div",{class:"columns"},l("controls")&&m,p,f)),n.toast,s.share.dialog,s.help,s.about,i.teach),t.addEventListener("pointerdown",({target:g})=>{for(let b of[s.share.
+menu,i.menu])b.contains(g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),d}function Jh(s){s.id="hh-player";let e=u("a",{class:"skip button",href:"\
+#hh-player"},"Skip to the player");return e.onclick=t=>{t.preventDefault(),s.focus()},e}function et(s,e,{left:t,top:n,box:o},{across:i,up:a,lines:r=!1,middle:l=!1}){let c=n+o.height,m=t+o.width;s.save(),s.font=`11px ${e.font}`,s.strokeStyle=r?e.line:
+e.soft,s.fillStyle=e.soft,s.lineWidth=1,r||s.strokeRect(t+.5,n+.5,o.width-1,o.height-1),s.textAlign="right",s.textBaseline="middle";for(let{at:h,text:d,strong:p}of a.
+marks)r&&(s.globalAlpha=p?1:.55,pa(s,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),s.globalAlpha=1),s.fillText(d,t-6,h);s.textBaseline="alphabetic",s.textAlign="ce\
+nter";for(let{at:h,text:d}of i.marks)pa(s,[h,c],[h,c+4]),s.fillText(d,h,c+15);l?s.fillText(i.name,t+.5*o.width,c+30):(s.textAlign="right",s.fillText(i.name,m,c+
+27)),s.translate(11,n+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(a.name,0,0),s.restore()}function pa(s,e,t){s.beginPath(),s.moveTo(...e),
+s.lineTo(...t),s.stroke()}var fa=(s,e)=>e?`${x(s)} [${e}]`:x(s);var[ga,Yh]=[62,92],Zh=12,St=10,Qh=36,ba=Math.PI/180,_e=["x","y"],vn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
+t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ga}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of _e)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+let[n,o]=this.windows[e];return{path:this.paths[e],from:n,to:o,cells:t}}bounds(e){let{range:t,allowed:n}=this.info(e),o=2*(t[1]-t[0]);return[Math.max(n[0],t[0]-
+o),Math.min(n[1],t[1]+o)]}zoom(e,t){let n={x:[],y:[]};for(let o of _e){let[i,a]=this.windows[o],r=t?.[o]??.5*(i+a);n[o]=je([r-(r-i)*e,r+(a-r)*e],this.bounds(o));
+let l=Math.max(Math.abs(n[o][0]),Math.abs(n[o][1]),1e-9);if(n[o][1]-n[o][0]<400*Number.EPSILON*l)return!1}return _e.every(o=>n[o].every((i,a)=>i===this.windows[o][a]))?
+!1:(this.windows=n,!0)}drag(e,t,n){let o=(i,a)=>je(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:o("x",-t/this.box.width),y:o("y",n/this.box.
 height)}}restore(e){if(!_e.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of _e)this.paths[t]=e[t][0];for(let t of _e)this.windows[t]=je(
-e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return _e.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Bh:ha,this.box={width:e-this.left-$h,height:t-St-Wh}}clip(e){e.beginPath(),e.rect(this.
-left,St,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return St+
-(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([o,i],a)=>o+E(a,0,1)*(i-o);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-St)/
-this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let o=this.info(s),[i,a]=this.windows[s],
-r=Math.max(Math.abs(i),Math.abs(a)),l=E(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(o.label)} = ${I(M(o.degrees?e[s]/ca:e[s],l),o.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t){let{left:s,box:o}=this,[i,a]=[this.axis("x",o.width/80),this.axis("y",o.height/40)];et(e,t,{left:s,top:St,box:o},{across:i,up:a,middle:!0})}axis(e,t){
-let s=this.info(e),o=s.degrees?1/ca:1,[i,a]=this.windows[e].map(d=>d*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?ae(i-c,a-c,t).map(
-d=>d+c):ae(i,a,t),h=l?` − ${String(c).replace("-","−")}`:"";return{marks:m.map(d=>({at:this[e](d/o),text:l?M(d-c,3):se(d,r)})),name:`${x(s.label)}${h}${s.unit?
-` [${s.unit}]`:""}`}}};function je([n,e],[t,s]){let o=Math.min(e-n,s-t);return n<t?[t,t+o]:e>s?[s-o,s]:[n,e]}function Ps(n,e,t,s,o){for(let[i,a]of[[o,4],[s,1.8]])
-n.strokeStyle=i,n.lineWidth=a,n.beginPath(),n.arc(e,t,7,0,2*Math.PI),n.moveTo(e-13,t),n.lineTo(e-4,t),n.moveTo(e+4,t),n.lineTo(e+13,t),n.moveTo(e,t-13),n.lineTo(
-e,t-4),n.moveTo(e,t+4),n.lineTo(e,t+13),n.stroke()}var tt=n=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${n&&`; ${n}`}; double-click for all`,Gh=.0018,ua=200,
-[Uh,Kh]=[1/.6,1/1.7];function oe(n,{zoom:e,home:t,chosen:s=()=>n,keys:o=!1}){return n.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Bt(s()))&&(i.preventDefault(),
-e(Math.exp(-Math.min(Math.max(i.deltaY,-ua),ua)*Gh),i))},{passive:!1}),n.addEventListener("dblclick",t),o&&n.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(Uh);else if(i.key==="-")e(Kh);else if(i.key==="0")t();else if(i.key==="Escape")n.blur();else return;i.preventDefault(),i.stopPropagation()}),Ei(n,e)}var da={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},ma=48;function pa(n){let{body:e}=n,t=!1,s=oe(e,{zoom:(o,i)=>n.axes.box&&n.zoom(1/o,i?Cs(
-n,i):n.pointed??void 0),home:()=>n.home(),keys:!0});e.addEventListener("pointerdown",o=>Jh(n,o,s,i=>t=i)),e.addEventListener("pointermove",o=>{n.axes.box&&!t&&o.
-pointerType!=="touch"&&Vh(n,o)}),e.addEventListener("pointerleave",()=>n.tip.hidden=!0),e.addEventListener("keydown",o=>Yh(n,o))}function Cs(n,e){let t=n.body.getBoundingClientRect(),
-{px:s}=n.look;return n.axes.place((e.clientX-t.left)/s,(e.clientY-t.top)/s)}function Vh(n,e){n.tip.textContent=n.said(Cs(n,e)),n.tip.hidden=!1;let t=n.body.getBoundingClientRect();
-n.tip.style.left=`${E(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,n.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Jh(n,e,t,s){e.preventDefault(),
-n.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...n.axes.windows.x],y:[...n.axes.windows.y]};n.pointed=Cs(n,e);let a=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[m,h]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(m,h)<5&&!a||(a=!0,s(!0),n.tip.hidden=!0,n.axes.drag(i,m/n.look.px,h/n.look.px),n.redraw(),n.soon())};
-J(n.body,e,l,(c,m)=>{m&&!a&&!r&&n.pointed&&n.take(n.pointed),s(!1)})}function Yh(n,e){let t=n.pointed??n.here()??n.axes.middle();if(n.pointed=t,da[e.key]){let[s,
-o]=da[e.key],{x:i,y:a}=n.axes.windows;n.pointed={x:E(t.x+s*(i[1]-i[0])/ma,i[0],i[1]),y:E(t.y+o*(a[1]-a[0])/ma,a[0],a[1])},n.state.textContent=n.said(n.pointed),
-n.say(n.said(n.pointed))}else if(e.key==="Enter")n.take(t);else return;e.preventDefault(),e.stopPropagation(),n.redraw()}var Zh=["start.height","start.vx","start.vy","start.omega"];function fa(n,e){let t="speed"in n.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>Zh.includes(s))?"of starts in any state, though this motion starts rolling":""}var Xh=Math.PI/180,Qh=12,ec=["hop_height","flight_time","energy_lost","greatest_utilization"];function ga(n){return n.unit==="rad"?[1/Xh,"°"]:[1,n.unit==="1"?"":
-n.unit]}function tc({classes:n,what:e},t){let[s,o]=[1/0,-1/0];if(n)return[s,o];for(let i of t)i<s&&(s=i),i>o&&(o=i);return[ec.includes(e)?Math.min(s,0):s,o]}function ba(n){
-let{values:e}=n.arrays,t=n.header,{x:s,y:o,classes:i}=t,a=new ImageData(s.cells,o.cells),[r,l]=tc(t,e),c=i?.map(({color:h})=>ve(h));for(let h=0;h<o.cells;h++)for(let d=0;d<
-s.cells;d++){let p=e[h*s.cells+d],f=4*((o.cells-1-h)*s.cells+d);if(!Number.isFinite(p))continue;let g=c&&(d+1<s.cells&&e[h*s.cells+d+1]!==p||h+1<o.cells&&e[(h+1)*
-s.cells+d]!==p),b=c?c[p].map(w=>g?.72*w:w):Je[E(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=u("canvas",{width:s.cells,height:o.cells});
-return me(m).putImageData(a,0,0),{picture:m,header:t,values:e,x:[s.from,s.to],y:[o.from,o.to],low:r,high:l}}function wa(n,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
-i[1]+1e-300;return[...n.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-Qh)}function ya({header:n,low:e,high:t,values:s}){let{classes:o}=n;if(!o){let r=u("canvas",
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return _e.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Yh:ga,this.box={width:e-this.left-Zh,height:t-St-Qh}}clip(e){e.beginPath(),e.rect(this.
+left,St,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return St+
+(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([o,i],a)=>o+_(a,0,1)*(i-o);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-St)/
+this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let o=this.info(n),[i,a]=this.windows[n],
+r=Math.max(Math.abs(i),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(o.label)} = ${O(M(o.degrees?e[n]/ba:e[n],l),o.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t){let{left:n,box:o}=this,[i,a]=[this.axis("x",o.width/80),this.axis("y",o.height/40)];et(e,t,{left:n,top:St,box:o},{across:i,up:a,middle:!0})}axis(e,t){
+let n=this.info(e),o=n.degrees?1/ba:1,[i,a]=this.windows[e].map(d=>d*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?le(i-c,a-c,t).map(
+d=>d+c):le(i,a,t),h=l?` − ${String(c).replace("-","−")}`:"";return{marks:m.map(d=>({at:this[e](d/o),text:l?M(d-c,3):ie(d,r)})),name:`${x(n.label)}${h}${n.unit?
+` [${n.unit}]`:""}`}}};function je([s,e],[t,n]){let o=Math.min(e-s,n-t);return s<t?[t,t+o]:e>n?[n-o,n]:[s,e]}function Ns(s,e,t,n,o){for(let[i,a]of[[o,4],[n,1.8]])
+s.strokeStyle=i,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(
+e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var tt=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,Xh=.0018,wa=200,
+[ec,tc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:o=!1}){return s.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Bt(n()))&&(i.preventDefault(),
+e(Math.exp(-Math.min(Math.max(i.deltaY,-wa),wa)*Xh),i))},{passive:!1}),s.addEventListener("dblclick",t),o&&s.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
+"=")e(ec);else if(i.key==="-")e(tc);else if(i.key==="0")t();else if(i.key==="Escape")s.blur();else return;i.preventDefault(),i.stopPropagation()}),Ti(s,e)}var ya={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},va=48;function xa(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(o,i)=>s.axes.box&&s.zoom(1/o,i?Ds(
+s,i):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",o=>sc(s,o,n,i=>t=i)),e.addEventListener("pointermove",o=>{s.axes.box&&!t&&o.
+pointerType!=="touch"&&nc(s,o)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",o=>oc(s,o))}function Ds(s,e){let t=s.body.getBoundingClientRect(),
+{px:n}=s.look;return s.axes.place((e.clientX-t.left)/n,(e.clientY-t.top)/n)}function nc(s,e){s.tip.textContent=s.said(Ds(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();
+s.tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function sc(s,e,t,n){e.preventDefault(),
+s.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Ds(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+r)return;let[m,h]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(m,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(i,m/s.look.px,h/s.look.px),s.redraw(),s.soon())};
+J(s.body,e,l,(c,m)=>{m&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function oc(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,ya[e.key]){let[n,
+o]=ya[e.key],{x:i,y:a}=s.axes.windows;s.pointed={x:_(t.x+n*(i[1]-i[0])/va,i[0],i[1]),y:_(t.y+o*(a[1]-a[0])/va,a[0],a[1])},s.state.textContent=s.said(s.pointed),
+s.say(s.said(s.pointed))}else if(e.key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var ic=["start.height","start.vx","start.vy","start.omega"];function ka(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(n=>ic.includes(n))?"of starts in any state, though this motion starts rolling":""}var ac=Math.PI/180,rc=12,lc=["hop_height","flight_time","energy_lost","greatest_utilization"];function _a(s){return s.unit==="rad"?[1/ac,"°"]:[1,s.unit==="1"?"":
+s.unit]}function hc({classes:s,what:e},t){let[n,o]=[1/0,-1/0];if(s)return[n,o];for(let i of t)i<n&&(n=i),i>o&&(o=i);return[lc.includes(e)?Math.min(n,0):n,o]}function Ea(s){
+let{values:e}=s.arrays,t=s.header,{x:n,y:o,classes:i}=t,a=new ImageData(n.cells,o.cells),[r,l]=hc(t,e),c=i?.map(({color:h})=>ve(h));for(let h=0;h<o.cells;h++)for(let d=0;d<
+n.cells;d++){let p=e[h*n.cells+d],f=4*((o.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let g=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<o.cells&&e[(h+1)*
+n.cells+d]!==p),b=c?c[p].map(w=>g?.72*w:w):Je[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=u("canvas",{width:n.cells,height:o.cells});
+return me(m).putImageData(a,0,0),{picture:m,header:t,values:e,x:[n.from,n.to],y:[o.from,o.to],low:r,high:l}}function Ma(s,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
+i[1]+1e-300;return[...s.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-rc)}function Sa({header:s,low:e,high:t,values:n}){let{classes:o}=s;if(!o){let r=u("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${Je[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,m]=ga(n);return[u("span",{},n.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?I(M(t*c,3),m):""),s.some(h=>!Number.isFinite(h))?u("span",{},u("\
-i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
+10);let[c,m]=_a(s);return[u("span",{},s.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?O(M(t*c,3),m):""),n.some(h=>!Number.isFinite(h))?u("span",{},u("\
+i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of n)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
 0,10).map(([r])=>{let{color:l,text:c}=o[r];return u("span",{},u("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?u("span",{},`and ${a.length-
-10} more`):""]}function va(n,e){for(let{header:t,values:s}of[...n].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
-(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=s[l*o.cells+r];if(a)return x(a[c]?.text??"not allowed");let[m,h]=ga(t);return Number.
-isFinite(c)?I(M(c*m,4),h):x("none")}return"…"}var xa=[[24,16],[72,48],[216,144]],wn=class{constructor(e,t,{take:s,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=s,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new bn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
+10} more`):""]}function Ta(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
+(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=n[l*o.cells+r];if(a)return x(a[c]?.text??"not allowed");let[m,h]=_a(t);return Number.
+isFinite(c)?O(M(c*m,4),h):x("none")}return"…"}var Aa=[[24,16],[72,48],[216,144]],xn=class{constructor(e,t,{take:n,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=n,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new vn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
 class:"tip",hidden:!0}),this.body=u("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
 the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=u("div",{class:"map-keys"}),this.state=u("span",{class:"hint"});let r=l=>{let c=u("select",{"\
 data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:m,label:h})=>u("option",{value:m},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
@@ -1821,267 +1857,274 @@ u("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quant
 this.element=u("section",{class:"map","aria-label":"Map of motions"},u("div",{class:"map-head"},u("h2",{},"Map"),u("label",{},"of",this.quantity),u("label",{},"\
 Across",this.selects.x),u("label",{},"Up",this.selects.y),u("span",{class:"buttons"},u("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
 zoom(.5)},"+"),u("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),u("button",{type:"button",onclick:()=>this.home()},
-"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${tt("drag to move")}.`)),pa(this),this.soon=ne(()=>this.
+"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${tt("drag to move")}.`)),xa(this),this.soon=oe(()=>this.
 refresh(),140),this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.
 syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of _e)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
-choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let s of Object.values(this.axes.paths)){
-let[o,i]=s.split(".");t[o]&&delete t[o][i]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(e.scenario);s!==this.key_now&&(this.key_now=
-s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&e.x==="start.speed"&&e.y==="plane.mu")return;
-let s=o=>[e[o],...t[o]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===e.what)||!this.axes.restore(e)||(this.
+choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let n of Object.values(this.axes.paths)){
+let[o,i]=n.split(".");t[o]&&delete t[o][i]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let n=this.key_of(e.scenario);n!==this.key_now&&(this.key_now=
+n,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&e.x==="start.speed"&&e.y==="plane.mu")return;
+let n=o=>[e[o],...t[o]];return{what:this.what,x:n("x"),y:n("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===e.what)||!this.axes.restore(e)||(this.
 quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.stale=!0;return}this.stale=!1,this.asked?.
-abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;
-let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();try{for(let[i,a]of xa){
-P(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:s,...r,what:this.what},c=await this.
-backend.call("map",l,e),m=ba(c);this.layers=wa(this.layers,m),this.keys.replaceChildren(...ya(m));let h=fa(t,Object.values(this.axes.paths)),d=x(s.length?"{coun\
-t} motions, with rigid contact":"{count} motions",{count:i*a});P(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.level=xa.length}catch(i){let{name:a,message:r}=i;
-if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:s,height:o}=K(this.canvas,e.px);this.
-axes.fit(s,o),t.clearRect(0,0,s,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>i.x(d)),
-[m,h]=r.y.map(d=>i.y(d));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&Ps(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Bt(this.body)&&Ps(t,i.x(this.
-pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,e)}here(){let e=s=>{let[o,i]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[i]},
-t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${va(this.layers,
-e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var vn=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",s=performance.now()){let o=this.now;if(this.now=e,o===
-null||yn(o,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
-o),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&yn(this.now,e)}next(e){
-return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,this.past],o=t.pop();!o||!this.now||(s.push(this.now),this.
-now=o,this.what="")}arrive(e){if(!(this.now&&yn(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:this.future,o=s.length-s.findLastIndex(i=>yn(i,e));if(!(o>
-s.length)){for(let i=0;i<o;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},yn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var xn=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new vn;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
+abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,n=t.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;
+let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();try{for(let[i,a]of Aa){
+P(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:n,...r,what:this.what},c=await this.
+backend.call("map",l,e),m=Ea(c);this.layers=Ma(this.layers,m),this.keys.replaceChildren(...Sa(m));let h=ka(t,Object.values(this.axes.paths)),d=x(n.length?"{coun\
+t} motions, with rigid contact":"{count} motions",{count:i*a});P(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.level=Aa.length}catch(i){let{name:a,message:r}=i;
+if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:n,height:o}=K(this.canvas,e.px);this.
+axes.fit(n,o),t.clearRect(0,0,n,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>i.x(d)),
+[m,h]=r.y.map(d=>i.y(d));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&Ns(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Bt(this.body)&&Ns(t,i.x(this.
+pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,e)}here(){let e=n=>{let[o,i]=n.split(".");return this.film.values[n]??this.film.scenario[o]?.[i]},
+t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Ta(this.layers,
+e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var _n=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",n=performance.now()){let o=this.now;if(this.now=e,o===
+null||kn(o,e))return"same";let i=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],i?"again":(this.past.push(
+o),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&kn(this.now,e)}next(e){
+return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],o=t.pop();!o||!this.now||(n.push(this.now),this.
+now=o,this.what="")}arrive(e){if(!(this.now&&kn(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,o=n.length-n.findLastIndex(i=>kn(i,e));if(!(o>
+n.length)){for(let i=0;i<o;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},kn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var En=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new _n;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
 1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Re(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
-all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.moved=performance.now(),s.since??=s.moved,s.pending=[...(s.pending??
-[]).filter(([o])=>!e.some(([i])=>i===o)),...e],s.commit||=t,s.what=e.map(([o])=>o).join(),t&&this.history.touch(s.what,s.moved),this.pump(s)}async pump(e){if(e.
-busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
-new Re(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(o){this.lanes.includes(e)&&this.
-listener.failed(o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let s of this.lanes){let{film:o}=s,i=s.refining||s.coarse===o?null:o.wanted(e,t);i&&(s.refining=
-!0,this.backend.call("samples",{scenario:o.scenario,window:i}).then(({arrays:a})=>{o.refine(a),this.listener.refined()}).catch(()=>{s.coarse=o}).finally(()=>{s.
+all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.moved=performance.now(),n.since??=n.moved,n.pending=[...(n.pending??
+[]).filter(([o])=>!e.some(([i])=>i===o)),...e],n.commit||=t,n.what=e.map(([o])=>o).join(),t&&this.history.touch(n.what,n.moved),this.pump(n)}async pump(e){if(e.
+busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
+new Re(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(o){this.lanes.includes(e)&&this.
+listener.failed(o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let n of this.lanes){let{film:o}=n,i=n.refining||n.coarse===o?null:o.wanted(e,t);i&&(n.refining=
+!0,this.backend.call("samples",{scenario:o.scenario,window:i}).then(({arrays:a})=>{o.refine(a),this.listener.refined()}).catch(()=>{n.coarse=o}).finally(()=>{n.
 refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(
 this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Re(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
 let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){
 return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.
 going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
 active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
-"same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
-0).query,s&&`#${s}`)}};var nc=6e3,kn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
-timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
-message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},nc)}};var O=52,_n=10,C=8,En=30;function ka(n,e){if(!n.length)return[0,1];let t=Float64Array.from(n).sort(),[s,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
-t[Math.ceil(.98*t.length)-1]],r=Math.max(a-i,1e-12);o>a+4*r&&(o=a+.6*r),s<i-4*r&&(s=i-.6*r),s=Math.min(s,0),o=Math.max(o,0),e&&([s,o]=[-Math.max(-s,o),Math.max(
--s,o)]);let l=.06*(o-s)||1;return[s<0?s-l:s,o+l]}function _a(n,e){let{look:t,box:s,heights:o,range:i}=e,a=Math.max(s.height/28,4);for(;ae(o[0],o[1],a).length<3&&
-a<12;)a+=1;let r=V(o[1]-o[0],a),l=s.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=W[e.shared.axis];et(n,t,{left:O,top:C,box:s},{up:{marks:ae(o[0],o[1],a).map(d=>({at:e.
-y(d),text:se(d,r),strong:Math.abs(d)<1e-9*r})),name:x(e.unit)},across:{marks:ae(i[0],i[1],l).map(d=>({at:e.x(d),text:se(d,c)})),name:la(m,h)},lines:!0})}var{letters:sc}=S.words;function Ea(n,e,t){let s=n.length/e,o=u("canvas",{width:e,height:s}),i=new ImageData(e,s);for(let a=0;a<s;a++)for(let r=0;r<e;r++){let l=sc[n[a*
-e+r]],c=ve(t[l]??"#6E6E6E"),m=4*((s-1-a)*e+r);i.data.set([...c,255],m)}return me(o).putImageData(i,0,0),o}function Ma(n,e,t){let s=t.length;n.strokeStyle=ct(e.look.
-dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let o=0;o<s;o++){if(!t[o])continue;let i=o;for(;i<s&&t[i]===t[o];)i++;let a=e.x(o*2*Math.PI/s),r=e.x(i*2*Math.PI/
-s);n.save(),n.beginPath(),n.rect(a,C,r-a,e.box.height),n.clip(),n.beginPath();let l=t[o];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)n.moveTo(a+c,l>0?C+e.box.
-height:C),n.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);n.stroke(),n.restore(),o=i}}function Sa(n,e){let{look:t,box:s}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-
-o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*a);let l=V(e.top()-e.bottom(),5);et(n,t,{left:O,top:C,box:s},{across:{marks:r.map(
-c=>({at:e.x(c*Math.PI/180),text:se(c,a)})),name:x("angle θ within a turn [°]")},up:{marks:ae(e.bottom(),e.top(),5).map(c=>({at:e.y(c),text:se(c,l)})),name:"θ̇\
- [rad/s]"}})}var Mn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Sn(n,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-n??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,o=Mn[e].map((i,a)=>(s+=
-i,`${a%2?"transparent":n??"var(--ink)"} ${s-i}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${o.
-join(", ")})`}return t}var Tn=class{constructor(e,t,s){this.backend=e;this.clock=t;this.colors=s;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
+"same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
+0).query,n&&`#${n}`)}};var cc=6e3,Mn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
+timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
+message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},cc)}};var I=52,Sn=10,C=8,Tn=30;function La(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
+t[Math.ceil(.98*t.length)-1]],r=Math.max(a-i,1e-12);o>a+4*r&&(o=a+.6*r),n<i-4*r&&(n=i-.6*r),n=Math.min(n,0),o=Math.max(o,0),e&&([n,o]=[-Math.max(-n,o),Math.max(
+-n,o)]);let l=.06*(o-n)||1;return[n<0?n-l:n,o+l]}function Ra(s,e){let{look:t,box:n,heights:o,range:i}=e,a=Math.max(n.height/28,4);for(;le(o[0],o[1],a).length<3&&
+a<12;)a+=1;let r=V(o[1]-o[0],a),l=n.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=W[e.shared.axis];et(s,t,{left:I,top:C,box:n},{up:{marks:le(o[0],o[1],a).map(d=>({at:e.
+y(d),text:ie(d,r),strong:Math.abs(d)<1e-9*r})),name:x(e.unit)},across:{marks:le(i[0],i[1],l).map(d=>({at:e.x(d),text:ie(d,c)})),name:fa(m,h)},lines:!0})}var{letters:uc}=S.words;function Pa(s,e,t){let n=s.length/e,o=u("canvas",{width:e,height:n}),i=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=uc[s[a*
+e+r]],c=ve(t[l]??"#6E6E6E"),m=4*((n-1-a)*e+r);i.data.set([...c,255],m)}return me(o).putImageData(i,0,0),o}function Ca(s,e,t){let n=t.length;s.strokeStyle=ct(e.look.
+dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let o=0;o<n;o++){if(!t[o])continue;let i=o;for(;i<n&&t[i]===t[o];)i++;let a=e.x(o*2*Math.PI/n),r=e.x(i*2*Math.PI/
+n);s.save(),s.beginPath(),s.rect(a,C,r-a,e.box.height),s.clip(),s.beginPath();let l=t[o];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?C+e.box.
+height:C),s.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);s.stroke(),s.restore(),o=i}}function za(s,e){let{look:t,box:n}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-
+o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*a);let l=V(e.top()-e.bottom(),5);et(s,t,{left:I,top:C,box:n},{across:{marks:r.map(
+c=>({at:e.x(c*Math.PI/180),text:ie(c,a)})),name:x("angle θ within a turn [°]")},up:{marks:le(e.bottom(),e.top(),5).map(c=>({at:e.y(c),text:ie(c,l)})),name:"θ̇\
+ [rad/s]"}})}var An={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ln(s,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,o=An[e].map((i,a)=>(n+=
+i,`${a%2?"transparent":s??"var(--ink)"} ${n-i}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${o.
+join(", ")})`}return t}var Rn=class{constructor(e,t,n){this.backend=e;this.clock=t;this.colors=n;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
  plot-over"});this.keys=u("div",{class:"plot-keys"});this.asked="";this.body=u("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle \
 and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},"Pla\
 ne of θ and θ̇"),this.keys),this.body,u("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
-" ",`Click to go there; ${tt("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=oe(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
-i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ne(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),
-o=JSON.stringify([e.hoop,e.plane,s]);if(o!==this.asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=o,this.pictures=[i],this.redraw()}this.window&&
+" ",`Click to go there; ${tt("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=ae(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
+i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=oe(()=>this.sharpen(),140)}async fetch(e,t){let n=this.reach(),
+o=JSON.stringify([e.hoop,e.plane,n]);if(o!==this.asked){let i=await this.painted(e,[0,2*Math.PI,-n,n],t);this.asked=o,this.pictures=[i],this.redraw()}this.window&&
 await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(
 this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.
-name!=="AbortError")throw e}}}async painted(e,t,s){let{header:o,arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return s?.throwIfAborted(),
-{window:o.window,paradox:i.paradox,picture:Ea(i.modes,i.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??
-[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,
+name!=="AbortError")throw e}}}async painted(e,t,n){let{header:o,arrays:i}=await this.backend.call("regions",{scenario:e,window:t},n);return n?.throwIfAborted(),
+{window:o.window,paradox:i.paradox,picture:Pa(i.modes,i.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let n of this.films??
+[]){let o=Float64Array.from(n.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,
 4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-
 e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.
-body.getBoundingClientRect(),s=((e.clientX-t.left)/this.look.px-O)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+s*
+body.getBoundingClientRect(),n=((e.clientX-t.left)/this.look.px-I)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+n*
 (this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([
-e,t],s){let o=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.
-top()-t)*s,a);this.range=[o,i],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?
--this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=
+e,t],n){let o=Math.max(e-(e-this.range[0])*n,0),i=Math.min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*n,-a),l=Math.min(t+(this.
+top()-t)*n,a);this.range=[o,i],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?
+-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,n){this.films=e,this.active=t,this.look=n,this.reached=
 this.findReach(),this.forwards=e.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&
-(this.forwards=!0),this.redraw()}x(e){return O+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.
-bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-O-_n,height:i-
-C-En},s.clearRect(0,0,o,i),s.save(),s.beginPath(),s.rect(O,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,
-window:r}of this.pictures){let[l,c,m,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];s.fillStyle=t.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.
-globalAlpha=.35,s.drawImage(a,d[0],d[1],d[2],d[3]),s.globalAlpha=1}Ma(s,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.
-restore(),Sa(s,this),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.
-map(([r,l])=>u("span",{class:"plot-key"},Sn(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,s){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
-s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?he(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
+(this.forwards=!0),this.redraw()}x(e){return I+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.
+bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-I-Sn,height:i-
+C-Tn},n.clearRect(0,0,o,i),n.save(),n.beginPath(),n.rect(I,C,this.box.width,this.box.height),n.clip(),this.pictures){n.imageSmoothingEnabled=!1;for(let{picture:a,
+window:r}of this.pictures){let[l,c,m,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];n.fillStyle=t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.
+globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ca(n,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(n,r,a);if(n.
+restore(),za(n,this),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.
+map(([r,l])=>u("span",{class:"plot-key"},Ln(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
+n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?ue(n,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
 isFinite(i[c])){l=null;continue}let m=Math.floor(o[c]/r),h=o[c]-m*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(m!==l.lap){let d=m>l.lap?r:0;e.lineTo(this.
 x(d),this.y(i[c])),e.moveTo(this.x(r-d),this.y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:m,mode:a[c]}}e.stroke(),e.setLineDash(
-[])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:o}=K(this.over,this.look.px);t.clearRect(0,0,s,o),this.films.forEach((i,a)=>{let r=i.
-at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,m=this.x(c),h=this.y(r.omega);m>=O&&m<=O+this.box.width&&h>=C&&h<=C+this.box.height&&(t.beginPath(),t.arc(m,
-h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?he(a,this.look.dark):this.look.ink,t.stroke(),
-!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],m+8,h-6)))})}seek(e){let t=this.body.
-getBoundingClientRect(),[s,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.
-columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/l)*l,d=Math.hypot(this.x(h)-s,this.y(r[m])-o);d<c.distance&&(c={
-distance:d,t:i.t[m]})}c.distance<40&&this.clock.seek(E(c.t,0,i.duration))}};var nt=class{constructor({key:e,title:t,unit:s,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=s,this.curves=o,this.limits=
+[])}spot({angle:e,omega:t}){let n=2*Math.PI;return[this.x(e-Math.floor(e/n)*n),this.y(t)]}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:o}=K(
+this.over,this.look.px);t.clearRect(0,0,n,o);let{pointed:i}=this.clock;if(i!==null){let[a,r]=this.spot(this.films[this.active].at(i));t.strokeStyle=this.look.ink,
+t.lineWidth=1.5;for(let l of[6,10])t.beginPath(),t.arc(a,r,l,0,2*Math.PI),t.stroke()}this.films.forEach((a,r)=>{let l=a.at(e),[c,m]=this.spot(l);c>=I&&c<=I+this.
+box.width&&m>=C&&m<=C+this.box.height&&(t.beginPath(),t.arc(c,m,r?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[l.mode],t.fill(),t.lineWidth=2,t.strokeStyle=
+this.films.length>1?ue(r,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.
+strokeStyle,t.fillText("AB"[r],c+8,m-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[n,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.
+pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/
+l)*l,d=Math.hypot(this.x(h)-n,this.y(r[m])-o);d<c.distance&&(c={distance:d,t:i.t[m]})}c.distance<40&&this.clock.seek(_(c.t,0,i.duration))}};var nt=class{constructor({key:e,title:t,unit:n,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=n,this.curves=o,this.limits=
 i,this.symmetric=a,this.canvas=u("canvas",{class:"plot-canvas"}),this.over=u("canvas",{class:"plot-canvas plot-over"}),this.keys=u("div",{class:"plot-keys"}),this.
 body=u("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=u("section",{class:"plot","data-plot":e},u("heade\
-r",{},u("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=oe(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
+r",{},u("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
 c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return W[this.shared.axis].values(e)}fullRange(){if(this.
-shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let o of this.abscissa(s))o<e&&(e=
-o),o>t&&(t=o);return t>e?[e,t]:[e-1,t+1]}take(e,t,s){this.films=e,this.active=t,this.look=s,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
-e[t],t),s.dark)}draw(e){let{films:t,active:s}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-O-_n,height:a-C-En},o.clearRect(0,
+shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.films)for(let o of this.abscissa(n))o<e&&(e=
+o),o>t&&(t=o);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
+e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-I-Sn,height:a-C-Tn},o.clearRect(0,
 0,i,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((m,h)=>({...m,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="ti\
-me"&&this.bands(o,t[s],e),_a(o,this),o.save(),o.beginPath(),o.rect(O,C,this.box.width,this.box.height),o.clip();for(let l of r)this.curve(o,l);if(t.length>1)for(let l of r)
-l.number===0&&this.letter(o,l);o.restore(),this.describe(r)}shades(e,t){let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.
-color&&ut(i.color,s)}));let o=Object.keys(Mn);return this.curves(e).map((i,a)=>({...i,color:he(t,s),dash:o[a%o.length]}))}x(e){return O+(e-this.range[0])/(this.
-range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:s,
-values:o}of e){let i=this.abscissa(s);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.isFinite(o[a])&&t.push(o[a])}return ka(t,this.
-symmetric)}bands(e,t,s){for(let o of t.phases){let i=E(this.x(o.from),O,O+this.box.width),a=E(this.x(o.to),O,O+this.box.width);a<=i||(e.fillStyle=ct(s.modes[o.mode],
-.14),e.fillRect(i,C,a-i,this.box.height))}}curve(e,{film:t,color:s,dash:o,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Mn[o??"solid"]),
+me"&&this.bands(o,t[n],e),Ra(o,this),o.save(),o.beginPath(),o.rect(I,C,this.box.width,this.box.height),o.clip();for(let l of r)this.curve(o,l);if(t.length>1)for(let l of r)
+l.number===0&&this.letter(o,l);o.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.
+color&&ut(i.color,n)}));let o=Object.keys(An);return this.curves(e).map((i,a)=>({...i,color:ue(t,n),dash:o[a%o.length]}))}x(e){return I+(e-this.range[0])/(this.
+range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:n,
+values:o}of e){let i=this.abscissa(n);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.isFinite(o[a])&&t.push(o[a])}return La(t,this.
+symmetric)}bands(e,t,n){for(let o of t.phases){let i=_(this.x(o.from),I,I+this.box.width),a=_(this.x(o.to),I,I+this.box.width);a<=i||(e.fillStyle=ct(n.modes[o.mode],
+.14),e.fillRect(i,C,a-i,this.box.height))}}curve(e,{film:t,color:n,dash:o,number:i}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(An[o??"solid"]),
 e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[i];for(let m=r.from;m<r.to;m++){if(!Number.isFinite(c[m])||
-!Number.isFinite(l[m])){a=!1;continue}let h=this.x(l[m]),d=E(this.y(c[m]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,
-lane:s,values:o,color:i}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(o[l]))
-return;let[c,m]=[this.x(a[l]),E(this.y(o[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.
-look.panel,e.strokeText("AB"[s],c,m),e.fillStyle=i??this.look.ink,e.fillText("AB"[s],c,m)}legend(e,t){let s=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==
-s&&(this.named=s,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},Sn(o.color,o.dash),o.name,
+!Number.isFinite(l[m])){a=!1;continue}let h=this.x(l[m]),d=_(this.y(c[m]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,
+lane:n,values:o,color:i}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(o[l]))
+return;let[c,m]=[this.x(a[l]),_(this.y(o[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.
+look.panel,e.strokeText("AB"[n],c,m),e.fillStyle=i??this.look.ink,e.fillText("AB"[n],c,m)}legend(e,t){let n=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==
+n&&(this.named=n,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},Ln(o.color,o.dash),o.name,
 " ",this.values[i]))))}describe(e){let t=e.slice(0,6).map(({name:o,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of i)h<r&&(r=h),h>l&&(l=h);let c=this.films.
-length>1?`${"AB"[a]}: `:"",m={name:x(o),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",m)}`:""}),s=x("Diagram: {title} in {unit}.",{
-title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,
-width:s,height:o}=K(this.over,this.look.px);if(t.clearRect(0,0,s,o),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),c=r.index(l.t),m=Math.min(c+1,r.length-
-1),h=r.t[m]>r.t[c]?(l.t-r.t[c])/(r.t[m]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[m]-d[c])),f=p>=O-1&&p<=O+this.box.width+1;f&&(t.strokeStyle=this.look.soft,
-t.lineWidth=1,t.beginPath(),t.moveTo(p,C),t.lineTo(p,C+this.box.height),t.stroke()),this.shades(r,a).forEach((g,b)=>{let w=g.values[m],y=Number.isFinite(w)?g.values[c]+
-h*(w-g.values[c]):g.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=M(y,3));let v=this.y(y);!f||!(v>=C-1&&v<=C+this.box.height+1)||(t.fillStyle=
-g.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=ct("#0072B2",.2),t.fillRect(Math.min(
-i,a),C,Math.abs(a-i),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),s=E(((e.clientX-t.left)/this.look.px-O)/this.box.width,0,1);return this.
-range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left)/this.look.px,o=this.valueAt(
-e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=(r.clientX-t.left)/this.look.px;this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.
-pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:m}=this;this.picked=
-null,m&&l?this.zoomTo(o<c?[o,c]:[c,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.axis==="time")
-return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),o=0;for(let i=0;i<s.length;i++)Math.abs(s[i]-e)<Math.abs(s[o]-e)&&(o=i);return this.onseek(
-t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),o=Math.max(e-(e-this.range[0])*t,s[0]),i=Math.min(e+(this.range[1]-
-e)*t,s[1]);this.zoomTo(o<=s[0]&&i>=s[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var zs=n=>Object.entries(W).map(([e,t])=>u("option",{value:e},n(t)));function Ta(n){let e="height",t=new nt({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
-W[e].name),values:W[e].values(i)}]},n),s=()=>{let{symbol:i,unit:a}=W[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=o.value,s(),n.changed()}},zs(Vi));return o.value=e,s(),t.element.querySelector("h3")?.after(o),t}function oc(n){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:n.center_speed,values:e.columns.vx},{name:"\
-R θ̇",color:n.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
-s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:n.kinetic,values:e.columns.kinetic},{name:"potential",color:n.potential,values:e.columns.potential},{name:"\
-total",values:e.derived("total",({t,kinetic:s,potential:o})=>Float64Array.from(t,(i,a)=>s[a]+o[a])),dash:"dash"},{name:"lost to friction",color:n.friction_loss,
-values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:n.impact_loss,values:e.columns.
+length>1?`${"AB"[a]}: `:"",m={name:x(o),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",m)}`:""}),n=x("Diagram: {title} in {unit}.",{
+title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,
+width:n,height:o}=K(this.over,this.look.px);t.clearRect(0,0,n,o),this.films.forEach((a,r)=>{let l=a.holding(e),c=l.at(e),m=l.index(c.t),h=Math.min(m+1,l.length-
+1),d=l.t[h]>l.t[m]?(c.t-l.t[m])/(l.t[h]-l.t[m]):0,p=this.abscissa(l),f=this.x(p[m]+d*(p[h]-p[m])),g=f>=I-1&&f<=I+this.box.width+1;g&&(t.strokeStyle=this.look.soft,
+t.lineWidth=1,t.beginPath(),t.moveTo(f,C),t.lineTo(f,C+this.box.height),t.stroke()),this.shades(l,r).forEach((b,w)=>{let y=b.values[h],v=Number.isFinite(y)?b.values[m]+
+d*(y-b.values[m]):b.values[m];r===this.active&&this.values?.[w]&&(this.values[w].textContent=M(v,3));let k=this.y(v);!g||!(k>=C-1&&k<=C+this.box.height+1)||(t.fillStyle=
+b.color??this.look.ink,t.beginPath(),t.arc(f,k,3.2,0,2*Math.PI),t.fill())})});let{pointed:i}=this.shared.clock;if(i!==null&&this.shared.axis==="time"&&(t.strokeStyle=
+this.look.ink,t.setLineDash([4,3]),t.strokeRect(this.x(i),C,0,this.box.height),t.setLineDash([])),this.picked){let[a,r]=this.picked;t.fillStyle=ct("#0072B2",.2),
+t.fillRect(Math.min(a,r),C,Math.abs(r-a),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_(((e.clientX-t.left)/this.look.px-I)/this.box.width,
+0,1);return this.range[0]+n*(this.range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left)/this.look.
+px,o=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=(r.clientX-t.left)/this.look.px;this.picked=e.pointerType==="mouse"&&Math.abs(l-
+n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:m}=this;
+this.picked=null,m&&l?this.zoomTo(o<c?[o,c]:[c,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.
+axis==="time")return this.onseek(e);let t=this.films[this.active],n=this.abscissa(t),o=0;for(let i=0;i<n.length;i++)Math.abs(n[i]-e)<Math.abs(n[o]-e)&&(o=i);return this.
+onseek(t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let n=this.fullRange(),o=Math.max(e-(e-this.range[0])*t,n[0]),i=Math.min(e+(this.
+range[1]-e)*t,n[1]);this.zoomTo(o<=n[0]&&i>=n[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Os=s=>Object.entries(W).map(([e,t])=>u("option",{value:e},s(t)));function Na(s){let e="height",t=new nt({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+W[e].name),values:W[e].values(i)}]},s),n=()=>{let{symbol:i,unit:a}=W[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=o.value,n(),s.changed()}},Os(Zi));return o.value=e,n(),t.element.querySelector("h3")?.after(o),t}function dc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
+R θ̇",color:s.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,n=>n*e.radius))}]},{key:"energies",title:"Energies and losse\
+s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:s.kinetic,values:e.columns.kinetic},{name:"potential",color:s.potential,values:e.columns.potential},{name:"\
+total",values:e.derived("total",({t,kinetic:n,potential:o})=>Float64Array.from(t,(i,a)=>n[a]+o[a])),dash:"dash"},{name:"lost to friction",color:s.friction_loss,
+values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:s.impact_loss,values:e.columns.
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
-orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:n.normal_force,values:e.columns.normal_force},{name:"friction F",color:n.friction_force,
-dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:n.
-friction_force,values:e.columns.utilization}]}]}var An=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
-this.plots=[...oc(t).map(o=>new nt(o,this.shared)),Ta(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
-!0]));let s=new IntersectionObserver(o=>{for(let{target:i,isIntersecting:a}of o)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let o of this.plots)
-s.observe(o.element);this.axis=u("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
-this.redraw()}},zs(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
-span",{class:"hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(o=>o.element))}draw(e,t,s){
-this.films=e,this.active=t,this.look=s;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${tt("")}`,
+orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
+dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
+friction_force,values:e.columns.utilization}]}]}var Pn=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
+this.plots=[...dc(t).map(o=>new nt(o,this.shared)),Na(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
+!0]));let n=new IntersectionObserver(o=>{for(let{target:i,isIntersecting:a}of o)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let o of this.plots)
+n.observe(o.element);this.axis=u("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
+this.redraw()}},Os(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
+span",{class:"hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(o=>o.element))}draw(e,t,n){
+this.films=e,this.active=t,this.look=n;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${tt("")}`,
 i=e.length>1;P(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var ic={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},ac={python:"The bits differ: {own} here, {other} in Python.",link:"\
-The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Ln=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
-({key:t,query:s})=>[s,S.fingerprints[t]]))}expect(e,t){for(let[s,{query:o}]of e.entries())t[s]&&this.link.set(o,t[s])}expected(e){return e.map(({query:t})=>this.
-link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(s=>{let o=this[s].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?ic[s]:
-ac[s].replace("{own}",t).replace("{other}",o)}]}):[]}};var Ca=ml(Pa(),1);var rc=3840;async function za(n){let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=Math.max(rc/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
-round(e*s),height:Math.round(t*s)}),i=me(o);return i.setTransform(s,0,0,s,0,0),Ds(i,n,e,t),n.stage.options.three?(i.drawImage(n.stage.sharp(n,s),0,0,e,t),n.drawStage()):
-Ia(i,n,e,t),Is(i,n,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Na(n){if(n.stage.options.three)
-throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=n.stage.canvas().getBoundingClientRect(),s=new Ca.Context(
-{width:e,height:t,document});return Ds(s,n,e,t),Ia(s,n,e,t),Is(s,n,t),new Blob([s.getSerializedSvg()],{type:"image/svg+xml"})}function Da(n,e){let t=n.stage.canvas(),
-{width:s,height:o}=t.getBoundingClientRect(),i=me(e);i.setTransform(e.width/s,0,0,e.height/o,0,0),Ds(i,n,s,o),i.drawImage(t,0,0,s,o),Is(i,n,o)}function Ds(n,{theme:e},t,s){
-n.fillStyle=e.look.paper,n.fillRect(0,0,t,s)}function Ia(n,e,t,s){let{stage:o,clock:i,theme:a}=e;o.flat.paint(n,t,s,e.films(),i.time,o.options,a.look,a.inks)}function Is(n,e,t){
-let{theme:s,stage:o,clock:i}=e,{px:a}=s.look,r=e.films();n.textBaseline="top",n.textAlign="left";for(let[l,c]of r.entries()){let m=c.at(i.time),h=r.length>1?`${"\
-AB"[l]}: `:"",d=x(s.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${$(m.angle)}, v = ${M(m.vx,3)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.length;
-n.fillStyle=s.colors.modes[m.mode],n.fillRect(12,f+2*a,11*a,11*a),n.fillStyle=s.look.ink,n.font=`${13*a}px ${s.look.font}`,n.fillText(`${h}${d}, ${p}`,12+18*a,f)}
-n.textBaseline="alphabetic"}async function Oa(n){let e=n.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
-stead.");let t=u("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),s=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),o=[];
-s.ondataavailable=r=>o.push(r.data);let i=new Promise(r=>s.onstop=r),{loop:a}=n.clock;return n.clock.loop=!1,n.clock.seek(0),n.notice.say("Recording one run …"),
-n.afterFrame=()=>{Da(n,t),!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await i,n.afterFrame=null,n.clock.loop=a,new Blob(o,{type:s.
-mimeType})}var lc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],Pn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},"Keep"),u("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),lc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Pic\
-ture (PNG)",()=>this.picture("png",za)),this.item("Picture (SVG)",()=>this.picture("svg",Na)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
-"Show me the Python",()=>this.code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"})}item(e,t){return u("button",{type:"\
-button",onclick:async()=>{this.menu.open=!1;try{await t()}catch(s){this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??
-""))??"";try{await navigator.clipboard.writeText(e),this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.
-lab.film();this.lab.notice.say(e.endsWith("mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),Xe(await this.lab.backend.file(e,t.query),
-`hophoop-${e}`),this.lab.notice.say(`${e} is there.`)}async picture(e,t){Xe(await t(this.lab),`hophoop.${e}`)}async record(){Xe(await Oa(this.lab),"hophoop.webm"),
-this.lab.notice.say("The film is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same\
- motion in Python",e.python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let o=e[s+1],i=u("button",{type:"button"},"Copy");
-i.onclick=async()=>{await navigator.clipboard?.writeText(o).catch(()=>{}),P(i,"Copied")},t.push(u("header",{},u("h2",{},e[s]),i),u("pre",{tabindex:"0"},u("code",
-{},document.createTextNode(o))))}this.dialog.replaceChildren(...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.
-showModal()}};var qa=120,Cn=class{constructor(e,t,s,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=s;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var mc={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},pc={python:"The bits differ: {own} here, {other} in Python.",link:"\
+The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Cn=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
+({key:t,query:n})=>[n,S.fingerprints[t]]))}expect(e,t){for(let[n,{query:o}]of e.entries())t[n]&&this.link.set(o,t[n])}expected(e){return e.map(({query:t})=>this.
+link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let o=this[n].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?mc[n]:
+pc[n].replace("{own}",t).replace("{other}",o)}]}):[]}};var Fa=vl(qa(),1);var fc=3840;async function Ha(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(fc/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
+round(e*n),height:Math.round(t*n)}),i=me(o);return i.setTransform(n,0,0,n,0,0),qs(i,s,e,t),s.stage.options.three?(i.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
+$a(i,s,e,t),Fs(i,s,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function ja(s){if(s.stage.options.three)
+throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Fa.Context(
+{width:e,height:t,document});return qs(n,s,e,t),$a(n,s,e,t),Fs(n,s,t),new Blob([n.getSerializedSvg()],{type:"image/svg+xml"})}function Ba(s,e){let t=s.stage.canvas(),
+{width:n,height:o}=t.getBoundingClientRect(),i=me(e);i.setTransform(e.width/n,0,0,e.height/o,0,0),qs(i,s,n,o),i.drawImage(t,0,0,n,o),Fs(i,s,o)}function qs(s,{theme:e},t,n){
+s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function $a(s,e,t,n){let{stage:o,clock:i,theme:a}=e;o.flat.paint(s,t,n,e.films(),i.time,o.options,a.look,a.inks)}function Fs(s,e,t){
+let{theme:n,stage:o,clock:i}=e,{px:a}=n.look,r=e.films();s.textBaseline="top",s.textAlign="left";for(let[l,c]of r.entries()){let m=c.at(i.time),h=r.length>1?`${"\
+AB"[l]}: `:"",d=x(n.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${$(m.angle)}, v = ${M(m.vx,3)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.length;
+s.fillStyle=n.colors.modes[m.mode],s.fillRect(12,f+2*a,11*a,11*a),s.fillStyle=n.look.ink,s.font=`${13*a}px ${n.look.font}`,s.fillText(`${h}${d}, ${p}`,12+18*a,f)}
+s.textBaseline="alphabetic"}async function Wa(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
+stead.");let t=u("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),o=[];
+n.ondataavailable=r=>o.push(r.data);let i=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
+s.afterFrame=()=>{Ba(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await i,s.afterFrame=null,s.clock.loop=a,new Blob(o,{type:n.
+mimeType})}var gc=[["motion.toml","Save the scenario (TOML)"],["motion.csv","Save the states (CSV)"],["motion.nc","Save the motion (netCDF)"],["motion.json","Save the even\
+ts (JSON)"],["motion.mp4","Save a film (MP4)"]],Nn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},u("span",{class:"\
+long"},"Share and save"),u("span",{class:"short"},"Share")),u("div",{class:"menu-body"},e.backend.shares&&this.item("Copy a link to this motion",()=>this.copyLink()),
+gc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Save a picture (PNG)",()=>this.picture("png",Ha)),
+this.item("Save a picture (SVG)",()=>this.picture("svg",ja)),this.item("Record one run as a film (WebM)",()=>this.record()),this.item("Show the Python code",()=>this.
+code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"})}item(e,t){return u("button",{type:"button",onclick:async()=>{this.
+menu.open=!1;try{await t()}catch(n){this.lab.notice.fail(n)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.
+clipboard.writeText(e),this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.
+notice.say(e.endsWith("mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),Qe(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.
+lab.notice.say(`${e} is there.`)}async picture(e,t){Qe(await t(this.lab),`hophoop.${e}`)}async record(){Qe(await Wa(this.lab),"hophoop.webm"),this.lab.notice.say(
+"The film is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.
+python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let n=0;n<e.length;n+=2){let o=e[n+1],i=u("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.
+clipboard?.writeText(o).catch(()=>{}),P(i,"Copied")},t.push(u("header",{},u("h2",{},e[n]),i),u("pre",{tabindex:"0"},u("code",{},document.createTextNode(o))))}this.
+dialog.replaceChildren(...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Ga=120,Dn=class{constructor(e,t,n,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=n;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
 h;this.top=0;this.pose=o.at(i);let d=o.radius,{left:p,right:f}=o.extent,{top:g}=h;this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let b=2*h.radius+Math.
-min(g,6*h.radius),w=Math.min(.66*s/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*d,v=(f-p)*Math.abs(this.sine)+2.6*d+g;this.scale=Math.min(t/y,.86*s/
-v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+m[0],(o.slope?.62:.8)*s+m[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
-place=[(t<520?.6:.46)*t+m[0],.82*s+m[1]]}point(e,t){let s=e-this.focus[0],o=t-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+o*this.sine),this.place[1]-
-this.scale*(o*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/this.scale,o=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-o*this.
-sine,this.focus[1]+s*this.sine+o*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
-forces()}ground(){let{context:e,look:t,width:s,height:o}=this,i=(Math.hypot(s,o)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
+min(g,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*d,v=(f-p)*Math.abs(this.sine)+2.6*d+g;this.scale=Math.min(t/y,.86*n/
+v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+m[0],(o.slope?.62:.8)*n+m[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
+place=[(t<520?.6:.46)*t+m[0],.82*n+m[1]]}point(e,t){let n=e-this.focus[0],o=t-this.focus[1];return[this.place[0]+this.scale*(n*this.cosine+o*this.sine),this.place[1]-
+this.scale*(o*this.cosine-n*this.sine)]}unpoint(e,t){let n=(e-this.place[0])/this.scale,o=-(t-this.place[1])/this.scale;return[this.focus[0]+n*this.cosine-o*this.
+sine,this.focus[1]+n*this.sine+o*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.
+forces()}ground(){let{context:e,look:t,width:n,height:o}=this,i=(Math.hypot(n,o)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
 this.focus[0]-i,0),[l,c]=this.point(this.focus[0]+i,0),m=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
-l+m[0],c+m[1]),e.lineTo(a+m[0],r+m[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=V(s/this.scale,s/
+l+m[0],c+m[1]),e.lineTo(a+m[0],r+m[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=V(n/this.scale,n/
 (90*t.px));e.fillStyle=t.soft,e.font=`${11*t.px}px ${t.font}`,e.textAlign="center",e.lineWidth=1;let d=Math.ceil((this.focus[0]-i)/h),p=Math.min(Math.floor((this.
-focus[0]+i)/h),d+400);for(let f=d;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>s+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
-e.fillText(`${se(f*h,h)} m`,g-18*t.px*this.sine,b+8+10*t.px*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:o}=this,i=e.radius,a=this.options.ahead?e.
+focus[0]+i)/h),d+400);for(let f=d;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>n+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
+e.fillText(`${ie(f*h,h)} m`,g-18*t.px*this.sine,b+8+10*t.px*this.cosine))}}traces(){let{film:e,context:t,look:n,colors:o}=this,i=e.radius,a=this.options.ahead?e.
 duration:this.pose.t,r=(l,c,m,h)=>{t.strokeStyle=c,t.lineWidth=m,t.lineJoin="round",t.beginPath();let d=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),i+g+l*
 Math.cos(b));d?t.lineTo(w,y):t.moveTo(w,y),d=!0};for(let f of e.pieces()){let{x:g,height:b,angle:w,mode:y}=f.film.columns;for(let v=f.from;v<f.to&&f.film.t[v]<=
 a;v++)h===void 0||y[v]===3===h?p(g[v],b[v],w[v]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),
-t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,o.gravity_center,1.8,!1),r(e.eccentricity*i,o.airborne,2.4,!0),t.globalAlpha=
-1}mark(e,t){let{context:s,film:o,pose:i,scale:a}=this,[r,l]=this.point(i.x,o.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),s.arc(r,l,Math.max(o.radius*
-a-E(.07*o.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 ${17*this.look.px}px ${this.look.font}`,s.textAlign="center",s.fillText(e,r-14,l+
-20)}hoop(){let{film:e,pose:t,context:s,look:o,colors:i,scale:a}=this,r=e.radius,l=E(.07*r*a,2,14),c=r-.5*l/a,m=[t.x,r+t.height],h=(b,w=c)=>this.point(m[0]+w*Math.
-sin(b),m[1]+w*Math.cos(b));if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),s.stroke()),
-this.options.speed){let b=this.common.speed;s.lineWidth=l;let w=2*Math.PI/qa;for(let y=0;y<qa;y++){let v=t.angle+y*w,_=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),
-t.vy-r*t.omega*Math.sin(v+.5*w));s.strokeStyle=Ft[E(Math.round(255*_/b)||0,0,255)],s.beginPath(),s.moveTo(...h(v-.04*w)),s.lineTo(...h(v+1.04*w)),s.stroke()}}else
-s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=1,s.beginPath(),
-s.moveTo(...this.point(m[0],m[1])),s.lineTo(...h(t.angle)),s.stroke();let d=(b,w,y,v)=>{s.beginPath(),s.arc(...b,w,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=
-1.5,s.strokeStyle=v,s.stroke()};d(this.point(m[0],m[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,m):d(h(t.angle),E(.1*r*a,4,16),o.ink,o.paper);
-let f=e.eccentricity*r,g=this.point(m[0]+f*Math.sin(t.angle),m[1]+f*Math.cos(t.angle));d(g,E(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,o.paper)}parts(e,t){
-let{film:s,pose:o,context:i,look:a,scale:r}=this,c=e.reduce((m,h)=>m+h.mass*(h.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let m of e){let h=c*(m.at??0),d=this.point(
-t[0]+h*Math.sin(o.angle),t[1]+h*Math.cos(o.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),m.shape==="ring")i.globalAlpha=.22,i.arc(...d,m.outer_radius*
-r,0,2*Math.PI),i.arc(...d,m.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(m.shape==="rod"){let p=.5*m.length,f=g=>this.point(t[0]+g*Math.sin(o.
-angle),t[1]+g*Math.cos(o.angle));i.lineWidth=4,i.moveTo(...f(h-p)),i.lineTo(...f(h+p)),i.stroke()}else{let p=m.shape==="disk"?m.radius*r:E(.08*s.radius*r,3,12);
-i.globalAlpha=m.shape==="disk"?.55:1,i.arc(...d,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,o=e.radius,i=e.mass*(e.gravity||
-9.81),a=l=>.55*o*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N = ${M(t.normal_force,
-3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${M(t.friction_force,3)} N`,!0)}arrow([e,t],[s,o],i,a,r){let{context:l,look:c,width:m}=this,
-h=2.2*this.film.radius,d=Math.abs(s)>h||Math.abs(o)>h;[s,o]=[E(s,-h,h),E(o,-h,h)];let p=this.point(e,t),f=this.point(e+s,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);
-if(g<2)return;let b=(f[0]-p[0])/g,w=(f[1]-p[1])/g,y=Math.min(11,g);for(let[T,L]of[[c.paper,6],[i,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=L,l.beginPath(),l.
-moveTo(...p),l.lineTo(f[0]-b*y,f[1]-w*y),l.stroke();if(l.beginPath(),l.moveTo(...f),l.lineTo(f[0]-b*y-w*y*.5,f[1]-w*y+b*y*.5),l.lineTo(f[0]-b*y+w*y*.5,f[1]-w*y-
-b*y*.5),l.fill(),d){let[T,L]=[p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let R of[-3,3])l.moveTo(T+b*(R-3)-w*7,L+w*(R-3)+b*
-7),l.lineTo(T+b*(R+3)+w*7,L+w*(R+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,
-l.textAlign="left";let _=r?[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,E(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];_[0]=E(_[0],4,m-v-
-4),l.strokeText(a,_[0],_[1]),l.fillText(a,_[0],_[1])}};var zn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.grab=()=>!1,this.over=()=>{},e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=oe(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
-this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,s]=[0,0]){let{width:o,
-height:i}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*o,s*i]}zoomBy(e){this.zoom=E(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
-let t=[e.clientX,e.clientY],s=this.shift;J(this.canvas,e,o=>{this.pinched()||(this.shift=[s[0]+o.clientX-t[0],s[1]+o.clientY-t[1]],this.onview())})}draw(e,t,s,o,i){
-let{context:a,width:r,height:l}=K(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,s,o,i))}paint(e,t,s,o,i,a,r,l){let c=s/o.length,
+t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,n.ink,1.3),r(e.eccentricity*i,o.gravity_center,1.8,!1),r(e.eccentricity*i,o.airborne,2.4,!0),t.globalAlpha=
+1}mark(e,t){let{context:n,film:o,pose:i,scale:a}=this,[r,l]=this.point(i.x,o.radius+i.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(o.radius*
+a-_(.07*o.radius*a,2,14)-3,2),0,2*Math.PI),n.stroke(),n.fillStyle=t,n.font=`700 ${17*this.look.px}px ${this.look.font}`,n.textAlign="center",n.fillText(e,r-14,l+
+20)}ghost(e){let{context:t,film:n,look:o,width:i,scale:a}=this,r=n.radius,[l,c]=this.point(e.x,r+e.height),m=r*a;if(t.strokeStyle=t.fillStyle=o.ink,t.lineWidth=
+1.5,t.beginPath(),l>-.5*m&&l<i+.5*m){let g=this.point(e.x+r*Math.sin(e.angle),r+e.height+r*Math.cos(e.angle));t.setLineDash([6,5]),t.arc(l,c,m,0,2*Math.PI),t.moveTo(
+l,c),t.lineTo(...g),t.stroke(),t.setLineDash([]),t.beginPath(),t.arc(...g,_(.1*m,4,16),0,2*Math.PI),t.fillStyle=o.paper,t.fill(),t.stroke();return}let h=l<0?-1:
+1,d=h<0?6:i-6,p=_(c,24,this.height-24);t.moveTo(d,p),t.lineTo(d-14*h,p-9),t.lineTo(d-14*h,p+9),t.fill(),t.font=`600 ${12*o.px}px ${o.font}`,t.textAlign=h<0?"lef\
+t":"right",t.lineWidth=3,t.strokeStyle=o.paper;let f=`${M(e.x-this.focus[0],3)} m`;t.strokeText(f,d-20*h,p+4*o.px),t.fillText(f,d-20*h,p+4*o.px)}hoop(){let{film:e,
+pose:t,context:n,look:o,colors:i,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,m=[t.x,r+t.height],h=(b,w=c)=>this.point(m[0]+w*Math.sin(b),m[1]+w*Math.cos(
+b));if(n.lineCap="butt",o.dark&&(n.strokeStyle=o.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){
+let b=this.common.speed;n.lineWidth=l;let w=2*Math.PI/Ga;for(let y=0;y<Ga;y++){let v=t.angle+y*w,k=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.
+sin(v+.5*w));n.strokeStyle=Ft[_(Math.round(255*k/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=i.modes[t.
+mode],n.lineWidth=l,n.beginPath(),n.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=o.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(
+m[0],m[1])),n.lineTo(...h(t.angle)),n.stroke();let d=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,
+n.stroke()};d(this.point(m[0],m[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,m):d(h(t.angle),_(.1*r*a,4,16),o.ink,o.paper);let f=e.eccentricity*
+r,g=this.point(m[0]+f*Math.sin(t.angle),m[1]+f*Math.cos(t.angle));d(g,_(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,o.paper)}parts(e,t){let{film:n,pose:o,
+context:i,look:a,scale:r}=this,c=e.reduce((m,h)=>m+h.mass*(h.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let m of e){let h=c*(m.at??0),d=this.point(t[0]+h*Math.sin(
+o.angle),t[1]+h*Math.cos(o.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),m.shape==="ring")i.globalAlpha=.22,i.arc(...d,m.outer_radius*r,0,2*Math.PI),
+i.arc(...d,m.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(m.shape==="rod"){let p=.5*m.length,f=g=>this.point(t[0]+g*Math.sin(o.angle),t[1]+g*
+Math.cos(o.angle));i.lineWidth=4,i.moveTo(...f(h-p)),i.lineTo(...f(h+p)),i.stroke()}else{let p=m.shape==="disk"?m.radius*r:_(.08*n.radius*r,3,12);i.globalAlpha=
+m.shape==="disk"?.55:1,i.arc(...d,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,o=e.radius,i=e.mass*(e.gravity||9.81),a=l=>.55*
+o*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],n.normal_force,`N = ${M(t.normal_force,3)} N`,!1),this.
+arrow(r,[a(t.friction_force),0],n.friction_force,`F = ${M(t.friction_force,3)} N`,!0)}arrow([e,t],[n,o],i,a,r){let{context:l,look:c,width:m}=this,h=2.2*this.film.
+radius,d=Math.abs(n)>h||Math.abs(o)>h;[n,o]=[_(n,-h,h),_(o,-h,h)];let p=this.point(e,t),f=this.point(e+n,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);if(g<2)return;let b=(f[0]-
+p[0])/g,w=(f[1]-p[1])/g,y=Math.min(11,g);for(let[T,L]of[[c.paper,6],[i,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=L,l.beginPath(),l.moveTo(...p),l.lineTo(f[0]-
+b*y,f[1]-w*y),l.stroke();if(l.beginPath(),l.moveTo(...f),l.lineTo(f[0]-b*y-w*y*.5,f[1]-w*y+b*y*.5),l.lineTo(f[0]-b*y+w*y*.5,f[1]-w*y-b*y*.5),l.fill(),d){let[T,L]=[
+p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let R of[-3,3])l.moveTo(T+b*(R-3)-w*7,L+w*(R-3)+b*7),l.lineTo(T+b*(R+3)+w*7,L+w*
+(R+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let k=r?
+[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,_(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];k[0]=_(k[0],4,m-v-4),l.strokeText(a,k[0],k[1]),
+l.fillText(a,k[0],k[1])}};var On=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.pointed=null;this.grab=()=>!1,this.over=
+()=>{},e.addEventListener("pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.
+zoom=1,this.shift=[0,0],this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[
+t,n]=[0,0]){let{width:o,height:i}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*o,n*i]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){
+if(this.grab(e))return;let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,o=>{this.pinched()||(this.shift=[n[0]+o.clientX-t[0],n[1]+o.clientY-t[1]],this.onview())})}draw(e,t,n,o,i){
+let{context:a,width:r,height:l}=K(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,o,i))}paint(e,t,n,o,i,a,r,l){let c=n/o.length,
 m={top:Math.max(...o.map(h=>h.extent.top)),radius:Math.max(...o.map(h=>h.radius)),speed:Math.max(...o.map(h=>h.extent.speed))};return o.map((h,d)=>{e.save(),e.beginPath(),
-e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Cn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
-p,d),o.length>1&&(p.mark("AB"[d],he(d,r.dark)),e.fillStyle=he(d,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
-d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function qs(n,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=n[4*a+o]*e[4*s+a];t[4*s+o]=i}return t}function Fa(n,e,t,s){
-let o=1/Math.tan(n/2),i=1/(t-s);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function Ha(n,e){let t=Be(Fs(n,e)),s=Be(Nn([0,1,0],t)),
-o=Nn(t,s);return new Float32Array([s[0],o[0],t[0],0,s[1],o[1],t[1],0,s[2],o[2],t[2],0,-Os(s,n),-Os(o,n),-Os(t,n),1])}var Fs=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],
-Os=(n,e)=>n[0]*e[0]+n[1]*e[1]+n[2]*e[2],Nn=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]];function Be(n){let e=Math.hypot(...n)||1;return[
-n[0]/e,n[1]/e,n[2]/e]}function Dn(n,e,t,s){let o=Be(e),i=Be(Nn(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=Nn(i,o);return new Float32Array([...i.map(r=>r*s),0,...o.
-map(r=>r*t),0,...a.map(r=>r*s),0,...n,1])}function Hs(n){let[e,t]=[Math.cos(n),Math.sin(n)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function re(n){let e=Number.parseInt(n.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function st(n,e,t){let s=n.createProgram(),o=[[n.VERTEX_SHADER,e],[n.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=n.createShader(a);if(n.shaderSource(l,r),n.compileShader(
-l),!n.getShaderParameter(l,n.COMPILE_STATUS))throw new Error(String(n.getShaderInfoLog(l)));n.attachShader(s,l)}if(n.linkProgram(s),!n.getProgramParameter(s,n.LINK_STATUS))
-throw new Error(String(n.getProgramInfoLog(s)));let i={program:s,uniforms:{},attributes:{}};for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_UNIFORMS);a++){let{name:r}=n.
-getActiveUniform(s,a);i.uniforms[r]=n.getUniformLocation(s,r)}for(let a=0;a<n.getProgramParameter(s,n.ACTIVE_ATTRIBUTES);a++){let{name:r}=n.getActiveAttrib(s,a);
-i.attributes[r]=n.getAttribLocation(s,r)}return i}function $e(n,e,t,s){let o=n.createBuffer();n.bindBuffer(n.ARRAY_BUFFER,o),n.bufferData(n.ARRAY_BUFFER,new Float32Array(
-e),n.STATIC_DRAW);let i=s?n.createBuffer():null;s&&(n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,i),n.bufferData(n.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),n.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function ot(n,e,t){n.bindBuffer(n.ARRAY_BUFFER,
-t.vertices);let s=0;for(let[o,i]of Object.entries(t.parts)){let a=e.attributes[o];a!==void 0&&(n.enableVertexAttribArray(a),n.vertexAttribPointer(a,i,n.FLOAT,!1,
-t.stride,s)),s+=4*i}t.elements&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.elements)}function js(n,e){let t=[];for(let s=0;s<n;s++)for(let o=0;o<e;o++){let i=s*(e+1)+
-o,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function ja(n,e=120,t=14){let s=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++)s.push(2*Math.PI*o/e,2*Math.PI*i/t);return $e(
-n,s,{bend:2},js(e,t))}function Ba(n,e=28,t=18){let s=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*o/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return $e(n,s,{position:3,normal:3},js(e,t))}function Bs(n,e,t=20){let s=[];for(let o=0;o<=t;o++){let i=2*
-Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return $e(n,s,{position:3,normal:3},js(t,1))}var Ua=`
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Dn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.pointed?.
+lane===d&&p.ghost(h.at(this.pointed.time)),this.over(p,d),o.length>1&&(p.mark("AB"[d],ue(d,r.dark)),e.fillStyle=ue(d,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,
+e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function js(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=s[4*a+o]*e[4*n+a];t[4*n+o]=i}return t}function Ua(s,e,t,n){
+let o=1/Math.tan(s/2),i=1/(t-n);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(n+t)*i,-1,0,0,2*n*t*i,0])}function Ka(s,e){let t=Be(Bs(s,e)),n=Be(In([0,1,0],t)),
+o=In(t,n);return new Float32Array([n[0],o[0],t[0],0,n[1],o[1],t[1],0,n[2],o[2],t[2],0,-Hs(n,s),-Hs(o,s),-Hs(t,s),1])}var Bs=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
+Hs=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],In=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function Be(s){let e=Math.hypot(...s)||1;return[
+s[0]/e,s[1]/e,s[2]/e]}function qn(s,e,t,n){let o=Be(e),i=Be(In(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=In(i,o);return new Float32Array([...i.map(r=>r*n),0,...o.
+map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function $s(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function st(s,e,t){let n=s.createProgram(),o=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
+l),!s.getShaderParameter(l,s.COMPILE_STATUS))throw new Error(String(s.getShaderInfoLog(l)));s.attachShader(n,l)}if(s.linkProgram(n),!s.getProgramParameter(n,s.LINK_STATUS))
+throw new Error(String(s.getProgramInfoLog(n)));let i={program:n,uniforms:{},attributes:{}};for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_UNIFORMS);a++){let{name:r}=s.
+getActiveUniform(n,a);i.uniforms[r]=s.getUniformLocation(n,r)}for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_ATTRIBUTES);a++){let{name:r}=s.getActiveAttrib(n,a);
+i.attributes[r]=s.getAttribLocation(n,r)}return i}function $e(s,e,t,n){let o=s.createBuffer();s.bindBuffer(s.ARRAY_BUFFER,o),s.bufferData(s.ARRAY_BUFFER,new Float32Array(
+e),s.STATIC_DRAW);let i=n?s.createBuffer():null;n&&(s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,i),s.bufferData(s.ELEMENT_ARRAY_BUFFER,new Uint16Array(n),s.STATIC_DRAW));
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:i,parts:t,stride:a,count:n?n.length:4*e.length/a}}function ot(s,e,t){s.bindBuffer(s.ARRAY_BUFFER,
+t.vertices);let n=0;for(let[o,i]of Object.entries(t.parts)){let a=e.attributes[o];a!==void 0&&(s.enableVertexAttribArray(a),s.vertexAttribPointer(a,i,s.FLOAT,!1,
+t.stride,n)),n+=4*i}t.elements&&s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,t.elements)}function Ws(s,e){let t=[];for(let n=0;n<s;n++)for(let o=0;o<e;o++){let i=n*(e+1)+
+o,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Va(s,e=120,t=14){let n=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++)n.push(2*Math.PI*o/e,2*Math.PI*i/t);return $e(
+s,n,{bend:2},Ws(e,t))}function Ja(s,e=28,t=18){let n=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*o/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];n.push(...l,...l)}return $e(s,n,{position:3,normal:3},Ws(e,t))}function Gs(s,e,t=20){let n=[];for(let o=0;o<=t;o++){let i=2*
+Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];n.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return $e(s,n,{position:3,normal:3},Ws(t,1))}var Xa=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,Ka=`
+  }`,er=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,Va="vec4(0.0, 0.0, 0.0, shadow)",$a=[`attribute vec2 bend;
+  }`,tr="vec4(0.0, 0.0, 0.0, shadow)",Ya=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${Ka}
+   ${er}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -2093,21 +2136,21 @@ Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${Ua}
+   ${Xa}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${Va} : vec4(shaded(color, n), 1.0);
-   }`],Wa=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${tr} : vec4(shaded(color, n), 1.0);
+   }`],Za=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${Ka}
+   ${er}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${Ua}
-   void main() { gl_FragColor = shadow > 0.0 ? ${Va} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Ga=[`attribute vec3 position, next, tint; attribute \
+   ${Xa}
+   void main() { gl_FragColor = shadow > 0.0 ? ${tr} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Qa=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -2122,28 +2165,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],In=class{constructor(e,t,s,o,{keep:i=!1}={}){this.canvas=e;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fn=class{constructor(e,t,n,o,{keep:i=!1}={}){this.canvas=e;
 this.dark=o;this.eye=[0,0,1];this.fastest=1;let a=e.getContext("webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser dr\
-aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Be(s),this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=st(a,$a[0],$a[1]),this.body=st(a,Wa[0],Wa[1]),this.
-line=st(a,Ga[0],Ga[1]),this.torus=ja(a),this.sphere=Ba(a),this.cylinder=Bs(a,1),this.cone=Bs(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
+aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Be(n),this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=st(a,Ya[0],Ya[1]),this.body=st(a,Za[0],Za[1]),this.
+line=st(a,Qa[0],Qa[1]),this.torus=Va(a),this.sphere=Ja(a),this.cylinder=Gs(a,1),this.cone=Gs(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
 colors);let r=new Uint8Array(t.flatMap(l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,
 r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(
-a.TEXTURE_2D,l,a.LINEAR);this.view=Hs(0)}begin({background:e,eye:t,target:s,slope:o,angle:i,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
-l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let m=Fa(i,c.width/c.height,a,r);this.
-view=qs(qs(m,Ha(t,s)),Hs(o)),this.eye=Be(Fs(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
-...t};for(let[i,a]of Object.entries(o)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.
+a.TEXTURE_2D,l,a.LINEAR);this.view=$s(0)}begin({background:e,eye:t,target:n,slope:o,angle:i,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
+l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let m=Ua(i,c.width/c.height,a,r);this.
+view=js(js(m,Ka(t,n)),$s(o)),this.eye=Be(Bs(t,n))}use(e,t){let{gl:n}=this;n.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
+...t};for(let[i,a]of Object.entries(o)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?n.uniform1f(r,a):a.length===16?n.uniformMatrix4fv(r,!1,a):n[`uniform${a.
 length}fv`](r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,
 t.ONE_MINUS_SRC_ALPHA,t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),
-e(),t.depthMask(!0),t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:o=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,
-color:s,shadow:o?this.dark:0,lit:Number(i)}),ot(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,o){this.solid(this.sphere,Dn(e,
-[0,1,0],t,t),s,{shadow:o})}ring({center:e,radius:t,tube:s,broad:o,angle:i,velocity:a,omega:r,plain:l=null},c){let{gl:m}=this;this.use(this.rim,{center:e,size:[t,
-s,o,i],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ot(m,this.rim,this.torus),m.drawElements(m.TRIANGLES,this.torus.count,
-m.UNSIGNED_SHORT,0)}rod(e,t,s,o,i,a=!1){this.solid(this.cylinder,Dn(e,t,s,o),i,{shadow:a})}arrow(e,t,s,o,i){if(!(s>.02*o))return;let a=Math.min(.18*o,s),r=e.map(
-(l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,s-a,.029*o,i),this.solid(this.cone,Dn(r,t,a,Math.min(.075*o,.6*a)),i)}trace(e,t,s){let o=[];for(let i=0;i<e;i++){let a=t(
-i),r=t(Math.min(i+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((c,m)=>2*c-l[m])}for(let l of[-1,1])o.push(...a,0,...r,0,...s(i),l)}
-return $e(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
-2/l.width,2/l.height],width:s,distance:o,shift:i,depth:a}),ot(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let o=this.view,[i,a,r]=[0,1,
-3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*s+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var hc=[.35,.85,.4],cc=.18,Tt={azimuth:.5,height:.22,distance:5.2},Ja=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+e(),t.depthMask(!0),t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,n,{shadow:o=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,
+color:n,shadow:o?this.dark:0,lit:Number(i)}),ot(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,o){this.solid(this.sphere,qn(e,
+[0,1,0],t,t),n,{shadow:o})}ring({center:e,radius:t,tube:n,broad:o,angle:i,velocity:a,omega:r,plain:l=null},c){let{gl:m}=this;this.use(this.rim,{center:e,size:[t,
+n,o,i],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ot(m,this.rim,this.torus),m.drawElements(m.TRIANGLES,this.torus.count,
+m.UNSIGNED_SHORT,0)}rod(e,t,n,o,i,a=!1){this.solid(this.cylinder,qn(e,t,n,o),i,{shadow:a})}arrow(e,t,n,o,i){if(!(n>.02*o))return;let a=Math.min(.18*o,n),r=e.map(
+(l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,n-a,.029*o,i),this.solid(this.cone,qn(r,t,a,Math.min(.075*o,.6*a)),i)}trace(e,t,n){let o=[];for(let i=0;i<e;i++){let a=t(
+i),r=t(Math.min(i+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((c,m)=>2*c-l[m])}for(let l of[-1,1])o.push(...a,0,...r,0,...n(i),l)}
+return $e(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:n,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
+2/l.width,2/l.height],width:n,distance:o,shift:i,depth:a}),ot(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let o=this.view,[i,a,r]=[0,1,
+3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*n+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var bc=[.35,.85,.4],wc=.18,Tt={azimuth:.5,height:.22,distance:5.2},nr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2151,364 +2194,369 @@ return $e(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:s,di
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],On=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new In(this.canvas,Je,hc,cc,{keep:!0});this.floor=st(this.space.gl,Ja[0],Ja[1]);this.corners=
+   }`],Hn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Fn(this.canvas,Je,bc,wc,{keep:!0});this.floor=st(this.space.gl,nr[0],nr[1]);this.corners=
 $e(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Tt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
-e.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=oe(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
-turned.distance=E(this.turned.distance/e,1.6,60):this.turned={...Tt},this.onview()}from(){let{azimuth:e,height:t,distance:s}=this.turned;return e===Tt.azimuth&&
-t===Tt.height&&s===Tt.distance?void 0:[e,t,s]}look([e,t,s]){this.turned={azimuth:E(e,-1.5,1.5),height:E(t,.02,1.45),distance:E(s,1.6,60)}}drag(e){let t={...this.
-turned,x:e.clientX,y:e.clientY};J(this.canvas,e,s=>{this.pinched()||(this.turned.azimuth=E(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=E(t.height+
-(s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
-.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,s,o,i,a,r){let{canvas:l,space:c}=this,m=r??Math.min(
+e.addEventListener("pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
+turned.distance=_(this.turned.distance/e,1.6,60):this.turned={...Tt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Tt.azimuth&&
+t===Tt.height&&n===Tt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.
+turned,x:e.clientX,y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+
+(n.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,o,i,a,r){let{canvas:l,space:c}=this,m=r??Math.min(
 globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*m),1),l.height=Math.max(Math.round(h.height*
-m),1);let d=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,c.begin({background:re(o.
-paper),...this.camera(e[0],d[0],p,s)}),c.ground(()=>this.drawFloor(p,o));let f=g=>{for(let[b,w]of e.entries())g(w,d[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
-drawHoop(g,b,w,s,o,i,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,s,o,i,!1),s.traces&&this.drawTraces(g,b,w,o,i,m),s.forces&&this.drawForces(g,b,w,i)})}camera(e,t,s,o){
-let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,m=o.whole?Math.max(r*s,.85*(c-l)+3*s):r*s,[h,d]=[o.whole?.5*(l+c)-this.focus:0,s+.45*(t.
+m),1);let d=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,c.begin({background:he(o.
+paper),...this.camera(e[0],d[0],p,n)}),c.ground(()=>this.drawFloor(p,o));let f=g=>{for(let[b,w]of e.entries())g(w,d[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
+drawHoop(g,b,w,n,o,i,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,n,o,i,!1),n.traces&&this.drawTraces(g,b,w,o,i,m),n.forces&&this.drawForces(g,b,w,i)})}camera(e,t,n,o){
+let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,m=o.whole?Math.max(r*n,.85*(c-l)+3*n):r*n,[h,d]=[o.whole?.5*(l+c)-this.focus:0,n+.45*(t.
 height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+d*f,-h*f+d*p,0],b=[g[0]+m*Math.sin(i)*Math.cos(a),g[1]+m*Math.sin(a),m*Math.cos(i)*Math.cos(a)];return this.
-reach=12*s+3*m,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*m}}drawFloor(e,t){let{space:s}=this,o=re(t.ground),i=o.map(l=>l*(t.dark?.82:.94)),a=.5*
-e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:o,dark:i,far:re(t.paper),tile:a,shift:r}),ot(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,
-0,4)}drawHoop(e,t,s,o,i,a,r){let{space:l}=this,c=e.radius,m=.045*c,h=[t.x-this.focus,c+t.height,s];l.ring({center:h,radius:c,tube:m,broad:3.2*m,angle:t.angle,velocity:[
-t.vx,t.vy],omega:t.omega,plain:o.speed?null:re(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*d[w]);l.ball(p(c-m),.125*
-c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,d,c-m,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,re(f?a.airborne:a.gravity_center),
-r)}drawForces(e,t,s,o){if(t.mode==="H"||!(t.normal_force>0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,s+.2*i],l=m=>E(.55*
-i*Math.abs(m)/a,0,3.2*i),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),i,re(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
-i,re(o.friction_force))}linesOf(e,t,s){let o=this.lines.get(e);if(o?.dark===t.dark)return o;let i=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,m=(g,b)=>this.
-space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,d,p]=[re(s.gravity_center),re(s.airborne),re(t.ink)],f={dark:t.dark,load:m(i,()=>p),
-center:m(e.eccentricity*i,g=>c[g]===3?d:h)};return this.lines.set(e,f),f}drawTraces(e,t,s,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
-2,e.length),m={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var uc=["hoop","mode","time","angle","v","R θ̇","gap"],qn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new zn(this.plane,this.onview);
-this.deep=null;this.outputs=uc.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
+reach=12*n+3*m,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*n,far:40*n+6*m}}drawFloor(e,t){let{space:n}=this,o=he(t.ground),i=o.map(l=>l*(t.dark?.82:.94)),a=.5*
+e,r=this.focus%(2*a);n.use(this.floor,{reach:this.reach,light:o,dark:i,far:he(t.paper),tile:a,shift:r}),ot(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,
+0,4)}drawHoop(e,t,n,o,i,a,r){let{space:l}=this,c=e.radius,m=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:m,broad:3.2*m,angle:t.angle,velocity:[
+t.vx,t.vy],omega:t.omega,plain:o.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*d[w]);l.ball(p(c-m),.125*
+c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,d,c-m,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(f?a.airborne:a.gravity_center),
+r)}drawForces(e,t,n,o){if(t.mode==="H"||!(t.normal_force>0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,n+.2*i],l=m=>_(.55*
+i*Math.abs(m)/a,0,3.2*i),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),i,he(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
+i,he(o.friction_force))}linesOf(e,t,n){let o=this.lines.get(e);if(o?.dark===t.dark)return o;let i=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,m=(g,b)=>this.
+space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],f={dark:t.dark,load:m(i,()=>p),
+center:m(e.eccentricity*i,g=>c[g]===3?d:h)};return this.lines.set(e,f),f}drawTraces(e,t,n,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
+2,e.length),m={shift:this.focus,depth:n};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var yc=["hoop","mode","time","angle","v","R θ̇","gap"],jn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new On(this.plane,this.onview);
+this.deep=null;this.outputs=yc.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
 v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${Ft.filter((o,i)=>i%15===0).join(",")})`}),u("span",{},"0"),u("span",
-{},"rim speed"),this.fastest);let s=(o,i)=>u("span",{},u("i",{class:"dot",style:`background:${o}`}),i);this.order=u("span",{hidden:!0},"A in front, B behind"),this.
+{},"rim speed"),this.fastest);let n=(o,i)=>u("span",{},u("i",{class:"dot",style:`background:${o}`}),i);this.order=u("span",{hidden:!0},"A in front, B behind"),this.
 element=u("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,u("dl",{class:"readout","aria-hidden":"true"},this.outputs.
-flatMap(({name:o,value:i})=>[o,i])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),
-s(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:o,inks:i}){let{options:a}=this;this.legend.
-hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new On(
-this.space,this.onview),this.deep.draw(e,s.time,a,o,i,s.playing)):this.flat.draw(e,s.time,a,o,i),this.read(e,t,s.time)}sharp(e,t){let{look:s,inks:o}=e.theme;return this.
-deep?.draw(e.films(),e.clock.time,this.options,s,o,!1,t),this.space}read(e,t,s){let o=e[t],i=o.at(s),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[i.mode]),
-de(`${i.t.toFixed(3)} s`),$(i.angle),I(M(i.vx,3),"m/s"),I(M(i.omega*o.radius,3),"m/s"),i.height>0?Ae(i.height):"0"];for(let[c,m]of a.entries()){let{value:h}=this.
-outputs[c];h.textContent!==m&&(h.textContent=m)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[i.
-mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
-options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.three=!1,t(),s}}view(){let{options:e,
-flat:t,deep:s}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:s?.from()}}restore({options:e,zoom:t,pan:s,from:o}){if(e){let{three:i,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,s),o&&this.deep?.look(o)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Fn=class{constructor(e){this.clock=e;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"story-list"});
-this.heading=u("h2",{},"What happens");this.signature=u("span",{});this.compared=u("span",{});this.fingerprint=u("p",{class:"hint fingerprint"},this.signature,this.
-compared);this.live=u("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=u("section",{class:"story","aria-label":"The motion in words"},this.
-heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,s,o){this.film=e[t],P(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"\
-What happens"),this.summary.replaceChildren(...e.flatMap((i,a)=>[e.length>1?u("b",{},`${"AB"[a]}: `):"",i.summary,i.status==="event_limit"||i.shortened?" (not a\
-ll events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.items=this.film.story.map(i=>u("li",{},
-u("button",{type:"button",onclick:()=>this.clock.seek(i.t)},u("i",{class:"dot",style:`background:${s.modes[i.mode]}`,"aria-hidden":"true"}),u("span",{class:"whe\
-n"},`${M(i.t,4)} s`),u("span",{},i.text)))),this.list.replaceChildren(...this.items),this.sign(),this.compared.replaceChildren(...o.flatMap(({same:i,text:a})=>[
-" ",u("span",{class:i?"same":"differs"},a)])),this.current=-1,this.cursor(this.clock.time)}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.
-signature.replaceChildren(...dc(e)))}say(e){P(this.live,e)}announce(e){this.say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let i=0;i<
-t.length&&t[i].t<=e+1e-9;i++)s=i;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
-current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let o=this.items[s];if(o){let i=o.offsetTop-this.list.
-offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function dc(n){
-if(!n)return[u("span",{},"No fingerprint: this motion depends on more digits than this page computes.")];let e=u("code",{},document.createTextNode(n)),t=u("butt\
-on",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.clipboard.writeText(n),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u(
-"span",{title:"A hash of all events: the same wherever hophoop computes the same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Hn=class{constructor(){this.
-list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What\
- theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:o})=>[u("dt",{},s),u("dd",{},o)]))}};var Ya="hophoop-theme",mc=["gravity_center","airborne","normal_force","friction_force"],jn=class{constructor(e,t,s,o){this.root=e;this.colors=t;this.hosted=s;this.
+flatMap(({name:o,value:i})=>[o,i])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),
+n(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:o,inks:i}){let{options:a}=this;this.legend.
+hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Hn(
+this.space,this.onview),this.deep.draw(e,n.time,a,o,i,n.playing)):(this.flat.pointed=n.pointed===null?null:{time:n.pointed,lane:t},this.flat.draw(e,n.time,a,o,i)),
+this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:o}=e.theme;return this.deep?.draw(e.films(),e.clock.time,this.options,n,o,!1,t),this.space}read(e,t,n){let o=e[t],
+i=o.at(n),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[i.mode]),de(`${i.t.toFixed(3)} s`),$(i.angle),O(M(i.vx,3),"m/s"),O(M(i.omega*o.radius,3),"m/s"),i.height>
+0?Ae(i.height):"0"];for(let[c,m]of a.entries()){let{value:h}=this.outputs[c];h.textContent!==m&&(h.textContent=m)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=
+e.length<2,l.value.style.setProperty("--mode",this.colors.modes[i.mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",
+`${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,
+t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({
+options:e,zoom:t,pan:n,from:o}){if(e){let{three:i,...a}=e;Object.assign(this.options,a)}this.flat.look(t,n),o&&this.deep?.look(o)}zoom(e){this.options.three?this.
+deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Bn=class{constructor(e){this.clock=e;this.listed=null;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"\
+story-list"});this.heading=u("h2",{},"What happens");this.signature=u("span",{});this.compared=u("span",{});this.fingerprint=u("p",{class:"hint fingerprint"},this.
+signature,this.compared);this.live=u("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=u("section",{class:"story","aria-label":"The motion\
+ in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,n,o){this.film=e[t],P(this.heading,e.length>1?`What happens to h\
+oop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,a)=>[e.length>1?u("b",{},`${"AB"[a]}: `):"",i.summary,i.status==="event_limit"||i.shortened?
+" (not all events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.listed!==this.film&&this.fill(
+n),this.sign(),this.compared.replaceChildren(...o.flatMap(({same:i,text:a})=>[" ",u("span",{class:i?"same":"differs"},a)])),this.cursor(this.clock.time)}fill(e){
+this.listed=this.film,this.current=-1,this.items=this.film.story.map(t=>u("li",{},u("button",{type:"button",onclick:()=>this.clock.seek(t.t),onpointerenter:()=>this.
+clock.point(t.t),onpointerleave:()=>this.clock.point(null),onfocus:()=>this.clock.point(t.t),onblur:()=>this.clock.point(null)},u("i",{class:"dot",style:`backgr\
+ound:${e.modes[t.mode]}`,"aria-hidden":"true"}),u("span",{class:"when"},`${M(t.t,4)} s`),u("span",{},t.text)))),this.list.replaceChildren(...this.items),this.clock.
+pointed=null}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...vc(e)))}say(e){P(this.live,e)}announce(e){this.
+say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let i=0;i<t.length&&t[i].t<=e+1e-9;i++)n=i;if(n===this.current)return;this.items[this.
+current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("ari\
+a-current","step"),this.current=n;let o=this.items[n];if(o){let i=o.offsetTop-this.list.offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.
+list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function vc(s){if(!s)return[u("span",{},"No fingerprint: this motion depends on more di\
+gits than this page computes.")];let e=u("code",{},document.createTextNode(s)),t=u("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.
+clipboard.writeText(s),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u("span",{title:"A hash of all events: the same wherever hophoop computes the\
+ same bits, also in Python"},"Fingerprint")," ",e," ",t]}var $n=class{constructor(){this.list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=
+u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(
+...e.flatMap(({label:n,text:o})=>[u("dt",{},n),u("dd",{},o)]))}};var sr="hophoop-theme",xc=["gravity_center","airborne","normal_force","friction_force"],Wn=class{constructor(e,t,n,o){this.root=e;this.colors=t;this.hosted=n;this.
 changed=o;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=cs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ce(Ya):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=cs(this.root),this.inks={...this.colors};for(let e of mc)
+this.mark(),this.look=ms(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ne(sr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=ms(this.root),this.inks={...this.colors};for(let e of xc)
 this.inks[e]=ut(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&ue(Ya,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Bn=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
+k",this.hosted&&se(sr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Gn=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
 u("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
 addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("pointerleave",()=>this.
-tip.hidden=!0),this.pinched=oe(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
-clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:je(this.window,e)}zoom(e,t){let[s,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
-max((o-s)*e,i),r=(t-s)/(o-s);this.window=a<this.clock.duration?je([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
-let[e,t]=this.ends(),{time:s,duration:o}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=je(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,o])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[s,o]=this.ends();return s+E((e.clientX-t.left)/t.width,0,1)*(o-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
-let t=this.clock.playing;this.clock.playing=!1;let s=o=>!this.pinched()&&this.clock.seek(this.timeAt(o));s(e),J(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),o=s?`${x(ke[s.kind]??s.kind)} · ${M(s.t,5)} s · ${M(s.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=o,this.
-tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${E(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,o]=this.ends(),i=t*(o-s)/
+tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
+clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:je(this.window,e)}zoom(e,t){let[n,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
+max((o-n)*e,i),r=(t-n)/(o-n);this.window=a<this.clock.duration?je([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
+let[e,t]=this.ends(),{time:n,duration:o}=this.clock;if(n>=e&&n<=t)return;let i=t-e;this.window=je(n>t?[n-.1*i,n+.9*i]:[n-.5*i,n+.5*i],[0,o])}timeAt(e){let t=this.
+canvas.getBoundingClientRect(),[n,o]=this.ends();return n+_((e.clientX-t.left)/t.width,0,1)*(o-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+let t=this.clock.playing;this.clock.playing=!1;let n=o=>!this.pinched()&&this.clock.seek(this.timeAt(o));n(e),J(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
+let t=this.timeAt(e),n=this.nearest(t,8),o=n?`${x(ke[n.kind]??n.kind)} · ${M(n.t,5)} s · ${M(n.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=o,this.
+tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[n,o]=this.ends(),i=t*(o-n)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=i&&
-(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:o,width:i,height:a}=K(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=b=>(b-r)/
-(l-r)*i;o.clearRect(0,0,i,a);let m=15,h=(a-15)/e.length-m;e.forEach((b,w)=>{let y=m+w*(m+h);for(let{mode:v,from:_,wide:T}of Di(b.phases,c,i)){let L=s.modes[v];o.
-fillStyle=L,o.fillRect(_,y,T,h-2),this.named(o,x(s.mode_names[v]),_,T,y,h-2,L,t)}b.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(b.duration),0),y,i,h-2)),
-this.marks(o,b,c,y,i,t),e.length>1&&(o.fillStyle=he(w,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[w],i-1,y-4))});let d=V(l-r,i/60);o.
-fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=ae(r,l,i/60);for(let b of p){let w=c(b);o.textAlign=w<14?"left":w>i-14?"right":"center",o.fillText(se(b,d)+(b===
-p[0]?" s":""),w,a-3)}let f=E(c(this.clock.time),6,i-6),g=E(c(this.clock.time),1,i-1);o.fillStyle=t.ink,o.fillRect(g-1,m-4,2,a-m-9),o.beginPath(),o.moveTo(f-6,m-
-10),o.lineTo(f+6,m-10),o.lineTo(g,m-1),o.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:o,playing:i}=this.clock,r=e.map((l,c)=>{let m=x(t.mode_names[l.at(s).
-mode]);return e.length>1?`${"AB"[c]} ${m}`:m}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",o.toFixed(3)),this.element.setAttribute(
-"aria-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:M(s,4),what:j(r)})))}named(e,t,s,o,i,a,r,l){e.font=`11\
-px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Vo(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*o,i+.5*a+1),e.textBaseline=
-"alphabetic")}marks(e,t,s,o,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,
-x:s(c)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,o,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Ni(
-r))e.fillText(l,E(c,6,i-6),o-4)}};var pc=1/60,fc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],gc={three:"In space"},Ce=(n,e,t)=>u(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},n),Za=(n,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${n} `),e),$n=class{constructor(e,t,s,o,i){this.
+(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:o,width:i,height:a}=K(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=w=>(w-r)/
+(l-r)*i;o.clearRect(0,0,i,a);let m=15,h=(a-15)/e.length-m;e.forEach((w,y)=>{let v=m+y*(m+h);for(let{mode:k,from:T,wide:L}of qi(w.phases,c,i)){let R=n.modes[k];o.
+fillStyle=R,o.fillRect(T,v,L,h-2),this.named(o,x(n.mode_names[k]),T,L,v,h-2,R,t)}w.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(w.duration),0),v,i,h-2)),
+this.marks(o,w,c,v,i,t),e.length>1&&(o.fillStyle=ue(y,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[y],i-1,v-4))});let d=V(l-r,i/60);o.
+fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=le(r,l,i/60);for(let w of p){let y=c(w);o.textAlign=y<14?"left":y>i-14?"right":"center",o.fillText(ie(w,d)+(w===
+p[0]?" s":""),y,a-3)}let{pointed:f}=this.clock;if(f!==null&&f>=r&&f<=l){let w=_(c(f),2,i-2);o.lineWidth=2;for(let[y,v]of[[t.paper,5],[t.ink,1]])o.fillStyle=y,o.
+fillRect(w-.5*v,m-4,v,a-m-9),o.fillRect(w-5-.5*v,m-4,10+v,v)}let g=_(c(this.clock.time),6,i-6),b=_(c(this.clock.time),1,i-1);o.fillStyle=t.ink,o.fillRect(b-1,m-
+4,2,a-m-9),o.beginPath(),o.moveTo(g-6,m-10),o.lineTo(g+6,m-10),o.lineTo(b,m-1),o.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:o,playing:i}=this.clock,r=e.
+map((l,c)=>{let m=x(t.mode_names[l.at(n).mode]);return e.length>1?`${"AB"[c]} ${m}`:m}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("ari\
+a-valuemax",o.toFixed(3)),this.element.setAttribute("aria-valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:M(
+n,4),what:j(r)})))}named(e,t,n,o,i,a,r,l){e.font=`11px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Zo(r),e.textAlign="center",e.textBaseline="m\
+iddle",e.fillText(t,n+.5*o,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,n,o,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!==
+"start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(c)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,o,
+1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Ii(r))e.fillText(l,_(c,6,i-6),o-4)}};var kc=1/60,_c=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ec={three:"In space"},Ce=(s,e,t)=>u(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},s),or=(s,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${s} `),e),Un=class{constructor(e,t,n,o,i){this.
 clock=e;this.films=t;this.say=o;this.tell=i;this.titled="";this.playButton=Ce(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
 speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},gt.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
-value="1",this.switches=new Map(fc.map(([a,r,l])=>{let c=`${a==="three"?gc.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>s(
+value="1",this.switches=new Map(_c.map(([a,r,l])=>{let c=`${a==="three"?Ec.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>n(
 a)},r)]})),this.row=u("div",{class:"buttons switches"},[...this.switches.values()]),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},Ce(Y("sta\
 rt"),"To the start (Home)",()=>e.seek(0)),Ce(Y("previous"),"Previous event (Shift ←)",()=>this.jump(-1)),Ce(Y("back"),"One frame back (←)",()=>this.nudge(-1)),
-this.playButton,Ce(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ce(Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},Ce(Za(
-"▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ce(Za("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,this.
-row)}show(e){let{clock:t,playButton:s}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let o=t.playing?"Pause (space)":"Play (spac\
-e)";this.titled!==o&&(this.titled=o,s.replaceChildren(Y(t.playing?"pause":"play")),Ze(s,"title",o),Ze(s,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.
-speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*pc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
-!1;let s=this.films().flatMap((m,h)=>m.events.map(d=>({event:d,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:Li(m))).sort((m,h)=>m.event.t-h.event.
-t),o=this.clock.time,i=e>0?s.find(({event:m})=>m.t>o+1e-9):s.findLast(({event:m})=>m.t<o-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has\
+this.playButton,Ce(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ce(Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},Ce(or(
+"▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ce(or("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,this.
+row)}show(e){let{clock:t,playButton:n}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let o=t.playing?"Pause (space)":"Play (spac\
+e)";this.titled!==o&&(this.titled=o,n.replaceChildren(Y(t.playing?"pause":"play")),Ze(n,"title",o),Ze(n,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.
+speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*kc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
+!1;let n=this.films().flatMap((m,h)=>m.events.map(d=>({event:d,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:Ci(m))).sort((m,h)=>m.event.t-h.event.
+t),o=this.clock.time,i=e>0?n.find(({event:m})=>m.t>o+1e-9):n.findLast(({event:m})=>m.t<o-1e-9);if(!i&&t&&(i=n[0]),!i){t&&this.say(t==="takeoff"?"This motion has\
  no flight.":"This motion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(ke[a.
-kind]??a.kind);this.tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:$(a.angle),time:M(a.t,4)})}`))}};var it=class{constructor(e,t,s,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
-this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,ia(e,o);let{colors:r}=s;this.known=s.presets,this.sameness=new Ln(
-s.presets),this.clock=new Gt,this.motions=new xn(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.announce(this.films()),noted:l=>this.
-noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.address=o?new $t(this.motions,()=>this.link()):null,this.notice=new kn,
-this.theme=new jn(e,r,o,()=>this.show()),this.stage=new qn(r,()=>{this.request(),this.address?.soon()}),this.transport=new $n(this.clock,()=>this.films(),l=>this.
-toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Bn(this.clock),this.story=new Fn(this.clock),this.theory=new Hn,this.plots=new An(this.clock,
-r),this.phase=new Tn(t,this.clock,r),this.map=new wn(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.
-soon()}),this.controls=new Vt(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new Pn(this),this.singleKeys=new gn(o),this.help=ta(s.version,r,this.singleKeys.
-element),this.hoops=new fn(l=>this.motions.choose(l)),this.header=new pn(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.
-travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.extras=new mn(this),this.sticky=aa(this,i),o&&!location.
-search&&!location.hash&&this.extras.visit.offer(),this.later=ne(()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.
-request(),this.clock.playing||this.address?.soon()}),this.deaf=sa(this,o),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(
-e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),this.sameness.expect(this.films(),t.fingerprints??[]),this.restore(t),this.begin()}begin(){this.
-show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),
-this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.
-film(e)}films(){return this.motions.films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(
-e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.
-film().query)}link(e=this.sameness.expected(this.films())){let{clock:t,stage:s,map:o,extras:i}=this,{on:a,path:r}=i.more;return this.motions.link(ui({time:t.time,
-...s.view(),more:a?r:void 0,map:o.shown(),fingerprints:e}))}restore({time:e,map:t,options:s,more:o,...i}){s?.three&&this.toggle("three"),this.stage.restore({options:s,
-...i}),t&&this.map.restore(t),o&&this.extras.more.turn(!0,o),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.
-header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==
-e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}async load(e){try{let t=await this.backend.call("f\
-ilm",{query:e});this.clock.play(!1),this.clock.time=0,this.motions.replace(t)}catch(t){this.notice.fail(t)}}mark(e,t){this.root.classList.toggle(e,t)}marked(e){
-return this.root.classList.contains(e)}travel(e){return this.motions.travel(e)}show(e=null){let{motions:t,clock:s}=this,o=this.films();if(!o.length)return;let i=o.
-length>1;this.theme.read(),s.duration=Math.max(...o.map(a=>a.duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(
-t.history,i),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(
-()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),
-0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),{active:t}=this.motions,{look:s,colors:o}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),
-this.story.draw(e,t,o,this.sameness.of(e[t])),this.drawTime(),this.map.mark(this.film(),s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){
-this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.
-theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||
-(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,
-this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){
-let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},
-t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(s){let{name:o,message:i}=s;o!=="AbortError"&&this.theory.draw([{label:"\
-–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
-this.transport.show(t),this.address?.soon(),this.request()}};var bc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function at(n){let e=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),t=new Uint8Array(e.buffer,
-e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+s))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,d)=>h*d,1);i[a]=new bc[r](t.buffer,t.byteOffset+4+s+c,m)}return{header:o,arrays:i}}var $s=class extends Error{},Ws=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
-start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:o}=this.waiting;this.waiting=null,t.error?o(new Error(
-t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
-reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let o=new Promise((i,a)=>{this.waiting=
-{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),o}},rt=class{constructor(e,t,s,o){this.start=e;this.compiled=t;this.
-size=s;this.limit=o;this.idle=[];this.hired=0;this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new Ws(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,o=[]){
-s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new $s(`This takes longer than ${this.
-limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,o)}finally{clearTimeout(r),s?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var Wn=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+kind]??a.kind);this.tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:$(a.angle),time:M(a.t,4)})}`))}};var it=class{constructor(e,t,n,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
+this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,da(e,o);let{colors:r}=n;this.known=n.presets,this.sameness=new Cn(
+n.presets),this.clock=new Gt,this.motions=new En(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.announce(this.films()),noted:l=>this.
+noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.address=o?new $t(this.motions,()=>this.link()):null,this.notice=new Mn,
+this.theme=new Wn(e,r,o,()=>this.show()),this.stage=new jn(r,()=>{this.request(),this.address?.soon()}),this.transport=new Un(this.clock,()=>this.films(),l=>this.
+toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Gn(this.clock),this.story=new Bn(this.clock),this.theory=new $n,this.plots=new Pn(this.clock,
+r),this.phase=new Rn(t,this.clock,r),this.map=new xn(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.
+soon()}),this.controls=new Vt(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Nn(this),this.singleKeys=new yn(o),this.about=Xi(n.version,o),this.help=
+ea(this.about,r,this.singleKeys.element),this.view=new bn(e,o,()=>this.show()),this.hoops=new wn(l=>this.motions.choose(l)),this.header=new fn(n.presets,this.share.
+menu,this.view.button,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.
+help.showModal()}),this.extras=new pn(this),this.opening=new gn(this.clock,this.extras.grips.hint),this.sticky=ma(this,i),o&&!location.search&&!location.hash&&this.
+extras.visit.offer(),this.later=oe(()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||
+this.address?.soon()}),this.deaf=ca(this,o),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.
+max(...this.films().map(n=>n.duration)),this.sameness.expect(this.films(),t.fingerprints??[]),this.view.open(this.films(),t),this.restore(t),this.begin(),this.hosted&&
+t.time===void 0&&!this.view.everything&&this.opening.begin(this.stage.element.parentElement)}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.
+element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.opening.end(),this.map.close(),this.theme.close(),
+this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.
+films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){
+this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(e=this.sameness.expected(this.films())){
+let{clock:t,stage:n,map:o,extras:i}=this,{on:a,path:r}=i.more;return this.motions.link(pi({time:t.time,...n.view(),more:a?r:void 0,map:o.shown(),fingerprints:e}))}restore({
+time:e,map:t,options:n,more:o,...i}){n?.three&&this.toggle("three"),this.stage.restore({options:n,...i}),t&&this.map.restore(t),o&&this.extras.more.turn(!0,o),e&&
+this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(n=>n.query===e);this.header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){
+this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.
+films())}catch(t){this.failed(t)}}async load(e){try{let t=await this.backend.call("film",{query:e});this.clock.play(!1),this.clock.time=0,this.motions.replace(t)}catch(t){
+this.notice.fail(t)}}mark(e,t){this.root.classList.toggle(e,t)}marked(e){return this.root.classList.contains(e)}travel(e){return this.motions.travel(e)}show(e=null){
+let{motions:t,clock:n}=this,o=this.films();if(!o.length)return;let i=o.length>1;this.theme.read(),n.duration=Math.max(...o.map(a=>a.duration)),n.time=Math.min(n.
+time,n.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.show(this.film(),
+this.motions.waiting()),this.view.show(o),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
+surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
+{active:t}=this.motions,{look:n,colors:o}=this.theme;this.plots.draw(e,t,n),this.phase.draw(e,t,n),this.story.draw(e,t,o,this.sameness.of(e[t])),this.drawTime(),
+this.map.mark(this.film(),n),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.
+theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(
+e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=
+!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),
+this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.
+asked=new AbortController;let{signal:t}=this.asked;try{let n=await this.backend.call("theory",{scenario:e},t);this.theory.draw(n.header.thresholds,this.motions.
+name()),await this.phase.fetch(e,t)}catch(n){let{name:o,message:i}=n;o!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;
+if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){this.notice.say(n.message)}this.transport.show(t),this.address?.soon(),this.request()}};var Mc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function at(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
+e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
+4,4+n))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,d)=>h*d,1);i[a]=new Mc[r](t.buffer,t.byteOffset+4+n+c,m)}return{header:o,arrays:i}}var Us=class extends Error{},Ks=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
+start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:n,reject:o}=this.waiting;this.waiting=null,t.error?o(new Error(
+t.error)):n(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
+reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,n){this.number++;let o=new Promise((i,a)=>{this.waiting=
+{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},n),o}},rt=class{constructor(e,t,n,o){this.start=e;this.compiled=t;this.
+size=n;this.limit=o;this.idle=[];this.hired=0;this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
+resolve(new Ks(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,o=[]){
+n?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Us(`This takes longer than ${this.
+limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await i.ask(e,t,o)}finally{clearTimeout(r),n?.removeEventListener(
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var Kn=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
-o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var wc=150,yc=240,vc=6e3,[a0,Xa,Qa]=[0,1,2],xc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Sc=150,Tc=240,Ac=6e3,[x0,ir,ar]=[0,1,2],Lc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Gs(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
-min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*wc),yc),vc),c=k.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
-for(let b=0;b<o;b++){let w=Math.min(s[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)m.add(b);let d=Float64Array.from(m).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),f=n.states(e,d,!1),g=n.states(e,p,!0);return kc(d,f,p,g)}function kc(n,e,t,s){let o=n.length+t.length,i=k.samples.length,a=new Float64Array(o),r=new Float64Array(
-o*i),l=0,c=0;for(let h=0;h<n.length;h++)c<t.length&&t[c]<=n[h]&&(a[l]=t[c],r.set(s.subarray(c*i,(c+1)*i),l*i),l++,c++),a[l]=n[h],r.set(e.subarray(h*i,(h+1)*i),l*
-i),l++;let m={t:a};for(let[h,d]of Object.entries(xc)){let p=new Float64Array(o).fill(-0);for(let f of d)for(let g=0;g<o;g++)p[g]+=r[g*i+ys[f]];m[h]=p}return m.mode=
-_c(r,o,m.omega),m}function _c(n,e,t){let s=k.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
-Math.sign(t[a])||i;let r=n[a*s+ys.mode],l=r===Xa?-1:r===Qa?1:0;o[a]=l===0?r:l*i<0?Xa:Qa}return o}var Ec=n=>n/2**32|0,Mc=n=>n>>>0;function er(n,e,t,s){let o=Ec(t),i=Mc(t);n.setUint32(e,s?i:o,s),n.setUint32(e+4,s?o:i,s)}function tr(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var Us=n=>n?
-`"${n}" `:"";function Sc(n,e=""){if(typeof n!="number")throw new TypeError(Us(e)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
-Us(e)+"expected integer >= 0, got "+n);return n}function Ks(n,e,t=""){if(tr(n)&&(e===void 0||n.length===e))return n;e!==void 0&&Sc(e,"length");let s=tr(n),o=e!==void 0?` of length ${e}`:"",i=s?`length=${n.length}`:
-`type=${typeof n}`,a=Us(t)+"expected Uint8Array"+o+", got "+i;throw s?new RangeError(a):new TypeError(a)}var Tc=(n,e)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof n)},nr=(n,e)=>{
-Tc(n,e);let t=Object.getPrototypeOf(n);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
-`"${e}.__proto__" is not allowed`)};function Vs(n,e=!0){if(n.destroyed)throw new Error("hash was destroyed");if(e&&n.finished)throw new Error("digest() was alre\
-ady called")}function sr(n,e){Ks(n,void 0,"output");let t=e.outputLen;if(!(n.length>=t))throw new RangeError('"output" expected length >= '+t)}function Js(...n){for(let e=0;e<n.length;e++)n[e].fill(0)}function Gn(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function le(n,e){return n<<32-e|
-n>>>e}function Ac(n,e,t="opts"){return nr(n,"defaults"),e!==void 0&&nr(e,t),Object.assign(Object.create(null),n,e)}function or(n,e={}){if(typeof n!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof n);e=Ac({},e,"info");let t=(o,i)=>n(i).update(o).digest(),s=n(void 0);return t.outputLen=s.outputLen,t.blockLen=
-s.blockLen,t.canXOF=s.canXOF,t.create=o=>n(o),Object.assign(t,e),Object.freeze(t)}var ir=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function ar(n,e,t){return n&e^~n&t}function rr(n,e,t){return n&e^n&t^e&t}var Un=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,s,o){
-this.blockLen=e,this.outputLen=t,this.padOffset=s,this.isLE=o,this.buffer=new Uint8Array(e),this.view=Gn(this.buffer)}update(e){Vs(this),Ks(e);let{view:t,buffer:s,
-blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=Gn(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}s.set(r===
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Vs(s,e,t){let{rows:n,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
+min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Sc),Tc),Ac),c=E.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+for(let b=0;b<o;b++){let w=Math.min(n[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)m.add(b);let d=Float64Array.from(m).sort(),p=Float64Array.from(h).filter(b=>b>
+0).sort(),f=s.states(e,d,!1),g=s.states(e,p,!0);return Rc(d,f,p,g)}function Rc(s,e,t,n){let o=s.length+t.length,i=E.samples.length,a=new Float64Array(o),r=new Float64Array(
+o*i),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*i,(c+1)*i),l*i),l++,c++),a[l]=s[h],r.set(e.subarray(h*i,(h+1)*i),l*
+i),l++;let m={t:a};for(let[h,d]of Object.entries(Lc)){let p=new Float64Array(o).fill(-0);for(let f of d)for(let g=0;g<o;g++)p[g]+=r[g*i+xs[f]];m[h]=p}return m.mode=
+Pc(r,o,m.omega),m}function Pc(s,e,t){let n=E.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
+Math.sign(t[a])||i;let r=s[a*n+xs.mode],l=r===ir?-1:r===ar?1:0;o[a]=l===0?r:l*i<0?ir:ar}return o}var Cc=s=>s/2**32|0,zc=s=>s>>>0;function rr(s,e,t,n){let o=Cc(t),i=zc(t);s.setUint32(e,n?i:o,n),s.setUint32(e+4,n?o:i,n)}function lr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var Js=s=>s?
+`"${s}" `:"";function Nc(s,e=""){if(typeof s!="number")throw new TypeError(Js(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
+Js(e)+"expected integer >= 0, got "+s);return s}function Ys(s,e,t=""){if(lr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&Nc(e,"length");let n=lr(s),o=e!==void 0?` of length ${e}`:"",i=n?`length=${s.length}`:
+`type=${typeof s}`,a=Js(t)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(a):new TypeError(a)}var Dc=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},hr=(s,e)=>{
+Dc(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
+`"${e}.__proto__" is not allowed`)};function Zs(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
+ady called")}function cr(s,e){Ys(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function Qs(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function Vn(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ce(s,e){return s<<32-e|
+s>>>e}function Oc(s,e,t="opts"){return hr(s,"defaults"),e!==void 0&&hr(e,t),Object.assign(Object.create(null),s,e)}function ur(s,e={}){if(typeof s!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof s);e=Oc({},e,"info");let t=(o,i)=>s(i).update(o).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
+n.blockLen,t.canXOF=n.canXOF,t.create=o=>s(o),Object.assign(t,e),Object.freeze(t)}var dr=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function mr(s,e,t){return s&e^~s&t}function pr(s,e,t){return s&e^s&t^e&t}var Jn=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,o){
+this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=o,this.buffer=new Uint8Array(e),this.view=Vn(this.buffer)}update(e){Zs(this),Ys(e);let{view:t,buffer:n,
+blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=Vn(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}n.set(r===
 0&&l===i?e:e.subarray(r,r+l),this.pos),this.pos+=l,r+=l,this.pos===o&&(this.process(t,0),this.pos=0,a=!0)}return this.length+=e.length,a&&this.roundClean(),this}digestInto(e){
-Vs(this),sr(e,this),this.finished=!0;let{buffer:t,view:s,blockLen:o,isLE:i}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>o-a&&(this.process(s,0),t.fill(
-0)),er(s,o-8,this.length*8,i),this.process(s,0),this.roundClean();let r=e===t?s:Gn(e),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
-valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,m[h],i)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let s=e.slice(0,t);return this.destroy(),
-s}_cloneIntoMeta(e){let{buffer:t,length:s,finished:o,destroyed:i,pos:a}=this;return e.destroyed=i,e.finished=o,e.length=s,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
-_cloneInto()}},lr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Lc=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+Zs(this),cr(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:o,isLE:i}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>o-a&&(this.process(n,0),t.fill(
+0)),rr(n,o-8,this.length*8,i),this.process(n,0),this.roundClean();let r=e===t?n:Vn(e),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
+valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,m[h],i)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let n=e.slice(0,t);return this.destroy(),
+n}_cloneIntoMeta(e){let{buffer:t,length:n,finished:o,destroyed:i,pos:a}=this;return e.destroyed=i,e.finished=o,e.length=n,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
+_cloneInto()}},fr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Ic=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
-2361852424,2428436474,2756734187,3204031479,3329325298]),ze=new Uint32Array(64),Ys=class extends Un{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
-8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:s,D:o,E:i,F:a,G:r,H:l}=this;
-return[e,t,s,o,i,a,r,l]}set(e,t,s,o,i,a,r,l){this.A=e|0,this.B=t|0,this.C=s|0,this.D=o|0,this.E=i|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
+2361852424,2428436474,2756734187,3204031479,3329325298]),ze=new Uint32Array(64),Xs=class extends Jn{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
+8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:n,D:o,E:i,F:a,G:r,H:l}=this;
+return[e,t,n,o,i,a,r,l]}set(e,t,n,o,i,a,r,l){this.A=e|0,this.B=t|0,this.C=n|0,this.D=o|0,this.E=i|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
 constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)ze[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=ze[h-15],p=ze[h-
-2],f=le(d,7)^le(d,18)^d>>>3,g=le(p,17)^le(p,19)^p>>>10;ze[h]=g+ze[h-7]+f+ze[h-16]|0}let{A:s,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let d=le(r,6)^
-le(r,11)^le(r,25),p=m+d+ar(r,l,c)+Lc[h]+ze[h]|0,g=(le(s,2)^le(s,13)^le(s,22))+rr(s,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=s,s=p+g|0}s=s+this.A|0,o=o+this.B|0,i=i+
-this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(s,o,i,a,r,l,c,m)}roundClean(){Js(ze)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),Js(this.buffer)}},Zs=class extends Ys{constructor(){super(32,lr)}};var hr=or(()=>new Zs,ir(1));var cr=["t","x","height","angle","vx","vy","omega","slip"],Rc=16,Pc=0x7ff8000000000000n;function ur(n,e){let t=new TextEncoder,s=hr.create(),o=new DataView(new ArrayBuffer(
-8*cr.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*k.events.length;s.update(t.encode(k.kinds[n[l+B.kind]])),cr.forEach((c,m)=>{let h=n[l+B[c]];
-Number.isNaN(h)?o.setBigUint64(8*m,Pc,!0):o.setFloat64(8*m,h+0,!0)}),s.update(i)}return Array.from(s.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,Rc)}function dr(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=Cc(n.subarray(o*k.keys,(o+1)*k.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
-get(i);a===void 0&&(a=t.size,t.set(i,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function Cc(n){let e="";for(let t of n){let s=t;for(let o=0;o<k.letters_a_key&&
-s;o++){let i=Number(s&7n);s>>=3n,i&&(e+=i===k.more?"+":k.letters[i-1])}}return e}var zc=256,Nc=2048,Dc=4096,Ic=2e5,Oc=k.statuses.indexOf("buffer"),qc=new Set(k.passing),Xs=n=>Number.isFinite(n)?n:null,Kn=class{constructor(e){this.exports=new WebAssembly.
-Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Wn(this.exports),this.mostEvents=zc,this.mostSegments=Nc,this.mostRows=Dc}call(e,...t){let s=this.
-exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=k.events.length;for(;;){let o=t.room("table",8*s*this.
-mostEvents),i=t.room("heads",8*k.heads.length);e.contact?this.computeCompliant(e,e.contact,o,i):this.computeRigid(e,o,i);let a=t.floats(i,k.heads.length).slice(),
-r=a[pe.events];if(a[pe.status]===Oc)this.makeRoom(e,a[pe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(o,r*s).slice();
-return{given:e,head:a,rows:l,count:r,duration:a[pe.duration],segments:a[pe.segments]}}}}computeRigid(e,t,s){let{memory:o}=this,i=o.put("cell",Oe(e)),a=o.room("e\
-vents",k.event_bytes*this.mostEvents),r=o.room("segments",k.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,r,this.mostSegments,t,s)}computeCompliant(e,t,s,o){
-let{memory:i}=this,a=i.put("cell",Oe(e)),r=i.put("contact",Qt(t)),l=i.room("events",k.event_bytes*this.mostEvents),c=i.room("rows",k.compliant_segment_bytes*this.
-mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Ic,c,this.mostRows,s,o)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return mr(
-this.compute(e))}film(e){let t=this.compute(e);return{motion:mr(t),columns:Gs(this,t)}}columns(e,t){return Gs(this,this.compute(e),t)}samples(e,t){let s=this.states(
-this.compute(e),t,!1),o=k.samples.length;return Object.fromEntries(k.samples.map((i,a)=>[i,Float64Array.from(t,(r,l)=>s[l*o+a])]))}states(e,t,s){return this.rows(
-"samples",k.samples.length,e,t,s)}margins(e,t,s=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let o=k.margins.length,i=this.rows(
-"margins",o,this.compute(e),t,s);return Object.fromEntries(k.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>i[c*o+r])]))}rows(e,t,s,o,i){let{memory:a}=this,r=o.
-length*t,l=a.put("times",o),c=a.room("states",8*Math.max(r,1)),m=a.room("cell",8),h=[s.segments,l,o.length,Number(i),c];return s.given.contact?this.call("compli\
-ant_samples",m,a.room("contact",8),a.room("rows",8),...h):this.call(e,m,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:s}=this,o=this.
-compute(e),i=s.put("rates",t),a=this.side(o,i,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(o,i,-1):a;return{count:o.count,larger:a,smaller:c}}side({
-count:e,segments:t,head:s},o,i){let{memory:a}=this,r=e*k.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[m,h,d]=["cell","events","segments"].map(b=>a.
-room(b,8)),p=s[pe.doubt_from];this.call("changes",m,o,1,i,h,e,d,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:k.reasons[Math.max(f,0)],
-sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,s=t.put("cell",Oe(e)),o=t.room("answers",8*k.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresho\
-lds",s,i?e.vx:Number.NaN,o);let a=t.floats(o,k.thresholds.length),r=c=>{let m=a[k.thresholds.indexOf(c)];return Number.isNaN(m)?null:m},l=["jam_angle","jam_angl\
+2],f=ce(d,7)^ce(d,18)^d>>>3,g=ce(p,17)^ce(p,19)^p>>>10;ze[h]=g+ze[h-7]+f+ze[h-16]|0}let{A:n,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
+ce(r,11)^ce(r,25),p=m+d+mr(r,l,c)+Ic[h]+ze[h]|0,g=(ce(n,2)^ce(n,13)^ce(n,22))+pr(n,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=n,n=p+g|0}n=n+this.A|0,o=o+this.B|0,i=i+
+this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(n,o,i,a,r,l,c,m)}roundClean(){Qs(ze)}destroy(){this.destroyed=!0,this.set(0,0,
+0,0,0,0,0,0),Qs(this.buffer)}},eo=class extends Xs{constructor(){super(32,fr)}};var gr=ur(()=>new eo,dr(1));var br=["t","x","height","angle","vx","vy","omega","slip"],qc=16,Fc=0x7ff8000000000000n;function wr(s,e){let t=new TextEncoder,n=gr.create(),o=new DataView(new ArrayBuffer(
+8*br.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*E.events.length;n.update(t.encode(E.kinds[s[l+B.kind]])),br.forEach((c,m)=>{let h=s[l+B[c]];
+Number.isNaN(h)?o.setBigUint64(8*m,Fc,!0):o.setFloat64(8*m,h+0,!0)}),n.update(i)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,qc)}function yr(s,e){let t=new Map,n=new Float64Array(e);for(let o=0;o<e;o++){let i=Hc(s.subarray(o*E.keys,(o+1)*E.keys));if(i===""){n[o]=Number.NaN;continue}let a=t.
+get(i);a===void 0&&(a=t.size,t.set(i,a)),n[o]=a}return{values:n,sequences:[...t.keys()]}}function Hc(s){let e="";for(let t of s){let n=t;for(let o=0;o<E.letters_a_key&&
+n;o++){let i=Number(n&7n);n>>=3n,i&&(e+=i===E.more?"+":E.letters[i-1])}}return e}var jc=256,Bc=2048,$c=4096,Wc=2e5,Gc=E.statuses.indexOf("buffer"),Uc=new Set(E.passing),to=s=>Number.isFinite(s)?s:null,Yn=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Kn(this.exports),this.mostEvents=jc,this.mostSegments=Bc,this.mostRows=$c}call(e,...t){let n=this.
+exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=E.events.length;for(;;){let o=t.room("table",8*n*this.
+mostEvents),i=t.room("heads",8*E.heads.length);e.contact?this.computeCompliant(e,e.contact,o,i):this.computeRigid(e,o,i);let a=t.floats(i,E.heads.length).slice(),
+r=a[pe.events];if(a[pe.status]===Gc)this.makeRoom(e,a[pe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(o,r*n).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[pe.duration],segments:a[pe.segments]}}}}computeRigid(e,t,n){let{memory:o}=this,i=o.put("cell",Ie(e)),a=o.room("e\
+vents",E.event_bytes*this.mostEvents),r=o.room("segments",E.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,r,this.mostSegments,t,n)}computeCompliant(e,t,n,o){
+let{memory:i}=this,a=i.put("cell",Ie(e)),r=i.put("contact",en(t)),l=i.room("events",E.event_bytes*this.mostEvents),c=i.room("rows",E.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Wc,c,this.mostRows,n,o)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return vr(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:vr(t),columns:Vs(this,t)}}columns(e,t){return Vs(this,this.compute(e),t)}samples(e,t){let n=this.states(
+this.compute(e),t,!1),o=E.samples.length;return Object.fromEntries(E.samples.map((i,a)=>[i,Float64Array.from(t,(r,l)=>n[l*o+a])]))}states(e,t,n){return this.rows(
+"samples",E.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let o=E.margins.length,i=this.rows(
+"margins",o,this.compute(e),t,n);return Object.fromEntries(E.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>i[c*o+r])]))}rows(e,t,n,o,i){let{memory:a}=this,r=o.
+length*t,l=a.put("times",o),c=a.room("states",8*Math.max(r,1)),m=a.room("cell",8),h=[n.segments,l,o.length,Number(i),c];return n.given.contact?this.call("compli\
+ant_samples",m,a.room("contact",8),a.room("rows",8),...h):this.call(e,m,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:n}=this,o=this.
+compute(e),i=n.put("rates",t),a=this.side(o,i,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(o,i,-1):a;return{count:o.count,larger:a,smaller:c}}side({
+count:e,segments:t,head:n},o,i){let{memory:a}=this,r=e*E.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[m,h,d]=["cell","events","segments"].map(b=>a.
+room(b,8)),p=n[pe.doubt_from];this.call("changes",m,o,1,i,h,e,d,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:E.reasons[Math.max(f,0)],
+sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,n=t.put("cell",Ie(e)),o=t.room("answers",8*E.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresho\
+lds",n,i?e.vx:Number.NaN,o);let a=t.floats(o,E.thresholds.length),r=c=>{let m=a[E.thresholds.indexOf(c)];return Number.isNaN(m)?null:m},l=["jam_angle","jam_angl\
 e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
 _speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
-"stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,o,i],a,r){let{memory:l}=this,
-c=l.put("cell",Oe(e)),m=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,s,o,i,a,r,m,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
-d,m,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*k.numbers.
-length),l=i.room("words",4*e*k.words.length),c=i.room("keys",8*e*k.keys),{angle:m,stop:h,timed:d}=k.spans[o],p=k.wanted[s];this.call("map_cells",a,e,m??Number.NaN,
-h,d,p,r,l,c);let{buffer:f}=this.exports.memory;if(s==="sequence")return dr(new BigUint64Array(f,c,e*k.keys),e);let g=new Float64Array(e);if(s in vs){let b=new Int32Array(
-f,l,e*k.words.length);for(let w=0;w<e;w++)g[w]=b[w*k.words.length+vs[s]]}else{let b=i.floats(r,e*k.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*k.numbers.length+
-Ai[s]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*k.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
-let t=this.memory.put("cell",Oe(e)),s=this.memory.put("contact",Qt(e.contact)),o=this.memory.room("answers",8*k.thresholds.length);this.call("refused",t,s,+!e.contact,
-o);let[i,a]=this.memory.floats(o,2);return[i,a]}combine(e,t){let{memory:s}=this,o=s.put("parts",t.flatMap(Fc)),i=s.room("answers",8*k.thresholds.length),a=s.room(
-"reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,i,a);let[r,l,c]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(a,t.
-length)]}}chosen(e){let t=this.memory.put("cell",Oe(e)),s=this.memory.put("contact",Qt(e.contact)),o=this.memory.room("answers",8*k.thresholds.length);this.call(
-"compliance",t,s,o);let i=this.memory.floats(o,k.chosen.length);return Object.fromEntries(k.chosen.map((a,r)=>[a,i[r]]))}};function Fc(n){let e=n.shape==="rod"?
-`${n.direction}_rod`:n.shape,t=k.shapes.indexOf(e);return n.shape==="ring"?[t,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[t,n.mass,n.radius,0,n.at]:
-n.shape==="rod"?[t,n.mass,n.length,0,n.at]:[t,n.mass,0,0,n.at]}var Hc=["friction","impact_normal","impact_tangential","rolling_resistance"],jc=["kinetic","poten\
-tial",...Hc,"residual"],pr=["x","height","angle","vx","vy","omega"];function mr({given:n,head:e,rows:t,count:s,duration:o}){let i=k.events.length,a=Array.from({
-length:s},(m,h)=>Bc(t.subarray(h*i,(h+1)*i))),r=a[s-1],l=Object.fromEntries([...jc,...n.contact?["spring","damping"]:[]].map(m=>[m,e[pe[m]]])),c=Xs(e[pe.doubt_from]);
-return{status:k.statuses[e[pe.status]],sequence:$c(a),fingerprint:c===null?ur(t,s):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(pr.map(
-m=>[m,r[m]]))},energy:l,doubt:c}}function Bc(n){let e=k.kinds[n[B.kind]],t=n[B.from_mode],s={t:n[B.t],kind:e,from:t<0?null:k.letters[t],to:k.letters[n[B.to_mode]]};
-for(let o of pr)s[o]=Xs(n[B[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,Xs(n[B[`before_${o}`]])])),s.impulse={normal:n[B.impulse_normal],
-tangential:n[B.impulse_tangential]},n[B.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[B.gain]),n[B.stable]>=0&&(s.stable=n[B.stable]===1),s}function $c(n){
-let e=n.filter((s,o)=>o===n.length-1||!qc.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Qs=1e4,Wc="The part of the page that computes this could not be loaded; choose it again when there is a network.",eo=256;function fr(n){let e=URL.createObjectURL(
-new Blob([n],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function gr(n){let e=await fetch(n);if(!e.ok)throw new Error(`The kernel i\
-s not there: ${n.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
-arrayBuffer())}async function br(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var At=class n{constructor(e,t,s){this.start=t;this.derivatives=s;this.rates=null;this.mechanics=new Kn(e),this.motions=new rt(t,e,2,Qs);let o=navigator.hardwareConcurrency||
-2;this.maps=new rt(t,e,Math.max(1,Math.min(o-1,8)),Qs)}static async load(e){let t=await gr(new URL(`hophoop.wasm?${k.module}`,e)),s=()=>gr(new URL(`hophoop-deri\
-vatives.wasm?${k.derivatives}`,e)),o=new URL(`kernel.js?${k.module}`,e);return o.origin===globalThis.location?.origin?new n(t,()=>new Worker(o,{type:"module"}),
-s):new n(t,fr(await(await fetch(o)).text()),s)}static async unpack(e,t,s){return new n(await br(e),fr(t),async()=>br(await s()))}motion(e,t){return this.motions.
-ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.motions.
-ask("samples",[e,t],s)}async changes(e,t,s){return this.rates??=this.derivatives().then(i=>new rt(this.start,i,1,Qs)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(Wc)})).ask("changes",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,o,i){return this.motions.ask("regions",[e,
-t,s,o],i)}async map({count:e,rows:t},s,o,i){let a=k.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(eo,e-h),p=new Float64Array(
-a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let f=await this.maps.ask("map",[{count:d,rows:p},s,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
-b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/eo)},(h,d)=>d*eo);return await Promise.
-all(m.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Gc=4,Uc="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Vn=class{constructor(e){this.base=e;this.shares=
-!0}async call(e,t,s){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},i=await this.answered(new URL(`lab/${e}`,
-this.base),o);return at(await i.arrayBuffer())}async answered(e,t){for(let s=Gc;;s--){let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Uc)});
-if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||s<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The\
+"stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,o,i],a,r){let{memory:l}=this,
+c=l.put("cell",Ie(e)),m=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,o,i,a,r,m,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
+d,m,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*E.numbers.
+length),l=i.room("words",4*e*E.words.length),c=i.room("keys",8*e*E.keys),{angle:m,stop:h,timed:d}=E.spans[o],p=E.wanted[n];this.call("map_cells",a,e,m??Number.NaN,
+h,d,p,r,l,c);let{buffer:f}=this.exports.memory;if(n==="sequence")return yr(new BigUint64Array(f,c,e*E.keys),e);let g=new Float64Array(e);if(n in ks){let b=new Int32Array(
+f,l,e*E.words.length);for(let w=0;w<e;w++)g[w]=b[w*E.words.length+ks[n]]}else{let b=i.floats(r,e*E.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*E.numbers.length+
+Pi[n]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*E.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
+let t=this.memory.put("cell",Ie(e)),n=this.memory.put("contact",en(e.contact)),o=this.memory.room("answers",8*E.thresholds.length);this.call("refused",t,n,+!e.contact,
+o);let[i,a]=this.memory.floats(o,2);return[i,a]}combine(e,t){let{memory:n}=this,o=n.put("parts",t.flatMap(Kc)),i=n.room("answers",8*E.thresholds.length),a=n.room(
+"reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,i,a);let[r,l,c]=n.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.
+length)]}}chosen(e){let t=this.memory.put("cell",Ie(e)),n=this.memory.put("contact",en(e.contact)),o=this.memory.room("answers",8*E.thresholds.length);this.call(
+"compliance",t,n,o);let i=this.memory.floats(o,E.chosen.length);return Object.fromEntries(E.chosen.map((a,r)=>[a,i[r]]))}};function Kc(s){let e=s.shape==="rod"?
+`${s.direction}_rod`:s.shape,t=E.shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:
+s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,s.mass,0,0,s.at]}var Vc=["friction","impact_normal","impact_tangential","rolling_resistance"],Jc=["kinetic","poten\
+tial",...Vc,"residual"],xr=["x","height","angle","vx","vy","omega"];function vr({given:s,head:e,rows:t,count:n,duration:o}){let i=E.events.length,a=Array.from({
+length:n},(m,h)=>Yc(t.subarray(h*i,(h+1)*i))),r=a[n-1],l=Object.fromEntries([...Jc,...s.contact?["spring","damping"]:[]].map(m=>[m,e[pe[m]]])),c=to(e[pe.doubt_from]);
+return{status:E.statuses[e[pe.status]],sequence:Zc(a),fingerprint:c===null?wr(t,n):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(xr.map(
+m=>[m,r[m]]))},energy:l,doubt:c}}function Yc(s){let e=E.kinds[s[B.kind]],t=s[B.from_mode],n={t:s[B.t],kind:e,from:t<0?null:E.letters[t],to:E.letters[s[B.to_mode]]};
+for(let o of xr)n[o]=to(s[B[o]]);return n.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,to(s[B[`before_${o}`]])])),n.impulse={normal:s[B.impulse_normal],
+tangential:s[B.impulse_tangential]},s[B.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[B.gain]),s[B.stable]>=0&&(n.stable=s[B.stable]===1),n}function Zc(s){
+let e=s.filter((n,o)=>o===s.length-1||!Uc.has(n.kind));return e.slice(0,-1).map((n,o)=>e[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var no=1e4,Qc="The part of the page that computes this could not be loaded; choose it again when there is a network.",so=256;function kr(s){let e=URL.createObjectURL(
+new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function _r(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
+s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
+arrayBuffer())}async function Er(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
+var At=class s{constructor(e,t,n){this.start=t;this.derivatives=n;this.rates=null;this.mechanics=new Yn(e),this.motions=new rt(t,e,2,no);let o=navigator.hardwareConcurrency||
+2;this.maps=new rt(t,e,Math.max(1,Math.min(o-1,8)),no)}static async load(e){let t=await _r(new URL(`hophoop.wasm?${E.module}`,e)),n=()=>_r(new URL(`hophoop-deri\
+vatives.wasm?${E.derivatives}`,e)),o=new URL(`kernel.js?${E.module}`,e);return o.origin===globalThis.location?.origin?new s(t,()=>new Worker(o,{type:"module"}),
+n):new s(t,kr(await(await fetch(o)).text()),n)}static async unpack(e,t,n){return new s(await Er(e),kr(t),async()=>Er(await n()))}motion(e,t){return this.motions.
+ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
+ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(i=>new rt(this.start,i,1,no)),(await this.rates.catch(()=>{throw this.rates=
+null,new Error(Qc)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,o,i){return this.motions.ask("regions",[e,
+t,n,o],i)}async map({count:e,rows:t},n,o,i){let a=E.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(so,e-h),p=new Float64Array(
+a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let f=await this.maps.ask("map",[{count:d,rows:p},n,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
+b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/so)},(h,d)=>d*so);return await Promise.
+all(m.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Xc=4,eu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Zn=class{constructor(e){this.base=e;this.shares=
+!0}async call(e,t,n){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:n},i=await this.answered(new URL(`lab/${e}`,
+this.base),o);return at(await i.arrayBuffer())}async answered(e,t){for(let n=Xc;;n--){let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(eu)});
+if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||n<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The\
  server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(
-`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},Kc=2e4,Vc=3e5,Jn=class{constructor(e){this.model=e;this.
-shares=!1;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){
-let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(s.timer),this.waiting.delete(e.number),e.error?s.reject(new Error(e.error)):s.resolve(at(
-t[0])))}call(e,t,s){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answ\
-er; run the cell again."))},e==="file"?Vc:Kc);this.waiting.set(o,{resolve:i,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
-o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("fi\
-le",{query:t,name:e});return new Blob([s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:Jc,families:Yc,massless:Zc,hops:Xc,rolls:Qc,other:eu}=S.classes,{sequence:tu}=S.words,wr="sequence",nu=n=>[...n].reduce((e,t)=>(131*e+t.charCodeAt(0))%
-997,0)/997;function yr(n,e){if(e!==wr)return Jc[e]?.[n]??eu;let t=/[SK]/.exec(n)?.[0]??"R",s=[n.startsWith("R")&&"rolls",/[SK]/.test(n)&&"slips"].filter(Boolean).
-join(", "),o=n.endsWith("H")?Xc:Yc[t+n.slice(-1)]??Qc,i=n.includes("M")?Zc[s]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
-min(n.length-1,9)/9,c=.2*nu(n),m=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*m)*(1-h)).toString(
-16).padStart(2,"0")}).join("")}`}function vr(n,e){return e!==wr?n.replaceAll("_"," "):[...n].map(t=>tu[t]).join(" → ")}function X({duration:n,hoop:e,plane:t,start:s,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:d,height:p,angle:f,vx:g,
-vy:b,omega:w,slip:y}=be(s,i),{max_events:v,model:_,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
-angle:f,vx:g,vy:b,omega:w,slip:y,rolling:s.speed!==null,duration:n,max_events:v,contact:_==="rigid"?null:T}}function be({x:n,height:e,angle:t,speed:s,vx:o,vy:i,
-omega:a},r){let l=s===null?Number(a):s/r;return{x:n,height:e,angle:t,vx:o,vy:i,omega:l,slip:s===null?o-r*l:0}}var su=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,ou=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function Ee(n){return Number.isNaN(n)?"nan":String(n).replace("Infi\
-nity","inf")}var to=n=>Ee(n).replace(/^-?\d+$/,"$&.0");function Me(n,e=6){if(!Number.isFinite(n))return Ee(n);let t=n!==0&&Math.abs(n)<1e-4,[s,...o]=(t?n.toExponential(
-e-1):n.toPrecision(e)).split("e");return[s.includes(".")?s.replace(/\.?0+$/,""):s,...o].join("e")}var no=(n,e)=>Number.isFinite(n)?n.toFixed(e):Ee(n),iu={g:(n,e)=>Me(
-n,e||6),e:(n,e)=>n.toExponential(e),f:no};function q(n,e){return n.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,o,i,a)=>{let r=e[s];return a?iu[a](r,Number(
-i)):o?so(r):String(r)})}function so(n){return typeof n=="number"?Ee(n):typeof n=="string"?Yn(`'${n}'`):n==null?"None":Yn(JSON.stringify(n))}var xr=n=>n.replace(
-/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Yn(n){let e=[...n];return e.length<=60?n:`${e.slice(0,57).join("")}...`}function kr(n){
-if(su.test(n))return Number(n);let[,e,t]=ou.exec(n)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:_r,scenario:Er}=S,au=2,N=class extends Error{constructor(e){super(xr(e)),this.name="InputError"}},te=class extends N{},z=(n,e={})=>q(_r[n],e),we=n=>n!==
-null&&typeof n=="object"&&!Array.isArray(n),We=(n,e,t,s)=>z("finding",{path:n||_r.whole_scenario,shown:so(e),allowed:z(t,s)});function io(n,e,t,s){let{fields:o,
-place:i}=Er.models[n],a=we(e)?ao(i,e,Object.keys(o)):We(t,e,"table");if(a&&s.push(a),a)return null;let r=s.length,l={};for(let[c,m]of Object.entries(o))Object.hasOwn(
-e,c)?l[c]=ro(m,e[c],`${t}.${c}`,s):m.required?s.push(z("missing",{path:`${t}.${c}`})):l[c]=yt(m.default);return s.length===r?{values:l,given:new Set(Object.keys(
-e))}:null}function ao(n,e,t){let s=Object.keys(e).find(r=>!t.includes(r));if(s===void 0)return null;let[o]=[...t].sort((r,l)=>oo(s,r)-oo(s,l)),a=oo(s,o)<=au?z("\
-did_you_mean",{close:o}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${n}${Yn(s)}`,hint:a})}function oo(n,e){let t=Array.from({length:e.length+
-1},(s,o)=>o);for(let[s,o]of[...n].entries()){let i=[s+1];for(let a=0;a<e.length;a++)i.push(Math.min(i[a]+1,t[a+1]+1,t[a]+ +(o!==e[a])));t=i}return t[e.length]}function ro(n,e,t,s){
-if(e===null&&n.nullable)return null;if(n.kind==="parts")return hu(e,t,s);let o=n.kind==="friction"&&e==="inf"?1/0:e,i=lu(n,o);return i&&s.push(We(t,e,...i)),typeof o==
-"number"?o+0:o}var ru={greater_than:(n,e)=>n>e,greater_than_equal:(n,e)=>n>=e,less_than_equal:(n,e)=>n<=e};function lu(n,e){let{kind:t,options:s,limits:o=[],range:i}=n;
-if(t==="word")return s.includes(e)?null:["literal_error",n];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
-!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=o.find(([r,l])=>!ru[r](e,l));return a?[a[0],{limit:a[1]}]:
-i&&!lo(i,e)?["range",i]:null}var lo=({least:n,most:e,also:t=[]},s)=>n<=s&&s<=e||t.some(o=>yt(o)===s);function hu(n,e,t){if(!Array.isArray(n))t.push(We(e,n,"list"));else
-return n.map((s,o)=>cu(s,`${e}.${o}`,t))}function cu(n,e,t){let s=ho(n,"shape",Er.parts,e,t),o=s&&io(s,n,e,t);if(!o)return null;let{inner_radius:i,outer_radius:a}=o.
-values;return i>a&&t.push(z("ring_radii",{inner:i,outer:a})),o.values}function ho(n,e,t,s,o,i){let a=we(n)&&Object.hasOwn(n,e)?n[e]:i;if(!we(n))o.push(We(s,n,"t\
-able"));else if(a===void 0)o.push(z("missing",{path:`${s}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
-'`).join(" or ");o.push(We(`${s}.${e}`,a,"literal_error",{expected:r}))}}return null}function co(n){let e=n.length-1;return e?z(e===1?"other_problem":"other_pro\
-blems",{first:n[0].replace(/\.$/,""),count:e}):n[0]}var Sr=new Map(Object.entries(S.scenario.ends));function mo(n){let[e,...t]=n.split(".");return[e,t.join(".")]}function Lt(n){for(let e of n){let t=(Sr.get(e)??[]).
-map(o=>`${mo(e)[0]}.${o}`),s=n.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));if(s!==void 0)return[e,s]}return null}function Mr(n){let[e,t]=mo(n);return(e==="\
-start"?10:0)+(t===""?0:n==="contact.model"||n==="hoop.parts"?1:2)}function Tr(n,e,t,s){let o=[...t.keys()],i=Lt(o);if(i){let[r,l]=i;throw new N(z("two_ways",{one:r,
-other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>Mr(l)-Mr(c))){let l=structuredClone(t.get(r)),[c,m]=mo(r);if(m==="")
-uo(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||uo(e,c,{});let h=e[c];if(!we(h))throw new N(z("no_section_parts",{path:r,section:c}));
-let d=Sr.get(r)??[];if(!a.has(c)&&d.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?s(c,t.get(c)):n[c],f=uu(p,r,()=>s("hoop",e.hoop));for(let[g,b]of Object.
-entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of d)delete h[p];du(h,m.split("."),l,r)}}return e}var uo=(n,e,t)=>Object.defineProperty(n,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0});function uu(n,e,t){let{mass:s,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=n;if(e==="hoop.load_fraction")return{mass:s};
-if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:s,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
-mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=be(n,t().radius);return{height:l,vx:c,vy:m,omega:h}}function du(n,e,t,s){
-let o=n;for(let[i,a]of e.entries()){let r=i===e.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(a)&&Number(a)<o.length)&&!(we(o)&&(r||Object.hasOwn(o,a))))throw new N(
-z("not_there",{path:s,step:a}));r?uo(o,a,t):o=o[a]}}var{lab:mu,limits:Q}=S,{allowed:Ar,events:pu,flight_turns:fu,quantities:gu}=S.map,bu=1e-300,G=(n,e={})=>q(mu[n],e),po=n=>G("doubt",{time:Me(n,4)});function Ge(n){
-let{duration:e,hoop:t,contact:s}=n;if(e>Q.duration)throw new te(G("too_long",{duration:e,most:Q.duration}));let o=t.parts?.length??0;if(o>Q.parts)throw new te(G(
-"too_many_parts",{parts:o,most:Q.parts}));let i=Cr(Pr(n));if(i>Q.turns)throw new te(G("too_many_turns",{duration:e,turns:i,most:Q.turns}));if(s.model==="complia\
-nt"){let a=wu(n,i);if(a>Q.steps)throw new te(G("too_stiff",{steps:a,most:Q.steps}))}return s.max_events<=Q.events?n:{...n,contact:{...s,max_events:Q.events}}}function Pr({
-duration:n,hoop:{radius:e},plane:{gravity:t,slope:s},start:o}){let{height:i,vx:a,vy:r,omega:l}=be(o,e);return{duration:n,radius:e,gravity:t,slope:s,height:i,vx:a,
-vy:r,omega:l}}function Cr({duration:n,radius:e,gravity:t,slope:s,height:o,vx:i,vy:a,omega:r}){return(2*(Math.abs(i)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+o)))+
-.5*t*Math.min(Math.abs(s),1)*n)*n/(2*Math.PI*e)}function wu({duration:n,hoop:{radius:e,mass:t},plane:{gravity:s},contact:{stiffness:o}},i){let r=10/Math.sqrt(e/
-(s>0?s:1))+(o===null?0:Math.sqrt(o/t));return 10*n*r+40*i}function fo(n,{x:e,y:t,what:s}){if(n.contact.model!=="rigid")throw new N(G("rigid_maps"));let{contact:o,
-...i}=Ge(n),a={...i,contact:{...o,max_events:Math.min(o.max_events,pu)}};yu(a,e,t,gu[s].span);let r=Lt([t.path,e.path]);if(r)throw new N(G("two_axes",{one:r[0],
-other:r[1]}));return a}function yu(n,e,t,s){let o=Pr(n),i=s==="first_revolution",a=Rt(e).filter(h=>Rr(e.path,h)),r=Rt(t).filter(h=>Rr(t.path,h)),[l,c]=[0,0];for(let h of r)
-for(let d of a){let p=Lr(Lr(o,t.path,h),e.path,d),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+bu),fu):Cr(p);l+=g,c=Math.max(c,g)}if(!i&&c>Q.turns)throw new te(
-G("cell_turns",{turns:c,most:Q.turns}));if(l<=Q.map_turns)return;let m=a.length*r.length;throw new te(G("map_turns",{cells:m,turns:l,most:Q.map_turns}))}function Lr(n,e,t){
-if(e==="start.speed")return{...n,vx:t,vy:0,omega:0};let s=e.slice(e.lastIndexOf(".")+1);return s in n&&s!=="height"?{...n,[s]:t}:n}var Rt=({from:n,to:e,cells:t})=>Array.
-from({length:t},(s,o)=>n+(o+.5)*((e-n)/t));function Rr(n,e){return!Ar[n]||lo(Ar[n],e)}var vu=1e3;function zr(n){let e=n.replace(/^\?/,"");if(e.split("&").length>vu)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
+`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},tu=2e4,nu=3e5,Qn=class{constructor(e){this.model=e;this.
+shares=!1;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){
+let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(n.timer),this.waiting.delete(e.number),e.error?n.reject(new Error(e.error)):n.resolve(at(
+t[0])))}call(e,t,n){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answ\
+er; run the cell again."))},e==="file"?nu:tu);this.waiting.set(o,{resolve:i,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
+o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:n}=await this.call("fi\
+le",{query:t,name:e});return new Blob([n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:su,families:ou,massless:iu,hops:au,rolls:ru,other:lu}=S.classes,{sequence:hu}=S.words,Mr="sequence",cu=s=>[...s].reduce((e,t)=>(131*e+t.charCodeAt(0))%
+997,0)/997;function Sr(s,e){if(e!==Mr)return su[e]?.[s]??lu;let t=/[SK]/.exec(s)?.[0]??"R",n=[s.startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).
+join(", "),o=s.endsWith("H")?au:ou[t+s.slice(-1)]??ru,i=s.includes("M")?iu[n]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
+min(s.length-1,9)/9,c=.2*cu(s),m=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*m)*(1-h)).toString(
+16).padStart(2,"0")}).join("")}`}function Tr(s,e){return e!==Mr?s.replaceAll("_"," "):[...s].map(t=>hu[t]).join(" → ")}function Q({duration:s,hoop:e,plane:t,start:n,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:d,height:p,angle:f,vx:g,
+vy:b,omega:w,slip:y}=be(n,i),{max_events:v,model:k,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
+angle:f,vx:g,vy:b,omega:w,slip:y,rolling:n.speed!==null,duration:s,max_events:v,contact:k==="rigid"?null:T}}function be({x:s,height:e,angle:t,speed:n,vx:o,vy:i,
+omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:o,vy:i,omega:l,slip:n===null?o-r*l:0}}var uu=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,du=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function Ee(s){return Number.isNaN(s)?"nan":String(s).replace("Infi\
+nity","inf")}var oo=s=>Ee(s).replace(/^-?\d+$/,"$&.0");function Me(s,e=6){if(!Number.isFinite(s))return Ee(s);let t=s!==0&&Math.abs(s)<1e-4,[n,...o]=(t?s.toExponential(
+e-1):s.toPrecision(e)).split("e");return[n.includes(".")?n.replace(/\.?0+$/,""):n,...o].join("e")}var io=(s,e)=>Number.isFinite(s)?s.toFixed(e):Ee(s),mu={g:(s,e)=>Me(
+s,e||6),e:(s,e)=>s.toExponential(e),f:io};function q(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,o,i,a)=>{let r=e[n];return a?mu[a](r,Number(
+i)):o?ao(r):String(r)})}function ao(s){return typeof s=="number"?Ee(s):typeof s=="string"?Xn(`'${s}'`):s==null?"None":Xn(JSON.stringify(s))}var Ar=s=>s.replace(
+/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Xn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}function Lr(s){
+if(uu.test(s))return Number(s);let[,e,t]=du.exec(s)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:Rr,scenario:Pr}=S,pu=2,N=class extends Error{constructor(e){super(Ar(e)),this.name="InputError"}},te=class extends N{},z=(s,e={})=>q(Rr[s],e),we=s=>s!==
+null&&typeof s=="object"&&!Array.isArray(s),We=(s,e,t,n)=>z("finding",{path:s||Rr.whole_scenario,shown:ao(e),allowed:z(t,n)});function lo(s,e,t,n){let{fields:o,
+place:i}=Pr.models[s],a=we(e)?ho(i,e,Object.keys(o)):We(t,e,"table");if(a&&n.push(a),a)return null;let r=n.length,l={};for(let[c,m]of Object.entries(o))Object.hasOwn(
+e,c)?l[c]=co(m,e[c],`${t}.${c}`,n):m.required?n.push(z("missing",{path:`${t}.${c}`})):l[c]=yt(m.default);return n.length===r?{values:l,given:new Set(Object.keys(
+e))}:null}function ho(s,e,t){let n=Object.keys(e).find(r=>!t.includes(r));if(n===void 0)return null;let[o]=[...t].sort((r,l)=>ro(n,r)-ro(n,l)),a=ro(n,o)<=pu?z("\
+did_you_mean",{close:o}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${s}${Xn(n)}`,hint:a})}function ro(s,e){let t=Array.from({length:e.length+
+1},(n,o)=>o);for(let[n,o]of[...s].entries()){let i=[n+1];for(let a=0;a<e.length;a++)i.push(Math.min(i[a]+1,t[a+1]+1,t[a]+ +(o!==e[a])));t=i}return t[e.length]}function co(s,e,t,n){
+if(e===null&&s.nullable)return null;if(s.kind==="parts")return bu(e,t,n);let o=s.kind==="friction"&&e==="inf"?1/0:e,i=gu(s,o);return i&&n.push(We(t,e,...i)),typeof o==
+"number"?o+0:o}var fu={greater_than:(s,e)=>s>e,greater_than_equal:(s,e)=>s>=e,less_than_equal:(s,e)=>s<=e};function gu(s,e){let{kind:t,options:n,limits:o=[],range:i}=s;
+if(t==="word")return n.includes(e)?null:["literal_error",s];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
+!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=o.find(([r,l])=>!fu[r](e,l));return a?[a[0],{limit:a[1]}]:
+i&&!uo(i,e)?["range",i]:null}var uo=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(o=>yt(o)===n);function bu(s,e,t){if(!Array.isArray(s))t.push(We(e,s,"list"));else
+return s.map((n,o)=>wu(n,`${e}.${o}`,t))}function wu(s,e,t){let n=mo(s,"shape",Pr.parts,e,t),o=n&&lo(n,s,e,t);if(!o)return null;let{inner_radius:i,outer_radius:a}=o.
+values;return i>a&&t.push(z("ring_radii",{inner:i,outer:a})),o.values}function mo(s,e,t,n,o,i){let a=we(s)&&Object.hasOwn(s,e)?s[e]:i;if(!we(s))o.push(We(n,s,"t\
+able"));else if(a===void 0)o.push(z("missing",{path:`${n}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
+'`).join(" or ");o.push(We(`${n}.${e}`,a,"literal_error",{expected:r}))}}return null}function po(s){let e=s.length-1;return e?z(e===1?"other_problem":"other_pro\
+blems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var zr=new Map(Object.entries(S.scenario.ends));function go(s){let[e,...t]=s.split(".");return[e,t.join(".")]}function Lt(s){for(let e of s){let t=(zr.get(e)??[]).
+map(o=>`${go(e)[0]}.${o}`),n=s.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));if(n!==void 0)return[e,n]}return null}function Cr(s){let[e,t]=go(s);return(e==="\
+start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}function Nr(s,e,t,n){let o=[...t.keys()],i=Lt(o);if(i){let[r,l]=i;throw new N(z("two_ways",{one:r,
+other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>Cr(l)-Cr(c))){let l=structuredClone(t.get(r)),[c,m]=go(r);if(m==="")
+fo(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||fo(e,c,{});let h=e[c];if(!we(h))throw new N(z("no_section_parts",{path:r,section:c}));
+let d=zr.get(r)??[];if(!a.has(c)&&d.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?n(c,t.get(c)):s[c],f=yu(p,r,()=>n("hoop",e.hoop));for(let[g,b]of Object.
+entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of d)delete h[p];vu(h,m.split("."),l,r)}}return e}var fo=(s,e,t)=>Object.defineProperty(s,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0});function yu(s,e,t){let{mass:n,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=s;if(e==="hoop.load_fraction")return{mass:n};
+if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
+mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=be(s,t().radius);return{height:l,vx:c,vy:m,omega:h}}function vu(s,e,t,n){
+let o=s;for(let[i,a]of e.entries()){let r=i===e.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(a)&&Number(a)<o.length)&&!(we(o)&&(r||Object.hasOwn(o,a))))throw new N(
+z("not_there",{path:n,step:a}));r?fo(o,a,t):o=o[a]}}var{lab:xu,limits:X}=S,{allowed:Dr,events:ku,flight_turns:_u,quantities:Eu}=S.map,Mu=1e-300,G=(s,e={})=>q(xu[s],e),bo=s=>G("doubt",{time:Me(s,4)});function Ge(s){
+let{duration:e,hoop:t,contact:n}=s;if(e>X.duration)throw new te(G("too_long",{duration:e,most:X.duration}));let o=t.parts?.length??0;if(o>X.parts)throw new te(G(
+"too_many_parts",{parts:o,most:X.parts}));let i=Fr(qr(s));if(i>X.turns)throw new te(G("too_many_turns",{duration:e,turns:i,most:X.turns}));if(n.model==="complia\
+nt"){let a=Su(s,i);if(a>X.steps)throw new te(G("too_stiff",{steps:a,most:X.steps}))}return n.max_events<=X.events?s:{...s,contact:{...n,max_events:X.events}}}function qr({
+duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:o}){let{height:i,vx:a,vy:r,omega:l}=be(o,e);return{duration:s,radius:e,gravity:t,slope:n,height:i,vx:a,
+vy:r,omega:l}}function Fr({duration:s,radius:e,gravity:t,slope:n,height:o,vx:i,vy:a,omega:r}){return(2*(Math.abs(i)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+o)))+
+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Su({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:o}},i){let r=10/Math.sqrt(e/
+(n>0?n:1))+(o===null?0:Math.sqrt(o/t));return 10*s*r+40*i}function wo(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new N(G("rigid_maps"));let{contact:o,
+...i}=Ge(s),a={...i,contact:{...o,max_events:Math.min(o.max_events,ku)}};Tu(a,e,t,Eu[n].span);let r=Lt([t.path,e.path]);if(r)throw new N(G("two_axes",{one:r[0],
+other:r[1]}));return a}function Tu(s,e,t,n){let o=qr(s),i=n==="first_revolution",a=Rt(e).filter(h=>Ir(e.path,h)),r=Rt(t).filter(h=>Ir(t.path,h)),[l,c]=[0,0];for(let h of r)
+for(let d of a){let p=Or(Or(o,t.path,h),e.path,d),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+Mu),_u):Fr(p);l+=g,c=Math.max(c,g)}if(!i&&c>X.turns)throw new te(
+G("cell_turns",{turns:c,most:X.turns}));if(l<=X.map_turns)return;let m=a.length*r.length;throw new te(G("map_turns",{cells:m,turns:l,most:X.map_turns}))}function Or(s,e,t){
+if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:s}var Rt=({from:s,to:e,cells:t})=>Array.
+from({length:t},(n,o)=>s+(o+.5)*((e-s)/t));function Ir(s,e){return!Dr[s]||uo(Dr[s],e)}var Au=1e3;function Hr(s){let e=s.replace(/^\?/,"");if(e.split("&").length>Au)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
 for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),c=t;for(let m of r)if(c.has(m)||c.set(m,new Map),c=c.get(m),!(c instanceof Map))throw new N(
-z("value_above",{path:i,above:i.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:i}));c.set(l,kr(a)??a)}let s=t.get("hoop"),o=s instanceof
-Map&&s.get("parts");return o instanceof Map&&s.set("parts",xu(o)),go(t)}function xu(n){let e=Array.from({length:n.size},(s,o)=>String(o)),t=[...n.keys()].find(s=>!e.
-includes(s));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(s=>n.get(s))}function go(n){return Array.isArray(n)?n.map(go):n instanceof
-Map?Object.fromEntries([...n].map(([e,t])=>[e,go(t)])):n}function bo(n,e=""){return typeof n=="string"?`${e}=${n}`:typeof n=="number"?`${e}=${Ee(n).replace("e+",
-"e")}`:Object.entries(n).map(([t,s])=>bo(s,e?`${e}.${t}`:t)).join("&")}var{scenario:wo}=S,ku=wo.rules,_u=["load_fraction","eccentricity","inertia_ratio"],Nr=["mu_static","mu_kinetic"],Eu=["height","vx","vy","omega"],Dr={mass:1,inertia_ratio:1,
-contact:null};function Xn(n,e,t){let[s,o]=t.refused(n),i=ku[s];if(!i)return null;let a=Object.entries(i.values).map(([r,l])=>{let[c,m]=l.split(".");return[r,e[c][m]]});
-return z(i.sentence,{...i.known,...Object.fromEntries(a),[i.number]:o})}function Zn(n,e,t,s){let o=s.find(i=>t.has(i));return o?z("together",{section:n,other:o,
-way:e}):null}var Ir={hoop:Mu,plane:Su,start:Tu,contact:Au};function Mu(n,e,t){let s=_u.filter(o=>e.has(o)&&n[o]!==null);if(n.parts){let o=n.parts.length?Zn("hoo\
-p","parts",e,[...s,"mass"]):z("no_parts");if(o)return o;let{radius:i,parts:a}=n,{reaches:r,...l}=t.combine(i,a),c=r.findIndex(m=>m>i*(1+wo.touch));if(c>=0)return z(
-"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:i});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let o=Zn("hoop","load_fraction",e,
-s.slice(+(n.load_fraction!==null)));if(o)return o;n.load_fraction??=wo.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,n.inertia_ratio=t.
-ideal(n.load_fraction)}else if(s.length===1){let o=s[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:o,given:s[0]})}return Xn(
-{...Dr,...n,ideal:n.load_fraction!==null},{hoop:n},t)}function Su(n,e,t){if(n.apart=Nr.some(s=>e.has(s)),n.mu!==null){let s=Zn("plane","mu",e,Nr);if(s)return s;
-n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return Xn({...Dr,...n},{plane:n},t)}function Tu(n,e){return n.speed===null?n.omega===
-null?z("no_omega"):null:(n.vx=n.speed,n.omega=null,Zn("start","speed",e,Eu))}function Au({damping:n=null,restitution:e=null}){return n!==null&&e!==null?z("toget\
-her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:ye}=S,Or=ye.left_out,qr={rigid:"Rigid",compliant:"Compliant"};function Ct(n,e){let{fields:t,place:s}=ye.models.Scenario,o=we(n)?ao(s,n,Object.keys(
-t)):We("",n,"table");if(o)throw new N(o);let i=[],a=Object.keys(t).map(c=>{let m=Object.hasOwn(n,c)?n[c]:ye.default[c];return[c,vo(c,m,e,i)]}),r=Object.fromEntries(
-a),l=i.length?co(i):Xn(X(r),r,e);if(l)throw new N(l);return r}function vo(n,e,t,s){if(n==="duration")return ro(ye.models.Scenario.fields[n],e,n,s);let[o]=n==="c\
-ontact"?[ho(e,"model",qr,n,s,"rigid")]:ye.sections[n],i=o&&io(o,e,n,s),a=i&&Ir[n](i.values,i.given,t);return a&&s.push(a),i?.values}var xo=(n,e)=>Ct(zr(n),e),es=(n,e,t)=>Ct(
-Fr(n,e,t),t);function Fr(n,e,t){return Tr(n,Ne(n),e,(s,o)=>{let i=[],a=vo(s,o,t,i);if(i.length)throw new N(co(i));return a})}function Hr(n,e,t){let s=[];try{let o=Fr(
-n,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vo(r,o[r],t,s)]);return s.length?null:Object.fromEntries(a)}catch(o){if(o instanceof N)return null;
-throw o}}var Pt=(n,e)=>Object.fromEntries(e.filter(t=>n[t]!==null).map(t=>[t,n[t]===1/0?"inf":n[t]])),yo=n=>Object.keys(ye.models[n].fields);function Ne({duration:n,
-hoop:e,plane:t,start:s,contact:o}){let i=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in Or&&t[l]===Or[l],r=["x","height","angle","vx","vy","omega"];return{
-duration:n,hoop:Lu(e),plane:Pt(t,yo("Plane").filter(l=>!i.includes(l)&&!a(l))),start:Pt(s,s.speed===null?r:["x","angle","speed"]),contact:Pt(o,yo(qr[o.model]))}}
-function Lu(n){if(n.parts){let t=n.parts.map(s=>Pt(s,yo(ye.parts[s.shape])));return{radius:n.radius,parts:t}}let e=n.load_fraction===null?["eccentricity","inert\
-ia_ratio"]:["load_fraction"];return Pt(n,["radius","mass",...e])}function ko(n,e){if(n==="hoop"||n==="plane")return ye.default[n];let{fields:t}=ye.models[n==="s\
-tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([s,o])=>[s,o.default??void 0]))}function zt(n){let e={};for(let[
-t,s]of Object.entries(Ne(n))){if(Qn(s,ye.default[t]))continue;let o=we(s)?ko(t,s.model):{},i=Object.entries(s).filter(([a,r])=>a==="model"||!Qn(o[a],r));e[t]=we(
-s)&&i.length?Object.fromEntries(i):s}return bo(e)}var Qn=(n,e)=>JSON.stringify(n)===JSON.stringify(e);var Ru=8,{quantities:jr}=S.map;async function _o(n,{x:e,y:t},s,o){let[i,a]=[Rt(e),Rt(t)],r=(...f)=>Hr(n,new Map(f),s),l=Pu(n,e.path,t.path),c=l&&i.map(f=>r([e.path,
+z("value_above",{path:i,above:i.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:i}));c.set(l,Lr(a)??a)}let n=t.get("hoop"),o=n instanceof
+Map&&n.get("parts");return o instanceof Map&&n.set("parts",Lu(o)),yo(t)}function Lu(s){let e=Array.from({length:s.size},(n,o)=>String(o)),t=[...s.keys()].find(n=>!e.
+includes(n));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(n=>s.get(n))}function yo(s){return Array.isArray(s)?s.map(yo):s instanceof
+Map?Object.fromEntries([...s].map(([e,t])=>[e,yo(t)])):s}function vo(s,e=""){return typeof s=="string"?`${e}=${s}`:typeof s=="number"?`${e}=${Ee(s).replace("e+",
+"e")}`:Object.entries(s).map(([t,n])=>vo(n,e?`${e}.${t}`:t)).join("&")}var{scenario:xo}=S,Ru=xo.rules,Pu=["load_fraction","eccentricity","inertia_ratio"],jr=["mu_static","mu_kinetic"],Cu=["height","vx","vy","omega"],Br={mass:1,inertia_ratio:1,
+contact:null};function ts(s,e,t){let[n,o]=t.refused(s),i=Ru[n];if(!i)return null;let a=Object.entries(i.values).map(([r,l])=>{let[c,m]=l.split(".");return[r,e[c][m]]});
+return z(i.sentence,{...i.known,...Object.fromEntries(a),[i.number]:o})}function es(s,e,t,n){let o=n.find(i=>t.has(i));return o?z("together",{section:s,other:o,
+way:e}):null}var $r={hoop:zu,plane:Nu,start:Du,contact:Ou};function zu(s,e,t){let n=Pu.filter(o=>e.has(o)&&s[o]!==null);if(s.parts){let o=s.parts.length?es("hoo\
+p","parts",e,[...n,"mass"]):z("no_parts");if(o)return o;let{radius:i,parts:a}=s,{reaches:r,...l}=t.combine(i,a),c=r.findIndex(m=>m>i*(1+xo.touch));if(c>=0)return z(
+"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:i});Object.assign(s,l)}else if(s.load_fraction!==null||!n.length){let o=es("hoop","load_fraction",e,
+n.slice(+(s.load_fraction!==null)));if(o)return o;s.load_fraction??=xo.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,s.inertia_ratio=t.
+ideal(s.load_fraction)}else if(n.length===1){let o=n[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:o,given:n[0]})}return ts(
+{...Br,...s,ideal:s.load_fraction!==null},{hoop:s},t)}function Nu(s,e,t){if(s.apart=jr.some(n=>e.has(n)),s.mu!==null){let n=es("plane","mu",e,jr);if(n)return n;
+s.mu_static=s.mu_kinetic=s.mu}else s.mu_static===s.mu_kinetic&&(s.mu=s.mu_static);return ts({...Br,...s},{plane:s},t)}function Du(s,e){return s.speed===null?s.omega===
+null?z("no_omega"):null:(s.vx=s.speed,s.omega=null,es("start","speed",e,Cu))}function Ou({damping:s=null,restitution:e=null}){return s!==null&&e!==null?z("toget\
+her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:ye}=S,Wr=ye.left_out,Gr={rigid:"Rigid",compliant:"Compliant"};function Ct(s,e){let{fields:t,place:n}=ye.models.Scenario,o=we(s)?ho(n,s,Object.keys(
+t)):We("",s,"table");if(o)throw new N(o);let i=[],a=Object.keys(t).map(c=>{let m=Object.hasOwn(s,c)?s[c]:ye.default[c];return[c,_o(c,m,e,i)]}),r=Object.fromEntries(
+a),l=i.length?po(i):ts(Q(r),r,e);if(l)throw new N(l);return r}function _o(s,e,t,n){if(s==="duration")return co(ye.models.Scenario.fields[s],e,s,n);let[o]=s==="c\
+ontact"?[mo(e,"model",Gr,s,n,"rigid")]:ye.sections[s],i=o&&lo(o,e,s,n),a=i&&$r[s](i.values,i.given,t);return a&&n.push(a),i?.values}var Eo=(s,e)=>Ct(Hr(s),e),ss=(s,e,t)=>Ct(
+Ur(s,e,t),t);function Ur(s,e,t){return Nr(s,Ne(s),e,(n,o)=>{let i=[],a=_o(n,o,t,i);if(i.length)throw new N(po(i));return a})}function Kr(s,e,t){let n=[];try{let o=Ur(
+s,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,_o(r,o[r],t,n)]);return n.length?null:Object.fromEntries(a)}catch(o){if(o instanceof N)return null;
+throw o}}var Pt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,s[t]===1/0?"inf":s[t]])),ko=s=>Object.keys(ye.models[s].fields);function Ne({duration:s,
+hoop:e,plane:t,start:n,contact:o}){let i=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in Wr&&t[l]===Wr[l],r=["x","height","angle","vx","vy","omega"];return{
+duration:s,hoop:Iu(e),plane:Pt(t,ko("Plane").filter(l=>!i.includes(l)&&!a(l))),start:Pt(n,n.speed===null?r:["x","angle","speed"]),contact:Pt(o,ko(Gr[o.model]))}}
+function Iu(s){if(s.parts){let t=s.parts.map(n=>Pt(n,ko(ye.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricity","inert\
+ia_ratio"]:["load_fraction"];return Pt(s,["radius","mass",...e])}function Mo(s,e){if(s==="hoop"||s==="plane")return ye.default[s];let{fields:t}=ye.models[s==="s\
+tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([n,o])=>[n,o.default??void 0]))}function zt(s){let e={};for(let[
+t,n]of Object.entries(Ne(s))){if(ns(n,ye.default[t]))continue;let o=we(n)?Mo(t,n.model):{},i=Object.entries(n).filter(([a,r])=>a==="model"||!ns(o[a],r));e[t]=we(
+n)&&i.length?Object.fromEntries(i):n}return vo(e)}var ns=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var qu=8,{quantities:Vr}=S.map;async function So(s,{x:e,y:t},n,o){let[i,a]=[Rt(e),Rt(t)],r=(...f)=>Kr(s,new Map(f),n),l=Fu(s,e.path,t.path),c=l&&i.map(f=>r([e.path,
 f])),m=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,d=new Float64Array(vt.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
-g===0&&performance.now()-p>Ru&&(await new Promise(_=>setTimeout(_)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=m?m[b]:
-w;if(!w||!y)continue;let v=X({...n,...w,...y});for(let _=0;_<vt.length;_++)d[_*h+f]=vt[_](v)}return{count:h,rows:d}}function Pu({start:n},e,t){let s=[e,t].map(i=>i.
-split(".")[0]);if(s[0]===s[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.includes("hoop")&&o&&n.speed!==null)}var Eo=n=>jr[n].
-span;function Mo({x:n,y:e,what:t},s){let{label:o,unit:i,words:a}=jr[t],{values:r,names:l}=Cu(s,i===""?a:null),c=m=>({name:m,text:vr(m,t),color:yr(m,t)});return{
-header:{x:n,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function Cu({values:n,sequences:e},t){if(!t)return{values:n,names:[]};let s=e?
-[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,o=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(n,a=>a>=0?o?.[a]??a:Number.NaN),names:s}}var{scenario:Nt}=S,zu=30,Gr={};for(let{fields:n}of Object.values(Nt.models))Object.assign(Gr,n);function Ur(n,e){return typeof e=="string"?JSON.stringify(e):Gr[n]?.
-kind==="whole"?String(e):to(e)}function Br(n,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${$r(l,c)}`);return[`${e} = [`,...t.map(r=>`\
+g===0&&performance.now()-p>qu&&(await new Promise(k=>setTimeout(k)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=m?m[b]:
+w;if(!w||!y)continue;let v=Q({...s,...w,...y});for(let k=0;k<vt.length;k++)d[k*h+f]=vt[k](v)}return{count:h,rows:d}}function Fu({start:s},e,t){let n=[e,t].map(i=>i.
+split(".")[0]);if(n[0]===n[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(n.includes("hoop")&&o&&s.speed!==null)}var To=s=>Vr[s].
+span;function Ao({x:s,y:e,what:t},n){let{label:o,unit:i,words:a}=Vr[t],{values:r,names:l}=Hu(n,i===""?a:null),c=m=>({name:m,text:Tr(m,t),color:Sr(m,t)});return{
+header:{x:s,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function Hu({values:s,sequences:e},t){if(!t)return{values:s,names:[]};let n=e?
+[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,o=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=0?o?.[a]??a:Number.NaN),names:n}}var{scenario:Nt}=S,ju=30,Qr={};for(let{fields:s}of Object.values(Nt.models))Object.assign(Qr,s);function Xr(s,e){return typeof e=="string"?JSON.stringify(e):Qr[s]?.
+kind==="whole"?String(e):oo(e)}function Jr(s,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${Yr(l,c)}`);return[`${e} = [`,...t.map(r=>`\
   { ${a(r).join(", ")} },`),"]"].join(`
-`)}let s=`${e} = ${$r(e,t)}`,i=(Nt.sections[n]??["Scenario"]).map(a=>Nt.models[a].fields).find(a=>e in a)[e].unit;return i===""||i==="1"?s:`${s.padEnd(zu)} # ${i}`}
-var $r=(n,e)=>e==="inf"?"inf":Ur(n,e);function ts(n){let{duration:e,...t}=Ne(n),s=[Br("","duration",e)];for(let[o,i]of Object.entries(t))s.push("",`[${o}]`,...Object.
-entries(i).map(([a,r])=>Br(o,a,r)));return`${s.join(`
+`)}let n=`${e} = ${Yr(e,t)}`,i=(Nt.sections[s]??["Scenario"]).map(a=>Nt.models[a].fields).find(a=>e in a)[e].unit;return i===""||i==="1"?n:`${n.padEnd(ju)} # ${i}`}
+var Yr=(s,e)=>e==="inf"?"inf":Xr(s,e);function os(s){let{duration:e,...t}=Ne(s),n=[Jr("","duration",e)];for(let[o,i]of Object.entries(t))n.push("",`[${o}]`,...Object.
+entries(i).map(([a,r])=>Jr(o,a,r)));return`${n.join(`
 `)}
-`}var Nu={hoop:"Hoop",plane:"Plane",start:"Start"},Du=["load_fraction","mu"];function So(n){let{duration:e,contact:t,...s}=Ne(n),o=Object.entries(s).map(([i,a])=>Wr(
-i,a));return Qn(t,Nt.default.contact)||o.push(`contact=${Wr("contact",t)}`),o.splice(3,0,`duration=${to(e)}`),`import hophoop as hh
+`}var Bu={hoop:"Hoop",plane:"Plane",start:"Start"},$u=["load_fraction","mu"];function Lo(s){let{duration:e,contact:t,...n}=Ne(s),o=Object.entries(n).map(([i,a])=>Zr(
+i,a));return ns(t,Nt.default.contact)||o.push(`contact=${Zr("contact",t)}`),o.splice(3,0,`duration=${oo(e)}`),`import hophoop as hh
 
 motion = hh.simulate(
 ${o.map(i=>`    ${i},
@@ -2516,80 +2564,80 @@ ${o.map(i=>`    ${i},
 print(motion.sequence, motion.status)
 for event in motion.events:
     print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`}function Wr(n,{parts:e,...t}){let s=n==="start"&&"speed"in t,o=s?"Start.rolling":Nu[n]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:ko(n,t.model),
-a=Object.entries(t).filter(([l,c])=>Du.includes(l)||i[l]!==c),r=e?[`parts=[${e.map(Iu).join(", ")}]`]:[];return`hh.${o}(${[...a.map(Kr),...r].join(", ")})`}var Iu=({
-shape:n,...e})=>`hh.${Nt.parts[n]}(${Object.entries(e).map(Kr).join(", ")})`,Kr=([n,e])=>`${n}=${e==="inf"?'float("inf")':Ur(n,e)}`;var{letters:Jr,modes:Ao,verbs:Lo,events:Ou,statuses:qu,story:Ue,summary:lt}=S.words,Fu=400,[,To,Vr,Hu,ju]=Ao,Bu="⁰¹²³⁴⁵⁶⁷⁸⁹";function Yr(n,e){let{
-omega:t,to:s}=n[e];return t===0&&(s==="S"||s==="K")&&e+1<n.length}var Ro=n=>[...n.keys()].filter(e=>Yr(n,e)),Po=(n,e)=>.5*(n[e].t+n[e+1].t);function Co(n,e=Fu){
-let t=[],s=0,o=Xr(n.events);for(let[i,a]of n.events.entries()){let r=o.get(i);if(r===0)continue;let l=r===void 0?Wu(n,i,a):q(Ue.more_bounces,{count:r});if(l){if(t.
-length>=e){s++;continue}t.push({t:a.t,event:i,mode:Jr[Ao.indexOf(ns(n,i))],text:l})}}return s&&t.push({...t[t.length-1],text:q(Ue.left_out,{count:s})}),t}var Zr=n=>n.
-kind==="impact"&&n.to==="H"&&n.collision!==!1;function Xr(n,e=3,t=6){let s=new Map,o=[];for(let i=0;i<=n.length;i++){let a=n[i];if(a&&(Zr(a)||o.length&&a.kind===
-"apex")){o.push(i);continue}let r=o.filter(l=>n[l].kind==="impact");if(r.length>=t){for(let l of o.slice(o.indexOf(r[e])))s.set(l,0);s.set(r[e],r.length-e)}o=[]}
-return s}function zo(n,e=6){let t=[],s=0,o=Xr(n.events,1);for(let[l,c]of n.events.entries()){let m=o.get(l);if(m!==void 0){m&&t.push(q(lt.more_bounces,{count:m}));
-continue}if(c.kind==="start"||!t.length){t.push(Lo[ns(n,l)]);continue}let h=$u(n,l,c);h&&(s++,s<=e&&t.push(q(lt.change,{phrase:h,where:Ve(c.angle)})))}let i=s>e?
-q(lt.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:qu[n.status]};return q(lt.
-sentence,r).trim()}function $u(n,e,t){if(t.collision===!1)return lt.without_collision;if(Zr(t))return lt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
-Qr(t))return Lo[ns(n,e)];let{verb:s,summed_up:o}=Ou[t.kind];return o?s:""}function Wu(n,e,t){let s=ns(n,e),o={where:Ve(t.angle),verb:Lo[s],kind:t.kind.replaceAll(
-"_"," ")},i=Gu(n.events,e,s,o);return q(Ue[i]??Ue.other,o)}function Gu(n,e,t,s){let o=n[e],{kind:i}=o;return i==="start"&&(s.speed=Ke(o.vx),s.started=q(t===Hu?Ue.
-started_flight:t===ju?Ue.started_skim:Ue.started,s)),i==="slip_start"&&t===To?"slip_start_spin":i==="takeoff"?Uu(n,e,s):i==="impact"?(s.speed=Ke(o.before.vy===null?
-null:Math.abs(o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&Qr(o)?"turn_in_slip":(i==="apex"&&(s.gap=el(o.
-height)),i==="kane_gain"&&(s.gain=Ke(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function Uu(n,e,t){let{t:s}=n[e],o=0;for(let i=e;i<n.length;i++)if(o=
-Math.max(o,n[i].height),!(i===e||n[i].kind!=="impact")){for(let a=i+1;a<n.length&&n[a].t<=n[i].t;a++)o=Math.max(o,n[a].height);if(!o)break;return t.top=el(o),t.
-time=Ke(n[i].t-s),"takeoff_and_landing"}return"takeoff"}function ns(n,e){let t=n.events[e];return Ku(t.to,Yr(n.events,e)?n.omega(e):t.omega)}function Ku(n,e){return n===
-"S"?e>0?To:Vr:n==="K"?e<0?To:Vr:Ao[Jr.indexOf(n)]}var Qr=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),Ve=n=>`${no(n*(180/Math.PI),1)}°`.replaceAll("-","−");function el(n){
-return n>=.995?`${Ke(n)} m`:n>=.00995?`${Ke(n*100)} cm`:`${Ke(n*1e3)} mm`}function Ke(n){if(n===null||Number.isNaN(n))return"?";let[e,t]=Me(n,3).split("e"),s=t===
-void 0?"":`·10${Vu(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var Vu=n=>[...String(n)].map(e=>e==="-"?"⁻":Bu[Number(e)]).join("");var tl=2e3;function ss(n,{status:e,sequence:t,fingerprint:s,events:o,final:i,energy:a}){let{schema:r,setup:l}=S,c=Ne(n);return{schema:r,version:l.version,scenario:c,
-status:e,sequence:t,fingerprint:s,events:o,final:i,energy:a}}function No(n,e,t,s){let o={events:e.events,status:e.status,omega:t};return{...ss(n,e),events:e.events.
-slice(0,tl),query:zt(n),duration:e.duration,values:Ju(n),automatic:Yu(n,s),massless:n.hoop.inertia_ratio===0,summary:zo(o),story:Co(o),ending:S.words.statuses[e.
-status],shortened:e.events.length>tl}}function Ju({hoop:n,plane:e,start:t}){let s={hoop:n,plane:e,start:{...be(t,n.radius),speed:t.speed}},o=S.shown.map(i=>{let[
-a,r]=i.split("."),l=s[a][r];return[i,l===1/0?"inf":l]});return Object.fromEntries(o)}function Yu(n,e){if(n.contact.model==="rigid")return{};let{stiffness:t,slip_speed:s}=e.
-chosen(X(n)),{restitution:o}=n.plane;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o}}var{rate:Zu,variables:Do}=S.table,{letters:Xu}=S.words,Io=(n,e)=>JSON.stringify(ss(n,e),null,1);function Oo(n){let e=Math.min(Math.max(Math.floor(n*Zu)+1,2),S.limits.
-samples),t=n/(e-1);return Float64Array.from({length:e},(s,o)=>o===e-1?n:o*t)}function qo(n,e){let t=Object.keys(Do),s=t.map(l=>Do[l]==="1"?l:`${l} [${Do[l]}]`),
-{kinetic:o,potential:i}=e,a={...e,total:Float64Array.from(o,(l,c)=>l+i[c])},r=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let m=t.map(h=>h==="mode"?Xu[a.
+`}function Zr(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,o=n?"Start.rolling":Bu[s]??(t.model==="rigid"?"Rigid":"Compliant"),i=n?{angle:0,x:0}:Mo(s,t.model),
+a=Object.entries(t).filter(([l,c])=>$u.includes(l)||i[l]!==c),r=e?[`parts=[${e.map(Wu).join(", ")}]`]:[];return`hh.${o}(${[...a.map(el),...r].join(", ")})`}var Wu=({
+shape:s,...e})=>`hh.${Nt.parts[s]}(${Object.entries(e).map(el).join(", ")})`,el=([s,e])=>`${s}=${e==="inf"?'float("inf")':Xr(s,e)}`;var{letters:nl,modes:Po,verbs:Co,events:Gu,statuses:Uu,story:Ue,summary:lt}=S.words,Ku=400,[,Ro,tl,Vu,Ju]=Po,Yu="⁰¹²³⁴⁵⁶⁷⁸⁹";function sl(s,e){let{
+omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var zo=s=>[...s.keys()].filter(e=>sl(s,e)),No=(s,e)=>.5*(s[e].t+s[e+1].t);function Do(s,e=Ku){
+let t=[],n=0,o=il(s.events);for(let[i,a]of s.events.entries()){let r=o.get(i);if(r===0)continue;let l=r===void 0?Qu(s,i,a):q(Ue.more_bounces,{count:r});if(l){if(t.
+length>=e){n++;continue}t.push({t:a.t,event:i,mode:nl[Po.indexOf(is(s,i))],text:l})}}return n&&t.push({...t[t.length-1],text:q(Ue.left_out,{count:n})}),t}var ol=s=>s.
+kind==="impact"&&s.to==="H"&&s.collision!==!1;function il(s,e=3,t=6){let n=new Map,o=[];for(let i=0;i<=s.length;i++){let a=s[i];if(a&&(ol(a)||o.length&&a.kind===
+"apex")){o.push(i);continue}let r=o.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of o.slice(o.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}o=[]}
+return n}function Oo(s,e=6){let t=[],n=0,o=il(s.events,1);for(let[l,c]of s.events.entries()){let m=o.get(l);if(m!==void 0){m&&t.push(q(lt.more_bounces,{count:m}));
+continue}if(c.kind==="start"||!t.length){t.push(Co[is(s,l)]);continue}let h=Zu(s,l,c);h&&(n++,n<=e&&t.push(q(lt.change,{phrase:h,where:Ve(c.angle)})))}let i=n>e?
+q(lt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Uu[s.status]};return q(lt.
+sentence,r).trim()}function Zu(s,e,t){if(t.collision===!1)return lt.without_collision;if(ol(t))return lt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+al(t))return Co[is(s,e)];let{verb:n,summed_up:o}=Gu[t.kind];return o?n:""}function Qu(s,e,t){let n=is(s,e),o={where:Ve(t.angle),verb:Co[n],kind:t.kind.replaceAll(
+"_"," ")},i=Xu(s.events,e,n,o);return q(Ue[i]??Ue.other,o)}function Xu(s,e,t,n){let o=s[e],{kind:i}=o;return i==="start"&&(n.speed=Ke(o.vx),n.started=q(t===Vu?Ue.
+started_flight:t===Ju?Ue.started_skim:Ue.started,n)),i==="slip_start"&&t===Ro?"slip_start_spin":i==="takeoff"?ed(s,e,n):i==="impact"?(n.speed=Ke(o.before.vy===null?
+null:Math.abs(o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&al(o)?"turn_in_slip":(i==="apex"&&(n.gap=rl(o.
+height)),i==="kane_gain"&&(n.gain=Ke(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function ed(s,e,t){let{t:n}=s[e],o=0;for(let i=e;i<s.length;i++)if(o=
+Math.max(o,s[i].height),!(i===e||s[i].kind!=="impact")){for(let a=i+1;a<s.length&&s[a].t<=s[i].t;a++)o=Math.max(o,s[a].height);if(!o)break;return t.top=rl(o),t.
+time=Ke(s[i].t-n),"takeoff_and_landing"}return"takeoff"}function is(s,e){let t=s.events[e];return td(t.to,sl(s.events,e)?s.omega(e):t.omega)}function td(s,e){return s===
+"S"?e>0?Ro:tl:s==="K"?e<0?Ro:tl:Po[nl.indexOf(s)]}var al=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),Ve=s=>`${io(s*(180/Math.PI),1)}°`.replaceAll("-","−");function rl(s){
+return s>=.995?`${Ke(s)} m`:s>=.00995?`${Ke(s*100)} cm`:`${Ke(s*1e3)} mm`}function Ke(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Me(s,3).split("e"),n=t===
+void 0?"":`·10${nd(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var nd=s=>[...String(s)].map(e=>e==="-"?"⁻":Yu[Number(e)]).join("");var ll=2e3;function as(s,{status:e,sequence:t,fingerprint:n,events:o,final:i,energy:a}){let{schema:r,setup:l}=S,c=Ne(s);return{schema:r,version:l.version,scenario:c,
+status:e,sequence:t,fingerprint:n,events:o,final:i,energy:a}}function Io(s,e,t,n){let o={events:e.events,status:e.status,omega:t};return{...as(s,e),events:e.events.
+slice(0,ll),query:zt(s),duration:e.duration,values:sd(s),automatic:od(s,n),massless:s.hoop.inertia_ratio===0,summary:Oo(o),story:Do(o),ending:S.words.statuses[e.
+status],shortened:e.events.length>ll}}function sd({hoop:s,plane:e,start:t}){let n={hoop:s,plane:e,start:{...be(t,s.radius),speed:t.speed}},o=S.shown.map(i=>{let[
+a,r]=i.split("."),l=n[a][r];return[i,l===1/0?"inf":l]});return Object.fromEntries(o)}function od(s,e){if(s.contact.model==="rigid")return{};let{stiffness:t,slip_speed:n}=e.
+chosen(Q(s)),{restitution:o}=s.plane;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":o}}var{rate:id,variables:qo}=S.table,{letters:ad}=S.words,Fo=(s,e)=>JSON.stringify(as(s,e),null,1);function Ho(s){let e=Math.min(Math.max(Math.floor(s*id)+1,2),S.limits.
+samples),t=s/(e-1);return Float64Array.from({length:e},(n,o)=>o===e-1?s:o*t)}function jo(s,e){let t=Object.keys(qo),n=t.map(l=>qo[l]==="1"?l:`${l} [${qo[l]}]`),
+{kinetic:o,potential:i}=e,a={...e,total:Float64Array.from(o,(l,c)=>l+i[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let m=t.map(h=>h==="mode"?ad[a.
 mode[l]]:Ee(a[h][l]));r.push([Ee(c),...m].join(","))}return`${r.join(`\r
 `)}\r
-`}var Qu=["hoop.eccentricity","plane.slope"],ed={...Object.fromEntries(Object.entries(S.map.rates).map(([n,e])=>[n,()=>({[e]:1})])),"hoop.radius":td,"hoop.mass":({
-hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
-null||n===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:n})=>n.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:n})=>n.mu_kinetic===
-1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:n})=>n.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:n,start:e})=>e.speed===null?
-null:{omega:1/n.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:n})=>({omega:1,slip:-n.radius})};function td({hoop:{radius:n,parts:e,eccentricity:t,inertia_ratio:s},
-start:{speed:o,omega:i}}){let a={radius:1};return o===null?a.slip=-(i||0):a.omega=-o/(n*n),e?{...a,eccentricity:-t/n,inertia_ratio:-2*s/n}:a}function Fo(n,e){let t=ed[e]?.(
-n),{smaller:s,larger:o}=nd(n,e);if(!t||!(s||o))return null;let i=new Float64Array(k.cell.length);for(let[a,r]of Object.entries(t))i[Si[a]]=r;return{rates:i,smaller:s,
-larger:o}}function nd(n,e){let{mu_static:t,mu_kinetic:s}=n.plane,o=sd(n,e),{least:i,most:a,also:r=[]}=S.map.allowed[e],l=t!==s,c=n.hoop.inertia_ratio===0&&Qu.includes(
-e);return{smaller:!c&&o>Math.min(i,...r.map(yt))&&(l||e!=="plane.mu_static"),larger:!c&&o<a&&(l||e!=="plane.mu_kinetic")}}function sd(n,e){return e==="start.ome\
-ga"?be(n.start,n.hoop.radius).omega:e.split(".").reduce((t,s)=>t[s],n)}var{limits:os}=S;function Dt({scenario:n,query:e,changes:t=[]},s){let i=n!==void 0&&e===void 0?Ct(n,s):xo(e??"",s),a=new Map;for(let[r,l]of t)Lt([...a.keys(),r])&&
-(i=es(i,a,s),a=new Map),a.set(r,l);return a.size?es(i,a,s):i}function Ho({scenario:n,query:e,changes:t=[],...s},o){if(t.length>os.changes)throw new te(G("too_ma\
-ny_changes",{pairs:t.length,most:os.changes}));let{x:i,y:a}=s;if(i&&i.path===a.path)throw new N(G("equal_axes",{path:i.path}));let r=i?i.cells*a.cells:0;if(r>os.
-cells)throw new te(G("too_many_cells",{cells:r,most:os.cells}));return{...s,checked:Dt({scenario:n,query:e,changes:t},o)}}var{theory:U}=S.words;function Bo({hoop:n,plane:e},t){let s=[],o=(r,l,c,m)=>{l!==null&&s.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:m(l)})},
-i=()=>o("painleve",t.painleve_friction,"1",r=>id(r,t,e));if(e.gravity<=0)return i(),s;if(n.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
-U.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>q(r,{where:Ve(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:m,
-any_speed:h}=U;o("first_slip",t.first_slip_speed,"m/s",d=>jo(d,r,m)),o("first_hop",t.first_hop_speed,"m/s",d=>jo(d,l,m)),o("immediate_hop",t.immediate_hop_speed,
-"m/s",d=>jo(d,c,h))}else s.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});o("needed_friction",t.needed_friction,"1",r=>od(r,e)),i();
-let a=t.jam_angles.map(Ve).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>q(U.jam_at,{places:a})),n.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>q(
-U.rest_at,{where:Ve(r)})),s}function jo(n,e,t){return n<S.words.least_speed?q(t,{would:e}):Number.isFinite(n)?q(U.above,{would:e,speed:Me(n,4)}):U.no_speed}function od(n,{
-mu_static:e}){return Number.isFinite(n)?q(n<=e?U.friction_enough:U.friction_short,{mu:Me(n,3)}):U.no_friction}function id(n,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return U.never;let s=n<=t?U.paradox_here:U.paradox_not_here;return q(s,{mu:Me(n,3),where:Ve(e)})}var rd=360,ld=240,$o={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},hd=["motion.nc","motion.mp4","mo\
-tion.gif"],It=class{constructor(e,t,{base:s=null,server:o=null}={}){this.kernel=e;this.mechanics=t;this.base=s,this.server=o,this.shares=s!==null,this.files=[...Object.
-keys($o),...o?hd:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let{checked:o,...i}=Ho(t,this.mechanics);if(e==="film")
-return this.film(o,s);if(e==="samples"){let a=X(Ge(o)),{window:r}=i;return{header:{window:r},arrays:await this.kernel.columns(a,s,r)}}if(e==="code")return{header:{
-python:So(o),toml:ts(o)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(X(o),s);return{header:{thresholds:Bo(o,a)},arrays:{}}}if(e==="regions"){
-let{window:a}=i,r=X(o),l=await this.kernel.regions(r,a,rd,ld,s);return{header:{window:a},arrays:l}}if(e==="map")return this.map(o,i,s);throw new TypeError(`The \
-page does not answer ${e}.`)}async film(e,t){let s=X(Ge(e)),{motion:o,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,
-t),columns:await this.kernel.columns(s,t)},{doubt:a}=o;if(a!==null&&this.server)return this.server.call("film",{query:zt(e)},t);let r=await this.turning(s,o,t),
-l=No(e,o,r,this.mechanics);return{header:a===null?l:{...l,doubt:po(a)},arrays:i}}async turning(e,{events:t},s){let o=Ro(t);if(!o.length)return()=>0;let i=Float64Array.
-from(o,r=>Po(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[o.indexOf(r)]}async changes(e,t,s){if(!this.kernel.changes)throw new TypeError("This k\
-ernel has no derivatives.");let o=Ge(Dt({scenario:e},this.mechanics)),i=X(o);if(i.contact)throw new N(G("compliant_changes"));let a=Fo(o,t);if(!a)return null;let{
-rates:r,smaller:l,larger:c}=a,m=await this.kernel.changes(i,r,s);return{count:m.count,smaller:l?m.smaller:null,larger:c?m.larger:null}}async map(e,{x:t,y:s,what:o},i){
-let a=Eo(o),r=fo(e,{x:t,y:s,what:o}),l=await _o(r,{x:t,y:s},this.mechanics,i);return Mo({x:t,y:s,what:o},await this.kernel.map(l,o,a,i))}async file(e,t){if(!(e in
-$o)){if(this.server)return this.server.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:$o[e]})}async fileText(e,t){
-let s=Dt({query:t},this.mechanics);if(e==="motion.toml")return ts(s);let o=Ge(s),i=X(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.server)return(await this.
-server.file(e,t)).text();if(e==="motion.json")return Io(o,a);let r=Oo(a.duration);return qo(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(
-e?`?${e}`:"",this.base)}${t}`}};async function Wo(n,e,t){let s=e&&new Vn(e);try{let o=await At.load(n);return new It(o,o.mechanics,{base:t,server:s})}catch(o){if(s)return s;throw o}}function nl(n){
-navigator.serviceWorker?.register(n).catch(()=>{})}async function sl(n){let e=new Jn(n);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,s=await At.
-unpack(n.get("module"),n.get("worker"),t);return new It(s,s.mechanics,{server:e})}catch{return e}}var cd=new URL("./",import.meta.url);async function ud(n){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,o;try{s=await Wo(cd,t?null:e,e),o=(await s.call("setup",{})).header}catch(l){n.textContent=l.message;return}t&&nl(t.getAttribute("content")??"");let i=new it(
-n,s,o,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=di(location.hash);try{await i.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function by(n,e,t,s){let o=await Wo(
-e,null,new URL("../",e)),{header:i}=await o.call("setup",{}),a=new it(n,o,i,{panels:s});return await a.open([t]),a}async function dd({model:n,el:e}){let t=document.
-createElement("div");e.append(t);let s=await sl(n),o=new it(t,s,n.get("setup"),{panels:n.get("panels"),onmotion:a=>{n.get("query")!==a&&(n.set("query",a),n.save_changes())}});
-o.motions.set([at(n.get("film"))]),o.begin();let i=()=>o.motions.replace(at(n.get("film")));return n.on("change:film",i),()=>{n.off("change:film",i),s.close?.(),
-o.close()}}var ol=document.getElementById("hophoop-lab");ol&&ud(ol);var wy={render:dd};export{Tl as adopt,Te as current,wy as default,ws as languageMenu,by as mount,jt as repeat,x as t,Ye as untranslated};
+`}var rd=["hoop.eccentricity","plane.slope"],ld={...Object.fromEntries(Object.entries(S.map.rates).map(([s,e])=>[s,()=>({[e]:1})])),"hoop.radius":hd,"hoop.mass":({
+hoop:s})=>s.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:s}})=>s===null?null:{eccentricity:1,inertia_ratio:-2*s},"plane.mu":({plane:{mu:s}})=>s===
+null||s===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:s})=>s.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:s})=>s.mu_kinetic===
+1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:s})=>s.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:s,start:e})=>e.speed===null?
+null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius})};function hd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},
+start:{speed:o,omega:i}}){let a={radius:1};return o===null?a.slip=-(i||0):a.omega=-o/(s*s),e?{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Bo(s,e){let t=ld[e]?.(
+s),{smaller:n,larger:o}=cd(s,e);if(!t||!(n||o))return null;let i=new Float64Array(E.cell.length);for(let[a,r]of Object.entries(t))i[Li[a]]=r;return{rates:i,smaller:n,
+larger:o}}function cd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,o=ud(s,e),{least:i,most:a,also:r=[]}=S.map.allowed[e],l=t!==n,c=s.hoop.inertia_ratio===0&&rd.includes(
+e);return{smaller:!c&&o>Math.min(i,...r.map(yt))&&(l||e!=="plane.mu_static"),larger:!c&&o<a&&(l||e!=="plane.mu_kinetic")}}function ud(s,e){return e==="start.ome\
+ga"?be(s.start,s.hoop.radius).omega:e.split(".").reduce((t,n)=>t[n],s)}var{limits:rs}=S;function Dt({scenario:s,query:e,changes:t=[]},n){let i=s!==void 0&&e===void 0?Ct(s,n):Eo(e??"",n),a=new Map;for(let[r,l]of t)Lt([...a.keys(),r])&&
+(i=ss(i,a,n),a=new Map),a.set(r,l);return a.size?ss(i,a,n):i}function $o({scenario:s,query:e,changes:t=[],...n},o){if(t.length>rs.changes)throw new te(G("too_ma\
+ny_changes",{pairs:t.length,most:rs.changes}));let{x:i,y:a}=n;if(i&&i.path===a.path)throw new N(G("equal_axes",{path:i.path}));let r=i?i.cells*a.cells:0;if(r>rs.
+cells)throw new te(G("too_many_cells",{cells:r,most:rs.cells}));return{...n,checked:Dt({scenario:s,query:e,changes:t},o)}}var{theory:U}=S.words;function Go({hoop:s,plane:e},t){let n=[],o=(r,l,c,m)=>{l!==null&&n.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:m(l)})},
+i=()=>o("painleve",t.painleve_friction,"1",r=>md(r,t,e));if(e.gravity<=0)return i(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
+U.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>q(r,{where:Ve(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:m,
+any_speed:h}=U;o("first_slip",t.first_slip_speed,"m/s",d=>Wo(d,r,m)),o("first_hop",t.first_hop_speed,"m/s",d=>Wo(d,l,m)),o("immediate_hop",t.immediate_hop_speed,
+"m/s",d=>Wo(d,c,h))}else n.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});o("needed_friction",t.needed_friction,"1",r=>dd(r,e)),i();
+let a=t.jam_angles.map(Ve).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>q(U.jam_at,{places:a})),s.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>q(
+U.rest_at,{where:Ve(r)})),n}function Wo(s,e,t){return s<S.words.least_speed?q(t,{would:e}):Number.isFinite(s)?q(U.above,{would:e,speed:Me(s,4)}):U.no_speed}function dd(s,{
+mu_static:e}){return Number.isFinite(s)?q(s<=e?U.friction_enough:U.friction_short,{mu:Me(s,3)}):U.no_friction}function md(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return q(n,{mu:Me(s,3),where:Ve(e)})}var fd=360,gd=240,Uo={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},bd=["motion.nc","motion.mp4","mo\
+tion.gif"],Ot=class{constructor(e,t,{base:n=null,server:o=null}={}){this.kernel=e;this.mechanics=t;this.base=n,this.server=o,this.shares=n!==null,this.files=[...Object.
+keys(Uo),...o?bd:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let{checked:o,...i}=$o(t,this.mechanics);if(e==="film")
+return this.film(o,n);if(e==="samples"){let a=Q(Ge(o)),{window:r}=i;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
+python:Lo(o),toml:os(o)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(Q(o),n);return{header:{thresholds:Go(o,a)},arrays:{}}}if(e==="regions"){
+let{window:a}=i,r=Q(o),l=await this.kernel.regions(r,a,fd,gd,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(o,i,n);throw new TypeError(`The \
+page does not answer ${e}.`)}async film(e,t){let n=Q(Ge(e)),{motion:o,columns:i}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
+t),columns:await this.kernel.columns(n,t)},{doubt:a}=o;if(a!==null&&this.server)return this.server.call("film",{query:zt(e)},t);let r=await this.turning(n,o,t),
+l=Io(e,o,r,this.mechanics);return{header:a===null?l:{...l,doubt:bo(a)},arrays:i}}async turning(e,{events:t},n){let o=zo(t);if(!o.length)return()=>0;let i=Float64Array.
+from(o,r=>No(t,r)),{omega:a}=await this.kernel.samples(e,i,n);return r=>a[o.indexOf(r)]}async changes(e,t,n){if(!this.kernel.changes)throw new TypeError("This k\
+ernel has no derivatives.");let o=Ge(Dt({scenario:e},this.mechanics)),i=Q(o);if(i.contact)throw new N(G("compliant_changes"));let a=Bo(o,t);if(!a)return null;let{
+rates:r,smaller:l,larger:c}=a,m=await this.kernel.changes(i,r,n);return{count:m.count,smaller:l?m.smaller:null,larger:c?m.larger:null}}async map(e,{x:t,y:n,what:o},i){
+let a=To(o),r=wo(e,{x:t,y:n,what:o}),l=await So(r,{x:t,y:n},this.mechanics,i);return Ao({x:t,y:n,what:o},await this.kernel.map(l,o,a,i))}async file(e,t){if(!(e in
+Uo)){if(this.server)return this.server.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Uo[e]})}async fileText(e,t){
+let n=Dt({query:t},this.mechanics);if(e==="motion.toml")return os(n);let o=Ge(n),i=Q(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.server)return(await this.
+server.file(e,t)).text();if(e==="motion.json")return Fo(o,a);let r=Ho(a.duration);return jo(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(
+e?`?${e}`:"",this.base)}${t}`}};async function Ko(s,e,t){let n=e&&new Zn(e);try{let o=await At.load(s);return new Ot(o,o.mechanics,{base:t,server:n})}catch(o){if(n)return n;throw o}}function hl(s){
+navigator.serviceWorker?.register(s).catch(()=>{})}async function cl(s){let e=new Qn(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await At.
+unpack(s.get("module"),s.get("worker"),t);return new Ot(n,n.mechanics,{server:e})}catch{return e}}var wd=new URL("./",import.meta.url);async function yd(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),n,o;try{n=await Ko(wd,t?null:e,e),o=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&hl(t.getAttribute("content")??"");let i=new it(
+s,n,o,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=fi(location.hash);try{await i.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Cy(s,e,t,n){let o=await Ko(
+e,null,new URL("../",e)),{header:i}=await o.call("setup",{}),a=new it(s,o,i,{panels:n});return await a.open([t]),a}async function vd({model:s,el:e}){let t=document.
+createElement("div");e.append(t);let n=await cl(s),o=new it(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
+o.motions.set([at(s.get("film"))]),o.begin();let i=()=>o.motions.replace(at(s.get("film")));return s.on("change:film",i),()=>{s.off("change:film",i),n.close?.(),
+o.close()}}var ul=document.getElementById("hophoop-lab");ul&&yd(ul);var zy={render:vd};export{Nl as adopt,Te as current,zy as default,vs as languageMenu,Cy as mount,jt as repeat,x as t,Ye as untranslated};

@@ -1,0 +1,255 @@
+"""What a visitor sees first: one run of the motion, the simple view, names and links of what is shown."""
+
+import math
+
+import pytest
+
+pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+
+import hophoop as hh
+from hophoop._version import __version__
+from lab_page_tools import SETTLED, SHOWN, expect, picture, wait_for
+
+PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True, "device_scale_factor": 1}
+SLIDERS = (
+    "[...document.querySelectorAll('.controls .slider')].filter((one) => one.checkVisibility()).map((one) => one.dataset.path)"
+)
+SIMPLE = "lab.root.classList.contains('simple')"
+
+
+def is_simple(page):
+    return page.evaluate(f"(() => {{ const lab = hophoopLab; return {SIMPLE}; }})()")
+
+
+def test_the_page_opens_in_motion_once_and_tells_where_to_take_the_hoop(visit):
+    page = visit(simple=True)
+    hint = page.locator(".grip-hint")
+    wait_for(page, "lab.clock.playing && lab.clock.time > 0.1")
+    assert hint.inner_text() == "Drag the load"
+    assert page.evaluate("hophoopLab.extras.sound.on") is False
+    # it is at the load, wherever that is
+    wait_for(page, "!document.querySelector('.grip-hint').hidden")
+    far = page.evaluate(
+        """() => {
+          const [hint, load] = [".grip-hint", ".grip-load"].map((one) => document.querySelector(one).getBoundingClientRect());
+          return Math.hypot(...["left", "top"].map((side) => hint[side] + hint[side === "left" ? "width" : "height"] / 2
+            - load[side] - load[side === "left" ? "width" : "height"] / 2));
+        }"""
+    )
+    assert far < 80
+    # once, then it is back at the start, and the address holds no time
+    page.evaluate("hophoopLab.clock.time = hophoopLab.clock.duration - 0.05")
+    wait_for(page, "!lab.clock.playing && lab.clock.time === 0")
+    page.wait_for_timeout(700)
+    assert page.evaluate("location.hash") == ""
+    assert hint.is_visible()
+    box = page.locator(".timeline-canvas").bounding_box()
+    page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 25)
+    assert hint.is_hidden()
+    assert page.evaluate("hophoopLab.clock.time") == pytest.approx(3, abs=0.02)
+    # from now on it plays as it is asked to
+    page.keyboard.press(" ")
+    page.evaluate("hophoopLab.clock.time = hophoopLab.clock.duration - 0.05")
+    wait_for(page, "lab.clock.playing && lab.clock.time < 1")
+
+
+@pytest.mark.parametrize("touch", ["key", "wheel"])
+def test_a_key_or_the_wheel_is_a_touch_too(visit, touch):
+    page = visit(simple=True)
+    expect(page.locator(".grip-hint")).to_be_visible()
+    if touch == "key":
+        page.keyboard.press("ArrowRight")
+    else:
+        box = page.locator(".stage").bounding_box()
+        page.mouse.move(box["x"] + 50, box["y"] + 150)
+        page.mouse.wheel(0, 10)
+    expect(page.locator(".grip-hint")).to_be_hidden()
+
+
+@pytest.mark.parametrize(
+    ("query", "options"), [("", {"reduced_motion": "reduce"}), ("#t=1.25", {}), ("?start.speed=2#t=1.25", {})]
+)
+def test_nothing_moves_for_those_who_want_none_and_where_a_link_names_a_time(visit, query, options):
+    page = visit(query, simple=True, **options)
+    wait_for(page, SETTLED)
+    page.wait_for_timeout(300)
+    time = 1.25 if query else 0
+    assert page.evaluate("[hophoopLab.clock.playing, hophoopLab.clock.time]") == [False, time]
+
+
+def test_the_simple_view_has_three_sliders_one_diagram_and_one_row_of_buttons(visit):
+    page = visit("#t=0.5", simple=True)
+    wait_for(page, SETTLED)
+    assert is_simple(page)
+    assert sorted(page.evaluate(SLIDERS)) == ["hoop.load_fraction", "plane.mu", "start.speed"]
+    # in this order
+    tops = [
+        page.locator(f"[data-path='{path}']").bounding_box()["y"] for path in ("start.speed", "hoop.load_fraction", "plane.mu")
+    ]
+    assert tops == sorted(tops)
+    assert page.locator(".plot").filter(visible=True).count() == 1
+    assert not page.locator(".map, .phase, .theory").filter(visible=True).count()
+    rows = {round(box.bounding_box()["y"]) for box in page.locator(".transport button").filter(visible=True).all()}
+    assert len(rows) == 1
+    page.locator("input[data-path='plane.mu']").fill("0.5")
+    wait_for(page, f"lab.film().scenario.plane.mu === 0.5 && {SETTLED}")
+    assert page.locator(".beyond").is_hidden()
+    picture(page, "simple")
+    # a motion with other settings says so
+    page.evaluate("hophoopLab.motions.change([['plane.slope', 0.05]], true)")
+    expect(page.locator(".beyond")).to_be_visible()
+    assert is_simple(page)
+    page.get_by_role("button", name="Show everything").click()
+    assert not is_simple(page)
+    assert page.locator("[data-path='plane.slope']").is_visible()
+
+
+STORE = {"kept": "", "none": "Object.defineProperty(globalThis, 'localStorage', { get() { throw new Error('forbidden'); } });"}
+
+
+@pytest.mark.parametrize("storage", STORE)
+def test_everything_is_remembered_and_there_is_a_way_back(visit, storage):
+    page = visit("#t=0.5", simple=True, script=STORE[storage])
+    assert is_simple(page)
+    page.get_by_role("button", name="Everything").click()
+    wait_for(page, f"!{SIMPLE} && {SHOWN}")
+    assert len(page.evaluate(SLIDERS)) > 8
+    assert page.locator(".plot").filter(visible=True).count() == 5
+    page.reload()
+    page.wait_for_selector("[data-ready]")
+    assert is_simple(page) == (storage == "none")
+    if storage == "kept":
+        page.get_by_role("button", name="Simple view").click()
+        page.reload()
+        page.wait_for_selector("[data-ready]")
+        assert is_simple(page)
+
+
+@pytest.mark.parametrize(
+    ("link", "simple"),
+    [
+        ("?start.speed=2.8&plane.mu=0.5&hoop.load_fraction=0.6&duration=3", True),
+        ("?start.speed=2#zoom=2&show=tf3", True),
+        ("?plane.slope=0.1", False),
+        ("?plane.restitution=0.5", False),
+        ("#with=start.speed%3D2", False),
+        ("#map=sequence,start.speed,1,2,plane.mu,0.5,1", False),
+        ("#more=plane.mu", False),
+        ("#fingerprint=0123456789abcdef", False),
+    ],
+)
+def test_a_link_opens_what_it_holds(visit, link, simple):
+    page = visit(link, simple=True)
+    wait_for(page, SETTLED)
+    assert is_simple(page) == simple
+    # it was the link's wish, not the visitor's
+    assert page.evaluate("localStorage.getItem('hophoop-view')") is None
+
+
+def test_a_phone_shows_hoop_play_and_three_sliders_without_scrolling(visit):
+    for locale in ("en", "de", "fr", "es"):
+        page = visit(simple=True, locale=locale, **PHONE)
+        wait_for(page, SETTLED)
+        assert page.evaluate("document.documentElement.scrollWidth") == 390
+        paths = [f"input[data-path='{path}']" for path in ("start.speed", "hoop.load_fraction", "plane.mu")]
+        for seen in (".stage", ".transport .play", *paths):
+            box = page.locator(seen).bounding_box()
+            assert box["y"] >= 0
+            assert box["y"] + box["height"] <= 844, (locale, seen)
+        small = page.evaluate(
+            """() => [...document.querySelectorAll("button, select, summary, input")].filter((one) => one.checkVisibility())
+              .filter((one) => Math.min(one.getBoundingClientRect().width, one.getBoundingClientRect().height) < 43.5)
+              .map((one) => one.outerHTML.slice(0, 90))"""
+        )
+        assert small == []
+        # a menu lies on the screen, wherever its button is
+        for menu in (".menu", ".learn"):
+            page.locator(f"{menu} summary").tap()
+            box = page.locator(f"{menu} .menu-body").bounding_box()
+            assert box["x"] >= 0
+            assert box["x"] + box["width"] <= 390
+            page.locator(f"{menu} summary").tap()
+
+
+def test_the_title_names_the_motion(visit):
+    page = visit("?start.speed=2")
+    page.wait_for_function("() => document.title === 'Rolls – hophoop'")
+    page.locator(".presets").select_option("jam")
+    page.wait_for_function("() => document.title === 'Dynamic jam – hophoop'")
+    page.get_by_label("Language").select_option("de")
+    page.wait_for_function("() => document.title.endsWith(' – hophoop') && !document.title.includes('Dynamic')")
+    page.get_by_label("Sprache").select_option("en")
+    page.locator(".presets").select_option("hop")
+    wait_for(page, SETTLED)
+    # what a visitor still guesses is not in it
+    page.evaluate("hophoopLab.extras.visit.go(3)")
+    page.wait_for_function("() => document.title === 'hophoop lab: play with the hopping hoop'")
+    assert len(visit().title()) <= 60 + len(" … – hophoop")
+
+
+def test_about_has_version_licence_and_documentation(visit):
+    page = visit("#t=0.5", simple=True)
+    page.locator(".learn summary").click()
+    page.get_by_role("button", name="About hophoop").click()
+    about = page.locator("dialog.about[open]")
+    said = about.inner_text()
+    assert __version__ in said
+    assert "MIT" in said
+    assert "docs/index.md" in said  # this page was told no address
+    assert "hophoop --help" in said
+    licences = page.request.get(about.get_by_role("link").get_attribute("href"))
+    assert licences.ok
+    assert "MIT licence" in licences.text()
+    about.get_by_role("button", name="Close").click()
+    assert about.count() == 0
+
+
+def test_words_point_to_their_place_in_picture_bar_and_diagrams(visit):
+    page = visit(viewport={"width": 1440, "height": 1800})
+    wait_for(page, f"lab.phase.pictures?.length === 1 && {SHOWN}")
+    hop = hh.simulate(hh.Scenario()).find("takeoff")[0]
+    line = page.locator(".story-list button").filter(has_text="It hops at")
+    painted = """selectors => selectors.map((one) => [...document.querySelectorAll(one)]
+      .map((canvas) => canvas.toDataURL()).join())"""
+    places = [".stage-canvas:not([hidden])", ".timeline-canvas", ".phase .plot-over", "[data-plot=velocities] .plot-over"]
+    before = page.evaluate(painted, places)
+    for point, leave in (
+        ("hover", lambda: page.mouse.move(5, 5)),
+        ("focus", lambda: page.evaluate("document.activeElement.blur()")),
+    ):
+        getattr(line, point)()
+        wait_for(page, f"lab.clock.pointed === {hop.t} && {SETTLED}")
+        after = page.evaluate(painted, places)
+        assert [one != other for one, other in zip(before, after, strict=True)] == [True] * 4, point
+        assert page.evaluate("hophoopLab.clock.time") == 0  # nothing else moves
+        leave()
+        wait_for(page, f"lab.clock.pointed === null && {SETTLED}")
+        assert page.evaluate(painted, places) == before
+    # beside the picture, an arrow leads to what lies outside of it
+    last = page.locator(".story-list button").last
+    last.focus()
+    wait_for(page, "lab.clock.pointed > 5")
+    assert page.evaluate(painted, places[:1]) != before[:1]
+    # the motion is the same: the list keeps the focus when the page is drawn anew
+    page.evaluate("hophoopLab.show()")
+    wait_for(page, SETTLED)
+    assert last.evaluate("one => document.activeElement === one")
+
+
+def test_the_load_is_dragged_in_the_simple_view(visit):
+    page = visit("#t=0.001", simple=True, reduced_motion="reduce")
+    wait_for(page, SETTLED)
+    page.evaluate("hophoopLab.clock.seek(0)")
+    wait_for(page, SETTLED)
+    load, hoop = (page.locator(f".grip-{grip}").bounding_box() for grip in ("load", "hoop"))
+    x, y = load["x"] + load["width"] / 2, load["y"] + load["height"] / 2
+    radius = hoop["y"] + hoop["height"] / 2 - y
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + radius, y + radius, steps=3)
+    page.wait_for_timeout(200)
+    page.mouse.up()
+    wait_for(page, f"lab.motions.history.past.length === 1 && {SETTLED}")
+    assert page.evaluate("hophoopLab.film().scenario.start.angle") == pytest.approx(math.pi / 2, abs=0.05)
+    assert is_simple(page)
+    assert len(page.evaluate(SLIDERS)) == 3

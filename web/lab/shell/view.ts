@@ -1,0 +1,69 @@
+// The simple view, with which visitors begin: the hoop, three sliders, one diagram. Or everything, which is remembered.
+
+import { h, say } from "../common/dom.ts";
+import type { Shown } from "./address.ts";
+import { recall, remember } from "./memory.ts";
+
+const KEY = "hophoop-view";
+const SIMPLE = new Set(["start.speed", "hoop.load_fraction", "plane.mu", "duration"]);
+
+/** Whether a motion has settings that the simple view does not show. */
+const beyond = ({ query }: Film) => [...new URLSearchParams(query).keys()].some((key) => !SIMPLE.has(key));
+
+export class View {
+  simple = false;
+  /** Goes from one view to the other. */
+  button: HTMLButtonElement;
+  /** Says that not all that matters is seen. */
+  more: HTMLElement;
+
+  /** `hosted`: whether the lab owns the page; embedded hoops show what their page asks for. */
+  constructor(
+    readonly root: HTMLElement,
+    readonly hosted: boolean,
+    readonly changed: () => void,
+  ) {
+    this.button = h("button", { type: "button", class: "view", hidden: !hosted, onclick: () => this.choose() });
+    this.more = h(
+      "p",
+      { class: "hint beyond", hidden: true },
+      "This motion has other settings too. ",
+      h("button", { type: "button", class: "link", onclick: () => this.choose() }, "Show everything"),
+    );
+  }
+
+  /** Whether the visitor has asked for everything before. */
+  get everything() {
+    return recall(KEY) === "everything";
+  }
+
+  /** A link opens what it holds. */
+  open(films: Film[], { map, more, fingerprints }: Shown) {
+    const held = films.length > 1 || map || more || fingerprints?.some(Boolean) || films.some(beyond);
+    this.turn(this.hosted && !this.everything && !held);
+  }
+
+  choose() {
+    this.turn(!this.simple);
+    remember(KEY, this.simple ? "simple" : "everything");
+    this.changed();
+    this.button.focus({ preventScroll: true });
+  }
+
+  turn(simple: boolean) {
+    this.simple = simple;
+    this.root.classList.toggle("simple", simple);
+    say(this.button, simple ? "Everything" : "Simple view");
+    // a slider in a closed group would not be seen
+    for (const group of this.root.querySelectorAll<HTMLDetailsElement>("details.group")) {
+      if (simple) {
+        group.dataset.open = String(group.open);
+        group.open = true;
+      } else if (group.dataset.open) group.open = group.dataset.open === "true";
+    }
+  }
+
+  show(films: Film[]) {
+    this.more.hidden = !this.simple || !films.some(beyond);
+  }
+}
