@@ -12,7 +12,7 @@ import { Sound } from "../player/sound.ts";
 import { Table } from "../diagrams/table.ts";
 import { teachDialog } from "../teach/teach.ts";
 import { Visit } from "../teach/visit.ts";
-import { current, repeat, t } from "../words/words.ts";
+import { current, repeat, spoken, t } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
 const LONG = 60; // letters of a motion's name
@@ -144,7 +144,7 @@ export class Extras {
   nameOf({ query, summary }: Film) {
     const example = this.lab.known.find((one) => one.query === query);
     if (example) return t(example.title);
-    const [sentence] = summary.split(/(?<=[.。])(?!\d)/u);
+    const [sentence] = spoken(summary).split(/(?<=[.。])(?!\d)/u);
     return sentence.length <= LONG
       ? sentence.replace(/[.。]$/u, "")
       : `${sentence.slice(0, LONG).replace(/[,，][^,，]*$/u, "")} …`;
