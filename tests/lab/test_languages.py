@@ -25,7 +25,7 @@ ALIKE = re.compile(r"\S*( \S*){0,2}$|[{}\w\s.=():]*$")
 
 SOURCES = {
     path: path.read_text(encoding="utf-8")
-    for folder in ("kernel", "lab", "model", "pages", "site")
+    for folder in ("kernel", "lab", "model", "pages", "site", "words")
     for path in sorted((WEB / folder).rglob("*"))
     if path.suffix in (".ts", ".html")
 }

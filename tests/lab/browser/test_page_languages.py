@@ -134,7 +134,7 @@ def test_everything_that_is_said_is_in_the_tables(visit):
     texts = page.evaluate(TEXTS) + page.evaluate(EVERYTHING % (TEXTS, json.dumps(queries)))
     assert len(texts) > 600
     # names of units, of the program, of parameters and of words of a scenario are the same everywhere
-    names = re.compile(r"rad|cos|hophoop|Shift|Ctrl|Home|End|Esc|inf|[a-z]+(\.\w+)+|'\w+'|\b[0-9a-f]{16,}\b")
+    names = re.compile(r"rad|cos|hophoop|MIT|Shift|Ctrl|Home|End|Esc|inf|[a-z]+(\.\w+)+|'\w+'|\b[0-9a-f]{16,}\b")
     left = {text for text in texts if re.search(r"[^\W\d_]{3}", names.sub("", outside(text)))}
     assert left == set()
 
