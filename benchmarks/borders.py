@@ -75,7 +75,7 @@ def work(task: tuple[int, int]) -> tuple[str, dict[str, int], str]:
 
 
 def markdown(counts: dict[str, collections.Counter[str]], seconds: float, seed: int, jobs: int) -> str:
-    """The table of docs/stress.md."""
+    """The table of docs/testing.md."""
     total = sum(counts[border]["motions"] for border in counts)
     lines = [
         f"{total:,} starts of seed {seed}, within 4 units in the last place of a border, in {seconds:.0f} s "

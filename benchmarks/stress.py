@@ -306,7 +306,7 @@ def plainly(total: dict[str, Any], asked: argparse.Namespace, seconds: float) ->
 
 
 def markdown(plain: dict[str, Any]) -> str:
-    """The tables of docs/stress.md, from what `--json` writes."""
+    """The tables of docs/testing.md, from what `--json` writes."""
 
     def row(*cells: object) -> str:
         return "| " + " | ".join(str(cell) for cell in cells) + " |"
@@ -383,7 +383,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=2026)
     parser.add_argument("--jobs", type=int, default=multiprocessing.cpu_count())
     parser.add_argument("--json", metavar="FILE")
-    parser.add_argument("--markdown", metavar="FILE", help="write the tables of docs/stress.md there")
+    parser.add_argument("--markdown", metavar="FILE", help="write the tables of docs/testing.md there")
     parser.add_argument("--show", type=int, metavar="INDEX")
     arguments = parser.parse_args()
     if arguments.show is not None:

@@ -47,6 +47,7 @@ extensions = [
     "numpydoc",
     "sphinxcontrib.bibtex",
     "sphinx_design",
+    "sphinx_copybutton",
 ]
 exclude_patterns = ["_build", "tables", "gallery/used"]  # tables are included by pages
 templates_path = ["_templates"]
@@ -85,6 +86,12 @@ sphinx_gallery_conf = {
     "abort_on_example_error": True,
 }
 
+# A button copies what one types: without prompts, without the lines that a program prints.
+copybutton_prompt_text = r">>> |\.\.\. |\$ "
+copybutton_prompt_is_regexp = True
+copybutton_only_copy_prompt_lines = True
+copybutton_line_continuation_character = "\\"
+
 # Pictures of tutorials, drawn by the code above them.
 plot_html_show_formats = plot_html_show_source_link = False
 plot_formats = ["svg"]
@@ -93,5 +100,4 @@ html_theme = "furo"
 html_title = f"hophoop {version}"
 html_static_path = ["_static", "../src/hophoop/article/fonts"]  # the font of formulas is the report's
 html_css_files = ["site.css"]
-html_js_files = [("print.js", {"defer": ""})]
 html_logo = html_favicon = "_static/logo.svg"

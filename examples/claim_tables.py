@@ -1,4 +1,4 @@
-"""The tables of docs/literature, from the registry of `hophoop claims`: run it after a change of either.
+"""The table of docs/literature.md, from the registry of `hophoop claims`: run it after a change of either.
 
 python examples/claim_tables.py
 """
@@ -9,17 +9,16 @@ from pathlib import Path
 
 from hophoop.claims.pages import fill_tables
 
-PAGES = Path(__file__).parents[1] / "docs" / "literature"
+PAGE = Path(__file__).parents[1] / "docs" / "literature.md"
 
 
 def main() -> None:
-    """Write the pages whose table has changed."""
-    for page in sorted(PAGES.glob("*.md")):
-        text = page.read_text(encoding="utf-8")
-        new = fill_tables(text)
-        if new != text:
-            page.write_text(new, encoding="utf-8", newline="\n")
-            print(page.name)
+    """Write the page if its table has changed."""
+    text = PAGE.read_text(encoding="utf-8")
+    new = fill_tables(text)
+    if new != text:
+        PAGE.write_text(new, encoding="utf-8", newline="\n")
+        print(PAGE.name)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     k = study.STIFFNESSES
 
-    figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.6), layout="constrained", sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(10.0, 4.6), layout="constrained", sharey=True)
     for ax, title, contact in (
         (axes[0], "slip speed 1/k (default)", {}),
         (axes[1], "slip speed fixed at 10⁻⁴ √(g R)", {"slip_speed": 1e-4}),
@@ -33,7 +33,7 @@ def main(folder: Path) -> None:
     axes[1].set_ylabel("")
     keep(figure, folder / "compliant-convergence.svg")
 
-    figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
+    figure, axes = plt.subplots(1, 2, figsize=(10.0, 4.2), layout="constrained")
     matched = study.matched_landings()
     lines = {f"e = {e}, c = {number:.3f} √(k m)": errors for e, (number, errors) in matched.items()}
     figures.error_lines(lines, k, axes[0])
@@ -49,7 +49,7 @@ def main(folder: Path) -> None:
         print(name, " ".join(f"{value:.1e}" for value in values))
     keep(figure, folder / "compliant-landing-order.svg")
 
-    figure, axes = plt.subplots(1, 3, figsize=(13.0, 4.0), layout="constrained")
+    figure, axes = plt.subplots(1, 3, figsize=(10.0, 4.2), layout="constrained")
     figures.landing_against_stiffness(10.0 ** np.arange(1.0, 10.5, 0.5), axes[0])
     figures.landing_against_slip_speed(10.0 ** np.arange(-8.0, 0.25, 0.25), ax=axes[1])
     figures.landing_against_restitution(np.linspace(0.0, 1.0, 11), ax=axes[2])

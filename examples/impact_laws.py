@@ -68,7 +68,7 @@ def small_steps(mu: float, vt: float, vn: float, total: float, steps: int = 60_0
 
 def along_the_impulse(folder: Path) -> None:
     """Both velocities against the impulse, in small steps, and the ends that the program finds for e = 1."""
-    figure, axes = plt.subplots(1, 3, figsize=(12.0, 4.1), layout="constrained")
+    figure, axes = plt.subplots(1, 3, figsize=(10.0, 4.1), layout="constrained")
     rows = []
     for ax, (title, mu, vx) in zip(axes, CASES, strict=True):
         ends = {law: strike(law, 1.0, mu, vx) for law in LAWS}
@@ -87,12 +87,12 @@ def along_the_impulse(folder: Path) -> None:
         velocities = " | ".join(f"{ends[law].vy:.6f}" for law in LAWS)
         rows.append(f"| {title} | {mu:g} | (−{-vx:g}, −3) | {compression:.6f} | {velocities} | {worst:.1e} |")
         ax.axhline(0.0, color="black", lw=0.6)
-        ax.set_title(f"μ = {mu:g}, $v_t$ = −{-vx:g} m/s:\n{title}", fontsize="medium")
+        ax.set_title(f"μ = {mu:g}, $v_t$ = −{-vx:g} m/s:\n{title}", fontsize=9)
         ax.set_xlabel("Normal impulse (N s)")
         ax.set_ylim(min(-3.4, vx * 1.06), 3.9)
         ax.grid(alpha=0.15)
     axes[0].set_ylabel("Velocity of the contact point (m/s)")
-    axes[0].legend(frameon=False, fontsize=8.5, loc="lower right")
+    axes[0].legend(frameon=False, fontsize=9, loc="lower right")
     save(figure, folder / "impact-impulse.svg")
     print("| case | μ | v before | p_c (N s) | Newton | Poisson | Stronge | off the steps |")
     print("\n".join(rows))

@@ -78,7 +78,7 @@ def contact_space(ax: Any, title: str, degrees: float, word: str) -> None:
 
 def draw_contact_space(path: Path) -> None:
     """Three states, three answers."""
-    figure, axes = plt.subplots(1, 3, figsize=(10.5, 2.9), sharey=True, layout="constrained")
+    figure, axes = plt.subplots(1, 3, figsize=(10.0, 2.9), sharey=True, layout="constrained")
     for ax, panel in zip(axes, PANELS, strict=True):
         contact_space(ax, *panel)
     axes[0].set_ylabel("Normal force $N$ (N)")

@@ -21,20 +21,21 @@ STATIC = Path(__file__).parents[1] / "_static"
 FONTS = Path(hh.__file__).parent / "article" / "fonts"  # the one of the report serves all pages
 FILES = (STATIC / "slides.css", STATIC / "slides.js", FONTS / "hoop-math.woff2")
 SIZE = (960, 440)
-HOOP, PLANE = hh.Hoop.ideal(load_fraction=0.75), hh.Plane(mu=1.0)
+HOOP, PLANE = hh.Hoop.ideal(load_fraction=0.75, radius=0.4), hh.Plane(mu=1.0)  # the worksheet's
+HOPS, ROLLS = 2.0, 1.25  # speeds that hop and that only roll [m/s]
 ENERGY = r"\gamma m g\cdot 2R=(1-\gamma)\,m\,v^2"
 NORMAL = r"N=m\left(g-\gamma\,\frac{v_0^2}{R}\right)"
 AT_ONCE, CIRCLE, CONE = r"v_0=\sqrt{gR/\gamma}", r"\gamma R", r"\mu N"
 FILMS: dict[str, tuple[tuple[float, float], ...]] = {  # speed [m/s] and friction of each motion
-    "hop": ((3.1, 1.0),),
-    "roll": ((2.0, 1.0),),
-    "friction": ((2.7, 0.02), (2.7, 0.2), (2.7, 1.0)),
+    "hop": ((HOPS, 1.0),),
+    "roll": ((ROLLS, 1.0),),
+    "friction": ((1.7, 0.02), (1.7, 0.2), (1.7, 1.0)),
 }
 
 
 def motion(speed: float, mu: float) -> hh.Trajectory:
-    """The article's hoop."""
-    return hh.simulate(HOOP, hh.Plane(mu=mu), hh.Start.rolling(speed), duration=2.0)
+    """The hoop of slides, worksheet and lessons."""
+    return hh.simulate(HOOP, hh.Plane(mu=mu), hh.Start.rolling(speed), duration=1.3)
 
 
 def make_films(folder: Path) -> None:
@@ -43,9 +44,11 @@ def make_films(folder: Path) -> None:
         motions = [motion(*run) for run in runs]
         labels = [f"μ = {mu:g}" for _, mu in runs] if len(runs) > 1 else None
         look = Look(size=SIZE, forces=name == "roll", labels=labels)
-        hh.animate.film(motions, folder / f"{name}.mp4", Timing(fps=25), look)
-    slow = Timing(fps=25, speed=0.25, start=0.6, end=1.3)
-    hh.animate.film(motion(3.1, 1.0), folder / "slow.mp4", slow, Look(size=SIZE))
+        # the first slide asks what the hoop will do, so its film ends before the hoop takes off
+        timing = Timing(fps=25, speed=0.5, end=0.9 * motions[0].find("takeoff")[0].t if name == "hop" else None)
+        hh.animate.film(motions, folder / f"{name}.mp4", timing, look)
+    slow = Timing(fps=25, speed=0.25, start=0.38, end=0.85)
+    hh.animate.film(motion(HOPS, 1.0), folder / "slow.mp4", slow, Look(size=SIZE))
 
 
 def film(name: str, words: str) -> str:
@@ -68,38 +71,39 @@ def slides() -> list[str]:
     speeds = critical_speeds(HOOP, PLANE)
     bottom = float(rolling_speed(math.pi, HOOP, v0=0.0)) * HOOP.radius
     stone = (2 * PLANE.gravity * 2 * HOOP.radius) ** 0.5
-    takeoff = motion(3.1, 1.0).find("takeoff")[0]
-    rolled = float(rolling_speed(takeoff.angle, HOOP, v0=3.1))
-    forces = rolling_forces(math.radians(260), HOOP, v0=2.0)
+    takeoff = motion(HOPS, 1.0).find("takeoff")[0]
+    rolled = float(rolling_speed(takeoff.angle, HOOP, v0=HOPS))
+    forces = rolling_forces(math.radians(260), HOOP, v0=ROLLS)
     return [
-        f"<h1>The hoop that hops</h1>{film('hop', 'A loaded hoop rolls, slips, hops and lands')}"
+        f"<h1>The hoop that hops</h1>{film('hop', 'A loaded hoop starts to roll')}"
         "<p class='quiet'>A ring with a heavy load on its rim. Three quarters of all mass is in the load.</p>",
         "<h2>Predict</h2><p class='ask'>You push the hoop. Where is the load when the hoop leaves the floor?</p>"
         "<ol type='A'><li>At the top</li><li>On the way down</li><li>At the bottom</li><li>On the way up</li></ol>"
         "<p class='quiet'>Vote. Write down one reason.</p>",
-        f"<h2>First slowly: it only rolls</h2>{film('roll', 'The hoop rolls at 2 metres a second; arrows show the forces')}"
+        f"<h2>First slowly: it only rolls</h2>{film('roll', 'The hoop rolls; arrows show the forces')}"
         "<p class='ask'>Which way does friction point on the way down, and on the way up?</p>",
         "<h2>Who has the energy?</h2><p>When the load is at the bottom, it is at rest: it is the point that touches the floor. "
         f"The ring has all the energy.</p>{formula(ENERGY)}"
         f"<p>The centre moves at {bottom:.2f} m/s. A stone that falls as far has {stone:.2f} m/s.</p>",
         "<h2>What would lift it?</h2><p>At the top the centre of gravity moves on a circle of radius "
         f"{m(CIRCLE)}. The floor carries what is left of the weight:</p>{formula(NORMAL)}"
-        f"<p>It is zero at {m(AT_ONCE)} = {speeds.immediate_hop:.2f} m/s, for a hoop of 1 m radius.</p>"
+        f"<p>It is zero at {m(AT_ONCE)} = {speeds.immediate_hop:.2f} m/s, for a hoop of 0.4 m radius.</p>"
         "<p class='ask'>So slower hoops stay on the floor?</p>",
-        f"<h2>At 3.1 m/s, four times slower</h2>{film('slow', 'The hoop takes off before the load is at the top')}"
+        f"<h2>At {HOPS:g} m/s, four times slower</h2>{film('slow', 'The hoop takes off before the load is at the top')}"
         f"<p>It takes off at {math.degrees(takeoff.angle):.1f}°, before the load is at the top.</p>",
-        "<h2>Three speeds</h2><table><tr><th>from</th><th>it</th></tr>"
+        "<h2>Three speeds</h2><table><tr><th>from</th><th>the hoop</th></tr>"
         f"<tr><td>{speeds.first_slip:.2f} m/s</td><td>slips</td></tr><tr><td>{speeds.first_hop:.2f} m/s</td><td>hops</td></tr>"
         f"<tr><td>{speeds.immediate_hop:.2f} m/s</td><td>is off the floor at once</td></tr></table>"
-        "<p class='quiet'>R = 1 m, friction 1, the load starts at the top.</p>",
+        "<p class='quiet'>R = 0.4 m, friction 1, the load starts at the top.</p>",
         "<h2>Why does it hop?</h2><ol><li>On the way up, friction has to brake the rotation.</li>"
         f"<li>It is at most {m(CONE)}, and {m('N')} is small there: {float(forces.normal):.1f} N of a weight of "
-        f"{HOOP.mass * PLANE.gravity:.1f} N, at 260° and 2 m/s.</li><li>So the rim slips, and the hoop keeps turning fast: "
+        f"{HOOP.mass * PLANE.gravity:.1f} N, at 260° and {ROLLS:g} m/s.</li>"
+        "<li>So the rim slips, and the hoop keeps turning fast: "
         f"{takeoff.omega:.2f} rad/s where a rolling one would have {rolled:.2f} rad/s.</li>"
         "<li>The load comes up fast and lifts the hoop.</li></ol>",
         "<h2>More friction, more hop?</h2>"
-        "<p class='ask'>The same push at 2.7 m/s on ice, on a smooth and on a rough floor. Which hops?</p>"
-        f"{film('friction', 'Three hoops at 2.7 metres a second on floors of different friction')}",
+        "<p class='ask'>The same push at 1.7 m/s on ice, on a smooth and on a rough floor. Which hops?</p>"
+        f"{film('friction', 'Three hoops at the same speed on floors of different friction')}",
         "<h2>Your turn</h2><ul><li>Worksheet, A1 to A9</li><li>The lab: <code>hophoop lab</code></li>"
         "<li>Build one: a bicycle rim, steel plates, cable ties</li></ul>"
         "<p class='quiet'>Computed with hophoop, after H. Sönnerlind, The physics of a hopping hoop (2023).</p>",

@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -19,13 +20,9 @@ from hophoop.claims.pages import END, fill_tables
 from hophoop.cli import app
 from hophoop.cli._tables import VERDICT_STYLES
 
-LITERATURE = Path(__file__).parents[2] / "docs" / "literature"
+PAGE = (Path(__file__).parents[2] / "docs" / "literature.md").read_text(encoding="utf-8")
 CLAIMS = registry()
 G = 9.81
-
-
-def pages():
-    return {path.stem: path.read_text(encoding="utf-8") for path in sorted(LITERATURE.glob("*.md"))}
 
 
 # Numbers
@@ -164,37 +161,27 @@ def test_progress_counts_to_the_end():
 # Pages
 
 
-def test_every_work_has_a_page_and_its_table_is_that_of_the_registry():
-    found = []
-    for name, text in pages().items():
-        assert fill_tables(text) == text, f"docs/literature/{name}.md: run python examples/claim_tables.py"
-        for line in text.split("\n"):
-            if line.startswith("<!-- claims: "):
-                found += line.removeprefix("<!-- claims: ").removesuffix(" -->").split()
-    assert sorted(found) == sorted(set(hh.claims.works()) - {"Sonnerlind2023"})
+def test_every_work_is_on_the_page_and_the_table_is_that_of_the_registry():
+    assert fill_tables(PAGE) == PAGE, "run python examples/claim_tables.py"
+    (keys,) = re.findall(r"^<!-- claims: (.+) -->$", PAGE, re.MULTILINE)
+    assert sorted(keys.split()) == sorted(set(hh.claims.works()) - {"Sonnerlind2023"})
 
 
-def test_a_page_says_what_it_must():
-    for name, text in pages().items():
-        if name == "index":
-            continue
-        for heading in ("## What it claims", "## What it assumes", "## Our number beside it", "## Verdict", "## See it"):
-            assert heading in text, (name, heading)
-        assert "Read:" in text, name
-        assert "hophoop " in text.split("## See it")[1], name
+def test_the_table_says_of_every_work_what_was_read():
+    rows = re.findall(r"^\| (\{cite:t\}.*?) \| (.+?) \| .+? \| .+? \|$", PAGE, re.MULTILINE)
+    named = {key for works, _ in rows for key in re.findall(r"\{cite:t\}`(\w+)`", works)}
+    assert set(hh.claims.works()) <= named | {"Stronge1991"}
+    assert all(re.match(r"not|title|abstract|in full", read) for _, read in rows)
 
 
 def commands():
-    lines = {line for text in pages().values() for line in text.split("\n")}
-    return sorted(
-        line for line in lines if line.startswith(("hophoop run ", "hophoop claims ")) and not line.endswith("Sonnerlind2023")
-    )
+    return sorted({line.removeprefix("$ ") for line in PAGE.split("\n") if line.startswith("$ hophoop run ")})
 
 
 @pytest.mark.parametrize("command", commands())
 def test_a_command_of_a_page_runs(command):
     done = CliRunner().invoke(app, command.split()[1:])
-    assert done.exit_code == (1 if "--mu inf" in command or "--mu 0.8 --v0 8.9" in command else 0), done.stderr
+    assert done.exit_code == 0, done.stderr
     assert done.stdout.strip()
 
 

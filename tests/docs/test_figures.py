@@ -65,6 +65,29 @@ def test_a_drawing_has_colours_for_dark_pages(path):
     assert not re.search(r"(fill|stroke): ?#", re.sub(r"<style>.*?</style>|<defs>.*?</defs>", "", made, flags=re.DOTALL))
 
 
+PAGE_WIDTH = 736  # pixels of text
+# Drawings of which a part is smaller; their programs take minutes.
+SMALL = {"compliant-energy", "massless-limit", "painleve-starts"}
+
+
+def text_sizes(svg):
+    """Heights of the text of a drawing [pixel], as a page shows it."""
+    shown = float(re.search(r'<svg[^>]*? width="([\d.]+)pt"', svg)[1]) * 96 / 72
+    scale = min(1.0, PAGE_WIDTH / shown) * 96 / 72
+    return [100 * float(size) * scale for size in re.findall(r"scale\((0?\.\d+) -", svg)]
+
+
+@pytest.mark.parametrize("path", DRAWINGS, ids=lambda path: path.stem)
+def test_the_text_of_a_drawing_can_be_read(path):
+    sizes = text_sizes(path.read_text(encoding="utf-8"))
+    assert sizes
+    assert (min(sizes) < 8.95) == (path.stem in SMALL)
+
+
+def test_small_text_is_found():
+    assert text_sizes('<svg height="3pt" width="1104pt"><g transform="scale(0.08 -0.08)">') == pytest.approx([5.33], abs=0.01)
+
+
 def test_colours_of_classes_are_the_same_on_dark_pages():
     """In the field, which is a picture, and beside it, where they are drawn."""
     text = (ROOT / "docs" / "figures" / "atlas-mu-v0-sequence.svg").read_text(encoding="utf-8")

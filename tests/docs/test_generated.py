@@ -82,3 +82,12 @@ def test_every_field_of_a_result_has_a_line_with_its_unit(record):
         assert len(place) == 1, field.name
         if re.search(r"float|ndarray, shape", lines[place[0]]):
             assert re.search(r"\[[^]]+\]", lines[place[0] + 1]), field.name
+
+
+def test_the_table_of_engines_has_one_row_each_with_the_better_settings():
+    rows = generated.engines().splitlines()[2:]
+    cells = {row.split(" | ")[0].strip("| "): [cell.strip(" |") for cell in row.split(" | ")] for row in rows}
+    assert len(cells) == len(rows) >= 15
+    assert cells["Drake 1.51.1"][2:4] == ["−68", "−68"]  # the manual's settings are the better ones at 1 ms
+    assert cells["DART 6.20.0"][2:4] == ["+14", "+2.3 (ours)"]
+    assert cells["Exudyn 1.13.6"][4].endswith("(ours)")

@@ -128,6 +128,23 @@ def test_every_page_stands_once_in_the_navigation():
     assert sorted(toctree_pages(DOCS)) == sorted(stored - {"index"} | {"gallery/index"})
 
 
+def test_the_sidebar_is_short():
+    """Entries that show when no part is unfolded; the others are one click further."""
+    text = (DOCS / "index.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```\{toctree\}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    entries = [line for block in blocks for line in block.splitlines() if line and not line.startswith(":")]
+    assert 20 < len(entries) <= 30
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/index.md", "docs/learn/why.md"])
+def test_the_story_that_it_comes_from_is_linked(page):
+    text = (DOCS.parent / page).read_text(encoding="utf-8")
+    assert "Stand-up Maths" in text
+    assert "https://www.youtube.com/watch?v=ETRpkp03stQ" in text
+    assert "The physics of a hopping hoop" in text
+    assert "https://www.comsol.com/blogs/the-physics-of-a-hopping-hoop" in text
+
+
 def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):
     number = re.compile(r"-?\d*\.\d+")
     monkeypatch.setattr(sys, "argv", ["front_page.py", str(tmp_path / "hop.svg")])

@@ -182,13 +182,17 @@ def test_the_adapter_of_the_page_runs():
     space = {}
     exec(code, space)
     one = registry.engine_of("mine", SimpleNamespace(**space))
-    found, measures = engines.score(
-        engines.Recording(engines.States(*one.run(engines.task_of(HOP), 1e-4))), engines.truths()["hop"]
-    )
-    # a penalty method of a dozen lines: it hops, a little off
+    assert len(one.settings) == 2
+    for settings in one.settings.values():
+        for dt in (1e-3, 1e-4):
+            record = one.run(engines.task_of(HOP), dt, **settings)
+            found, measures = engines.score(engines.Recording(engines.States(*record)), engines.truths()["hop"])
+            # a penalty method of a dozen lines: it hops, a little off, with either settings
+            assert "H" in measures.sequence
+            assert abs(found.hop_height) < 0.02
+            assert abs(found.total_loss) < 1.0
     assert measures.sequence == "RKRSHR"
-    assert abs(found.hop_height) < 0.02
-    assert abs(found.takeoff_angle) < 2.0
+    assert abs(found.hop_height) < 0.001
 
 
 def test_the_command_of_the_page_runs(tmp_path):

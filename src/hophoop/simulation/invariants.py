@@ -1,4 +1,4 @@
-"""Invariants: laws that every computed motion obeys, checked independently (docs/limits.md#what-is-tried).
+"""Invariants: laws that every computed motion obeys, checked independently (docs/testing.md#what-is-tried).
 
 With the environment variable `HOPHOOP_CHECK=1`, read when hophoop is imported, `simulate` checks each motion before it returns
 it.
